@@ -1,0 +1,7 @@
+# Settings of every target of the project; none of them reaches those who link abut.
+add_library(abut_settings INTERFACE)
+target_compile_features(abut_settings INTERFACE cxx_std_20)
+# No fused multiply-add: the same bits from every compiler and processor (docs/contract.md).
+target_compile_options(abut_settings INTERFACE
+  -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  $<$<BOOL:${ABUT_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <abut/domain.hpp>
+#include <abut/element_view.hpp>
+#include <abut/export.hpp>
+#include <abut/options.hpp>
+#include <abut/pair_list.hpp>
+
+#include <functional>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace abut {
+
+/// All contact pairs: i < j with |x_i - x_j| <= r_i + r_j + margin, decided as in real arithmetic
+/// on the given numbers; each pair once. docs/contract.md states it in full.
+///
+/// Throws Error:
+///  invalid_input   a NaN, an infinity or a negative radius: the first bad element and field
+///  wrong_usage     an option out of range, or an algorithm that cannot carry what was asked
+///  limit_exceeded  max_pairs or the memory bound, with the bytes needed
+///  cancelled       the progress hook asked to stop
+/// On any error nothing is returned and nothing has changed.
+[[nodiscard]] ABUT_API PairList find_contact_pairs(const ElementView& elements,
+                                                   const Domain& domain = Domain::open(),
+                                                   const Options& options = {});
+
+/// The number of contact pairs, without storing them; also what the detection did.
+[[nodiscard]] ABUT_API Statistics count_contact_pairs(const ElementView& elements,
+                                                      const Domain& domain = Domain::open(),
+                                                      const Options& options = {});
+
+/// The worker that found a pair: 0 while algorithms run in one thread.
+using WorkerNumber = int;
+
+/// Receives pairs in batches, in as_found order.
+using PairBatchVisitor = std::function<void(std::span<const ContactPair>, WorkerNumber)>;
+
+/// Delivers the pairs to a visitor as they are found, without storing them.
+ABUT_API Statistics for_each_batch(const ElementView& elements, const Domain& domain,
+                                   const Options& options, const PairBatchVisitor& visitor);
+
+/// Calls `visitor(pair)` or `visitor(pair, worker)` once for each contact pair, in as_found order.
+/// An exception from the visitor stops the detection and passes through.
+template <class Visitor>
+  requires std::invocable<Visitor&, ContactPair> ||
+           std::invocable<Visitor&, ContactPair, WorkerNumber>
+Statistics for_each_contact_pair(const ElementView& elements, const Domain& domain,
+                                 const Options& options, Visitor&& visitor) {
+  return for_each_batch(elements, domain, options,
+                        [&visitor](std::span<const ContactPair> pairs, WorkerNumber worker) {
+                          for (const ContactPair& pair : pairs) {
+                            if constexpr (std::invocable<Visitor&, ContactPair, WorkerNumber>) {
+                              visitor(pair, worker);
+                            } else {
+                              static_cast<void>(worker);
+                              visitor(pair);
+                            }
+                          }
+                        });
+}
+
+/// distance − (r_i + r_j), whatever the margin. Correctly signed: <= 0 exactly if the two elements
+/// touch. One fixed sequence of operations: the same bits everywhere. Both numbers must be < size().
+[[nodiscard]] ABUT_API double gap(const ElementView& elements, ContactPair pair);
+
+}  // namespace abut

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <abut/column.hpp>
+#include <abut/export.hpp>
+
+#include <array>
+#include <cstddef>
+#include <ranges>
+
+namespace abut {
+
+enum class Precision { float32, float64 };
+
+/// The elements of a detection, seen through the caller's arrays: spheres in 3D, discs in 2D, in
+/// float or double, structs or separate arrays. It owns nothing and copies nothing; the arrays
+/// must outlive it and must not change while a detection runs.
+///
+/// Made by `spheres(...)` and `discs(...)`.
+class ElementView {
+ public:
+  /// A strided array of float or double, whichever `precision()` says.
+  struct Numbers {
+    const std::byte* first = nullptr;
+    std::ptrdiff_t stride_bytes = 0;
+  };
+
+  /// Columns of unequal length throw Error{invalid_input}.
+  template <Real T, std::size_t Dim>
+  ElementView(const std::array<Column<T>, Dim>& centers, Column<T> radii)
+      : ElementView(centers, radii.size, numbers(radii), 0.0) {}
+
+  /// One radius for all.
+  template <Real T, std::size_t Dim>
+  ElementView(const std::array<Column<T>, Dim>& centers, double radius)
+      : ElementView(centers, centers[0].size, Numbers{}, radius) {}
+
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] int dimensions() const noexcept { return dimensions_; }
+  [[nodiscard]] Precision precision() const noexcept { return precision_; }
+
+  [[nodiscard]] const Numbers& center(int axis) const noexcept {
+    return centers_[static_cast<std::size_t>(axis)];
+  }
+  [[nodiscard]] bool has_common_radius() const noexcept { return common_; }
+  [[nodiscard]] double common_radius() const noexcept { return common_radius_; }
+  [[nodiscard]] const Numbers& radii() const noexcept { return radii_; }
+
+ private:
+  template <Real T, std::size_t Dim>
+  ElementView(const std::array<Column<T>, Dim>& centers, std::size_t radius_count, Numbers radii,
+              double common_radius)
+      : size_(centers[0].size),
+        dimensions_(static_cast<int>(Dim)),
+        precision_(std::same_as<T, float> ? Precision::float32 : Precision::float64),
+        common_(radii.stride_bytes == 0),
+        radii_(radii),
+        common_radius_(common_radius) {
+    static_assert(Dim == 2 || Dim == 3);
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      centers_[axis] = numbers(centers[axis]);
+      require_size(axis, centers[axis].size);
+    }
+    require_size(Dim, radius_count);
+  }
+
+  template <Real T>
+  static Numbers numbers(const Column<T>& column) {
+    return {reinterpret_cast<const std::byte*>(column.first), column.stride_bytes};
+  }
+
+  ABUT_API void require_size(std::size_t column, std::size_t size) const;
+
+  std::size_t size_ = 0;
+  int dimensions_ = 0;
+  Precision precision_ = Precision::float64;
+  bool common_ = false;
+  std::array<Numbers, 3> centers_{};
+  Numbers radii_{};
+  double common_radius_ = 0.0;
+};
+
+namespace detail {
+
+/// Radii are a column of the positions' type, or one number.
+template <class R, class T>
+concept RadiiOf = (ColumnLike<R> && std::same_as<ColumnScalar<R>, T>) || std::is_arithmetic_v<
+                      std::remove_cvref_t<R>>;
+
+template <Real T, std::size_t Dim, class R>
+ElementView view(const std::array<Column<T>, Dim>& centers, R&& radii) {
+  if constexpr (std::is_arithmetic_v<std::remove_cvref_t<R>>) {
+    return {centers, static_cast<double>(radii)};
+  } else {
+    return {centers, column(static_cast<R&&>(radii))};
+  }
+}
+
+/// A point is anything indexable that lies in memory as Dim numbers in a row: std::array<T, Dim>,
+/// T[Dim], a vector of a linear-algebra library.
+template <class P>
+using PointScalar = std::remove_cvref_t<decltype(std::declval<const P&>()[0])>;
+
+template <class Points, std::size_t Dim>
+concept PointsOf =
+    std::ranges::contiguous_range<Points> && std::ranges::borrowed_range<Points> &&
+    std::ranges::sized_range<Points> && !ColumnLike<Points> &&
+    Real<PointScalar<std::ranges::range_value_t<Points>>> &&
+    sizeof(std::ranges::range_value_t<Points>) >=
+        Dim * sizeof(PointScalar<std::ranges::range_value_t<Points>>);
+
+template <std::size_t Dim, class Points>
+auto columns(Points&& points) {
+  using Point = std::ranges::range_value_t<Points>;
+  using T = PointScalar<Point>;
+  std::array<Column<T>, Dim> result{};
+  const std::size_t size = std::ranges::size(points);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const T* first = size == 0 ? nullptr : &std::ranges::data(points)[0][0] + axis;
+    result[axis] = {first, size, sizeof(Point)};
+  }
+  return result;
+}
+
+}  // namespace detail
+
+/// Spheres from separate arrays. `radii` is an array of the same type or one number for all.
+template <ColumnLike X, ColumnLike Y, ColumnLike Z, detail::RadiiOf<ColumnScalar<X>> R>
+  requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>> &&
+           std::same_as<ColumnScalar<X>, ColumnScalar<Z>>
+[[nodiscard]] ElementView spheres(X&& x, Y&& y, Z&& z, R&& radii) {
+  using T = ColumnScalar<X>;
+  return detail::view(std::array<Column<T>, 3>{column(static_cast<X&&>(x)),
+                                               column(static_cast<Y&&>(y)),
+                                               column(static_cast<Z&&>(z))},
+                      static_cast<R&&>(radii));
+}
+
+/// Discs from separate arrays.
+template <ColumnLike X, ColumnLike Y, detail::RadiiOf<ColumnScalar<X>> R>
+  requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>>
+[[nodiscard]] ElementView discs(X&& x, Y&& y, R&& radii) {
+  using T = ColumnScalar<X>;
+  return detail::view(std::array<Column<T>, 2>{column(static_cast<X&&>(x)),
+                                               column(static_cast<Y&&>(y))},
+                      static_cast<R&&>(radii));
+}
+
+/// Spheres from an array of points of three numbers.
+template <class Points, class R>
+  requires detail::PointsOf<Points, 3>
+[[nodiscard]] ElementView spheres(Points&& centers, R&& radii) {
+  return detail::view(detail::columns<3>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
+}
+
+/// Discs from an array of points of two numbers.
+template <class Points, class R>
+  requires detail::PointsOf<Points, 2>
+[[nodiscard]] ElementView discs(Points&& centers, R&& radii) {
+  return detail::view(detail::columns<2>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
+}
+
+}  // namespace abut

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <abut/algorithm.hpp>
+#include <abut/pair.hpp>
+#include <abut/progress.hpp>
+
+#include <cstdint>
+#include <limits>
+
+namespace abut {
+
+/// Order of the pairs that are returned.
+enum class Order {
+  canonical,  ///< ascending by (first, second): the same bytes from every algorithm
+  as_found,   ///< as the algorithm meets them: deterministic, but its own
+};
+
+/// No limit on the number of pairs.
+inline constexpr PairCount unlimited_pairs = std::numeric_limits<PairCount>::max();
+
+/// The memory of the machine; for arrays that follow the extent of the domain rather than the
+/// elements (heads of cells or rows) 1 GiB + 2 KiB per element.
+inline constexpr std::uint64_t automatic_memory_bound = 0;
+
+struct Options {
+  Algorithm algorithm = Algorithm::automatic;
+  Order order = Order::canonical;
+
+  /// Elements within this distance of touching are contact pairs too; finite, >= 0, in the unit
+  /// of the positions.
+  double margin = 0.0;
+
+  /// One more pair than this throws Error{limit_exceeded}.
+  PairCount max_pairs = unlimited_pairs;
+
+  /// Bytes that a detection may hold in buffers of its own. Checked before each allocation:
+  /// Error{limit_exceeded} names the bytes needed.
+  std::uint64_t max_bytes = automatic_memory_bound;
+
+  /// Number of threads, 0 for the default. The algorithms of the book use one whatever it says.
+  int threads = 0;
+
+  ProgressHook progress;
+};
+
+}  // namespace abut

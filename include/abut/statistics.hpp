@@ -1,0 +1,31 @@
+#pragma once
+
+#include <abut/algorithm.hpp>
+#include <abut/pair.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace abut {
+
+/// What one detection did and what it cost. Counts are deterministic, seconds are not.
+struct Statistics {
+  Algorithm algorithm = Algorithm::automatic;  ///< the one that ran
+  std::string reason;                          ///< why it was chosen
+  int threads = 1;                             ///< threads used
+
+  std::uint64_t elements = 0;
+  int dimensions = 0;
+  PairCount contact_pairs = 0;
+
+  std::uint64_t candidate_tests = 0;  ///< distances evaluated
+  std::uint64_t exact_decisions = 0;  ///< of those, undecided by the filter, settled exactly
+  std::uint64_t list_insertions = 0;  ///< elements pushed on a list of a row, a cell or a layer
+  std::uint64_t peak_bytes = 0;       ///< most bytes held at once in buffers of abut's own
+
+  double gather_seconds = 0.0;  ///< reading and checking the caller's arrays
+  double search_seconds = 0.0;  ///< mapping to cells, candidates, tests
+  double order_seconds = 0.0;   ///< bringing the pairs into canonical order
+};
+
+}  // namespace abut

@@ -1,0 +1,212 @@
+#include <abut/detect.hpp>
+#include <abut/error.hpp>
+
+#include "api/choose_algorithm.hpp"
+#include "api/gathered_elements.hpp"
+#include "api/order_pairs.hpp"
+#include "api/registry.hpp"
+#include "api/validate_options.hpp"
+#include "base/float_environment.hpp"
+#include "base/pair_sink.hpp"
+#include "base/stopwatch.hpp"
+#include "base/written.hpp"
+
+#include <algorithm>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abut {
+namespace {
+
+using base::DetectionContext;
+using base::PairSink;
+using base::Stopwatch;
+
+/// Stores pairs, up to the limit and the memory bound.
+class ListSink final : public PairSink {
+ public:
+  ListSink(PairCount limit, base::MemoryMeter& memory) : limit_(limit), memory_(memory) {}
+  ~ListSink() override { memory_.give_back(accounted_); }
+
+  ListSink(const ListSink&) = delete;
+  ListSink& operator=(const ListSink&) = delete;
+
+  std::vector<ContactPair> pairs;
+
+ private:
+  void receive(std::span<const ContactPair> found) override {
+    if (found.size() > limit_ - pairs.size()) {
+      throw Error(ErrorCode::limit_exceeded,
+                  "there are more than " + std::to_string(limit_) +
+                      " contact pairs, the limit that was set; raise it, or count the pairs "
+                      "without storing them");
+    }
+    account(pairs.size() + found.size());
+    pairs.insert(pairs.end(), found.begin(), found.end());
+  }
+
+  /// Grows by half, so that old and new storage together stay below 2.5 times the pairs.
+  void account(std::size_t needed) {
+    if (needed <= pairs.capacity()) return;
+    const std::size_t capacity = std::max(needed, pairs.capacity() + pairs.capacity() / 2);
+    const std::uint64_t bytes = capacity * sizeof(ContactPair);
+    memory_.take(bytes);
+    try {
+      pairs.reserve(capacity);
+    } catch (...) {
+      memory_.give_back(bytes);
+      throw;
+    }
+    memory_.give_back(accounted_);
+    accounted_ = bytes;
+  }
+
+  PairCount limit_;
+  base::MemoryMeter& memory_;
+  std::uint64_t accounted_ = 0;
+};
+
+/// Hands pairs to the caller's visitor, or only counts them.
+class VisitingSink final : public PairSink {
+ public:
+  VisitingSink(PairCount limit, const PairBatchVisitor* visitor)
+      : limit_(limit), visitor_(visitor) {}
+
+  PairCount count = 0;
+
+ private:
+  void receive(std::span<const ContactPair> found) override {
+    if (found.size() > limit_ - count) {
+      throw Error(ErrorCode::limit_exceeded,
+                  "there are more than " + std::to_string(limit_) +
+                      " contact pairs, the limit that was set; raise it");
+    }
+    count += found.size();
+    if (visitor_ != nullptr) (*visitor_)(found, 0);
+  }
+
+  PairCount limit_;
+  const PairBatchVisitor* visitor_;
+};
+
+/// Whether the arrays that follow the domain fit; checked before any of them is allocated.
+template <int Dim>
+void require_grid_fits(const api::RegistryRow& row, const grid::CellCoordinates<Dim>& cells,
+                       const Options& options, const DetectionContext& context) {
+  const double bytes = api::grid_bytes(row, cells);
+  const std::uint64_t bound = api::grid_memory_bound(options, cells.element_count());
+  if (static_cast<double>(context.memory.held()) + bytes <= static_cast<double>(bound)) return;
+  std::string shape;
+  for (const double count : cells.uncollapsed_cell_count) {
+    if (!shape.empty()) shape += " x ";
+    shape += base::written_count(count);
+  }
+  throw Error(ErrorCode::limit_exceeded,
+              std::string(row.info.name) + " would need " + base::written_count(bytes) +
+                  " bytes for a grid of " + shape + " cells, more than the memory bound of " +
+                  std::to_string(bound) +
+                  " bytes; use sorting_array, whose memory does not follow the domain, or raise "
+                  "the bound");
+}
+
+template <int Dim>
+void search(const api::GatheredElements<Dim>& gathered, const Options& options, PairSink& sink,
+            DetectionContext& context, Statistics& statistics) {
+  const auto cells = grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
+  const api::Choice choice = options.algorithm == Algorithm::automatic
+                                 ? api::choose_algorithm(cells)
+                                 : api::Choice{&api::row_of(options.algorithm), "asked for"};
+  statistics.algorithm = choice.row->info.algorithm;
+  statistics.reason = choice.reason;
+  require_grid_fits(*choice.row, cells, options, context);
+
+  context.progress.begin("search", gathered.spheres.size());
+  reference::ContactTest<Dim> test(gathered.spheres, options.margin, sink, context);
+  if constexpr (Dim == 2) {
+    choice.row->detect_2d(cells, test, context);
+  } else {
+    choice.row->detect_3d(cells, test, context);
+  }
+  sink.finish();
+}
+
+template <int Dim>
+Statistics run(const ElementView& elements, const Options& options, PairSink& sink,
+               DetectionContext& context) {
+  Statistics statistics;
+  statistics.elements = elements.size();
+  statistics.dimensions = Dim;
+
+  Stopwatch stopwatch;
+  context.progress.begin("gather", elements.size());
+  const auto gathered = api::gather<Dim>(elements, context);
+  statistics.gather_seconds = stopwatch.lap();
+
+  search(gathered, options, sink, context, statistics);
+  statistics.search_seconds = stopwatch.lap();
+  return statistics;
+}
+
+Statistics run(const ElementView& elements, const Options& options, PairSink& sink,
+               DetectionContext& context) {
+  Statistics statistics = elements.dimensions() == 2 ? run<2>(elements, options, sink, context)
+                                                     : run<3>(elements, options, sink, context);
+  statistics.candidate_tests = context.candidate_tests;
+  statistics.exact_decisions = context.exact_decisions;
+  statistics.list_insertions = context.list_insertions;
+  statistics.peak_bytes = context.memory.peak();
+  return statistics;
+}
+
+/// Runs `body`, turning what the standard library throws for lack of memory into an Error.
+template <class Body>
+auto guarded(const ElementView& elements, const Options& options, Body&& body) {
+  api::validate(options, elements);
+  const base::FloatEnvironment environment;
+  DetectionContext context(api::memory_bound(options), options.progress);
+  try {
+    return body(context);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::limit_exceeded,
+                "memory ran out with " + std::to_string(context.memory.held()) +
+                    " bytes held by the detection; take fewer elements, count the pairs without "
+                    "storing them, or free memory");
+  }
+}
+
+}  // namespace
+
+PairList find_contact_pairs(const ElementView& elements, const Domain&, const Options& options) {
+  return guarded(elements, options, [&](DetectionContext& context) {
+    ListSink sink(options.max_pairs, context.memory);
+    Statistics statistics = run(elements, options, sink, context);
+    statistics.contact_pairs = sink.pairs.size();
+    if (options.order == Order::canonical) {
+      Stopwatch stopwatch;
+      context.progress.begin("order", sink.pairs.size());
+      api::order_canonically(sink.pairs, elements.size(), context.memory);
+      statistics.order_seconds = stopwatch.lap();
+      statistics.peak_bytes = context.memory.peak();
+    }
+    return PairList(std::move(sink.pairs), std::move(statistics));
+  });
+}
+
+Statistics for_each_batch(const ElementView& elements, const Domain&, const Options& options,
+                          const PairBatchVisitor& visitor) {
+  return guarded(elements, options, [&](DetectionContext& context) {
+    VisitingSink sink(options.max_pairs, visitor ? &visitor : nullptr);
+    Statistics statistics = run(elements, options, sink, context);
+    statistics.contact_pairs = sink.count;
+    return statistics;
+  });
+}
+
+Statistics count_contact_pairs(const ElementView& elements, const Domain& domain,
+                               const Options& options) {
+  return for_each_batch(elements, domain, options, {});
+}
+
+}  // namespace abut

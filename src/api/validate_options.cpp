@@ -1,0 +1,57 @@
+#include "api/validate_options.hpp"
+
+#include "base/written.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <unistd.h>
+
+namespace abut::api {
+namespace {
+
+constexpr std::uint64_t gibibyte = std::uint64_t{1} << 30;
+constexpr std::uint64_t bytes_per_element = 2048;
+
+/// The book's lists hold element numbers and -1 in 32 bits.
+constexpr std::uint64_t most_elements = std::numeric_limits<std::int32_t>::max() - 1;
+
+std::uint64_t machine_memory() {
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long page_size = sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || page_size <= 0) return std::numeric_limits<std::uint64_t>::max();
+  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_size);
+}
+
+}  // namespace
+
+void validate(const Options& options, const ElementView& elements) {
+  if (!(options.margin >= 0.0) || std::isinf(options.margin)) {
+    throw Error(ErrorCode::invalid_input, "margin = " + base::written(options.margin) +
+                                              "; it must be finite and not negative");
+  }
+  if (options.threads < 0) {
+    throw Error(ErrorCode::wrong_usage, "threads = " + std::to_string(options.threads) +
+                                            "; give a positive number, or 0 for the default");
+  }
+  if (elements.size() > most_elements) {
+    throw Error(ErrorCode::limit_exceeded,
+                std::to_string(elements.size()) + " elements; the algorithms number at most " +
+                    std::to_string(most_elements) + ": split the system");
+  }
+}
+
+std::uint64_t memory_bound(const Options& options) {
+  return options.max_bytes != automatic_memory_bound ? options.max_bytes : machine_memory();
+}
+
+std::uint64_t grid_memory_bound(const Options& options, std::size_t element_count) {
+  if (options.max_bytes != automatic_memory_bound) return options.max_bytes;
+  return std::min(gibibyte + bytes_per_element * element_count, machine_memory());
+}
+
+}  // namespace abut::api

@@ -1,0 +1,149 @@
+// The slow path of the contract (docs/contract.md): three exact evaluations, cheapest first.
+//
+// 1. Nothing rounded. On touching lattices with short coordinates (a = 1, r = 1/2) every operation
+//    of the filter happens to be exact, and then so is its comparison. Proof of that costs a few
+//    nanoseconds: error terms that are zero, factors of at most 26 bits.
+// 2. Scaled integers. When all numbers, written over a common power of two, fit into 61 bits, the
+//    differences fit into 62, their squares into 124, and the sum of three into a 128-bit integer:
+//    about ten nanoseconds. Touching lattices and most borderline pairs end here.
+// 3. The long accumulator, right for every finite double, for the rest.
+
+#include "base/sphere_predicate.hpp"
+
+#include "base/bits.hpp"
+#include "base/exact_accumulator.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+namespace abut::base {
+namespace {
+
+/// a + b, and whether it is exact (D. E. Knuth, The Art of Computer Programming 2, 4.2.2 theorem B:
+/// the error of a sum is itself computed without error).
+struct CheckedSum {
+  double value;
+  bool exact;
+};
+CheckedSum add(double a, double b) noexcept {
+  const double sum = a + b;
+  const double part = sum - a;
+  return {sum, (a - (sum - part)) + (b - part) == 0.0};
+}
+
+/// The square of a number of at most 26 significant bits has at most 52: exact, as long as it
+/// stays in the normal range, which the safe range of the sum of squares grants.
+bool square_is_exact(double value) noexcept {
+  constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27) - 1;
+  return (std::bit_cast<std::uint64_t>(value) & low_bits) == 0 &&
+         (value == 0.0 || std::fabs(value) >= 0x1p-480);
+}
+
+template <int Dim>
+std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                              double margin) noexcept {
+  const CheckedSum radii = add(a.radius, b.radius);
+  const CheckedSum reach = add(radii.value, margin);
+  bool exact = radii.exact && reach.exact && square_is_exact(reach.value);
+  double distance_squared = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const CheckedSum difference = add(a.center[axis], -b.center[axis]);
+    const CheckedSum sum = add(distance_squared, difference.value * difference.value);
+    exact = exact && difference.exact && square_is_exact(difference.value) && sum.exact;
+    distance_squared = sum.value;
+  }
+  // Overflow leaves NaN in an error term, hence "not exact".
+  if (!exact) return std::nullopt;
+  return distance_squared <= reach.value * reach.value;
+}
+
+/// All numbers of one decision as integers times one power of two.
+class CommonScale {
+ public:
+  void include(double value) noexcept {
+    const Decomposed d = decompose(value);
+    if (d.significand == 0) return;
+    lowest_ = std::min(lowest_, d.exponent + std::countr_zero(d.significand));
+    highest_ = std::max(highest_, d.exponent + static_cast<int>(std::bit_width(d.significand)));
+  }
+
+  [[nodiscard]] bool fits() const noexcept { return highest_ - lowest_ <= 61; }
+
+  /// Exact: below 2^61 in magnitude.
+  [[nodiscard]] std::int64_t scaled(double value) const noexcept {
+    const Decomposed d = decompose(value);
+    if (d.significand == 0) return 0;
+    const int shift = d.exponent - lowest_;
+    const std::uint64_t magnitude =
+        shift >= 0 ? d.significand << shift : d.significand >> -shift;
+    const auto integer = static_cast<std::int64_t>(magnitude);
+    return d.negative ? -integer : integer;
+  }
+
+ private:
+  int lowest_ = 4096;
+  int highest_ = -4096;
+};
+
+Uint128 square(std::int64_t value) noexcept {
+  const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
+  return Uint128{magnitude} * magnitude;
+}
+
+template <int Dim>
+std::optional<bool> decide_scaled(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                  double margin) noexcept {
+  CommonScale scale;
+  for (int axis = 0; axis < Dim; ++axis) {
+    scale.include(a.center[axis]);
+    scale.include(b.center[axis]);
+  }
+  scale.include(a.radius);
+  scale.include(b.radius);
+  scale.include(margin);
+  if (!scale.fits()) return std::nullopt;
+
+  Uint128 distance_squared = 0;  // <= 3 * 2^124
+  for (int axis = 0; axis < Dim; ++axis) {
+    distance_squared += square(scale.scaled(a.center[axis]) - scale.scaled(b.center[axis]));
+  }
+  // <= 3 * 2^61, whose square is below 2^126
+  const std::int64_t reach = scale.scaled(a.radius) + scale.scaled(b.radius) + scale.scaled(margin);
+  return distance_squared <= square(reach);
+}
+
+/// Sign of (r_a + r_b + m)^2 - |a - b|^2, expanded into products of inputs.
+template <int Dim>
+bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b, double margin) noexcept {
+  ExactAccumulator slack;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double p = a.center[axis];
+    const double q = b.center[axis];
+    slack.add_product(p, p, -1);
+    slack.add_product(p, q, 2);
+    slack.add_product(q, q, -1);
+  }
+  slack.add_product(a.radius, a.radius, 1);
+  slack.add_product(b.radius, b.radius, 1);
+  slack.add_product(a.radius, b.radius, 2);
+  slack.add_product(margin, margin, 1);
+  slack.add_product(margin, a.radius, 2);
+  slack.add_product(margin, b.radius, 2);
+  return slack.sign() >= 0;
+}
+
+}  // namespace
+
+template <int Dim>
+bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b, double margin) noexcept {
+  if (const std::optional<bool> decided = decide_if_nothing_rounded(a, b, margin)) return *decided;
+  if (const std::optional<bool> decided = decide_scaled(a, b, margin)) return *decided;
+  return decide_accumulated(a, b, margin);
+}
+
+template bool within_reach_exactly<2>(const Sphere<2>&, const Sphere<2>&, double) noexcept;
+template bool within_reach_exactly<3>(const Sphere<3>&, const Sphere<3>&, double) noexcept;
+
+}  // namespace abut::base

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "base/pair_sink.hpp"
+#include "base/sphere_predicate.hpp"
+
+#include <abut/pair.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace abut::reference {
+
+/// The smaller number first.
+inline ContactPair half_pair(std::int32_t a, std::int32_t b) noexcept {
+  return {static_cast<ElementIndex>(a < b ? a : b), static_cast<ElementIndex>(a < b ? b : a)};
+}
+
+/// What an algorithm does with a candidate pair: the exact test, then the sink.
+template <int Dim>
+class ContactTest {
+ public:
+  ContactTest(std::span<const base::Sphere<Dim>> spheres, double margin, base::PairSink& sink,
+              base::DetectionContext& context)
+      : spheres_(spheres), margin_(margin), sink_(sink), context_(context) {}
+
+  void operator()(std::int32_t a, std::int32_t b) {
+    if ((++context_.candidate_tests & (tests_between_polls - 1)) == 0) context_.progress.poll();
+    const auto i = static_cast<std::size_t>(a);
+    const auto j = static_cast<std::size_t>(b);
+    if (!base::within_reach(spheres_[i], spheres_[j], margin_, context_.exact_decisions)) return;
+    sink_.push(half_pair(a, b));
+  }
+
+ private:
+  static constexpr std::uint64_t tests_between_polls = 1 << 18;
+
+  std::span<const base::Sphere<Dim>> spheres_;
+  double margin_;
+  base::PairSink& sink_;
+  base::DetectionContext& context_;
+};
+
+/// For a trace: shows the candidate pairs themselves.
+class CandidateRecorder {
+ public:
+  explicit CandidateRecorder(trace::Sink& sink) : sink_(sink) {}
+
+  void operator()(std::int32_t a, std::int32_t b) {
+    const ContactPair pair = half_pair(a, b);
+    sink_.candidate_pair(pair.first, pair.second);
+  }
+
+ private:
+  trace::Sink& sink_;
+};
+
+}  // namespace abut::reference

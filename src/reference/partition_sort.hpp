@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+/// The partition sort of A. Munjiza, The Combined Finite-Discrete Element Method, Wiley 2004,
+/// p. 99-102, Figures 3.28 to 3.38: exchange in place around the middle of the *values*.
+namespace abut::reference {
+
+/// Where values from `lowest` to `highest` > `lowest` are split: left is what is below. The book's
+/// truncated mean, but never `lowest` itself, which for values {1, 2} would split off nothing for
+/// ever. 1..16 gives 8.
+[[nodiscard]] constexpr std::int32_t partition_middle(std::int32_t lowest,
+                                                      std::int32_t highest) noexcept {
+  return lowest + std::max(1, (highest - lowest) / 2);
+}
+
+/// Arrays that are sorted together: position k of all of them is one record.
+template <std::size_t Keys>
+class CompanionArrays {
+ public:
+  explicit CompanionArrays(std::array<std::span<std::int32_t>, Keys> keys) : keys_(keys) {}
+
+  /// Sorts positions [first, last) by key `key`, then by those that follow. At most 31 levels deep
+  /// for each key: the range of values halves each time.
+  void sort(std::size_t first, std::size_t last, std::size_t key = 0) {
+    if (last - first < 2 || key == Keys) return;
+    const auto range = keys_[key].subspan(first, last - first);
+    const auto [lowest, highest] = std::minmax_element(range.begin(), range.end());
+    if (*lowest == *highest) return sort(first, last, key + 1);
+    const std::size_t split = exchange(first, last, key, partition_middle(*lowest, *highest));
+    sort(first, split, key);
+    sort(split, last, key);
+  }
+
+  /// Brings the records whose key is below `middle` to the left and returns where the right begins.
+  std::size_t exchange(std::size_t first, std::size_t last, std::size_t key, std::int32_t middle) {
+    const std::span<std::int32_t> value = keys_[key];
+    std::size_t left = first;
+    std::size_t right = last;
+    while (true) {
+      while (left < right && value[left] < middle) ++left;
+      while (left < right && value[right - 1] >= middle) --right;
+      if (left == right) return left;
+      --right;
+      for (const std::span<std::int32_t> array : keys_) std::swap(array[left], array[right]);
+      ++left;
+    }
+  }
+
+ private:
+  std::array<std::span<std::int32_t>, Keys> keys_;
+};
+
+}  // namespace abut::reference

@@ -22,8 +22,8 @@ struct Column {
 
 /// Contiguous numbers: a vector, span or array. Temporaries that own their numbers do not compile.
 template <std::ranges::contiguous_range R>
-  requires std::ranges::borrowed_range<R> && std::ranges::sized_range<R> &&
-           Real<std::ranges::range_value_t<R>>
+requires std::ranges::borrowed_range<R> && std::ranges::sized_range<R> &&
+    Real<std::ranges::range_value_t<R>>
 [[nodiscard]] constexpr auto column(R&& numbers) {
   using T = std::ranges::range_value_t<R>;
   return Column<T>{std::ranges::data(numbers), std::ranges::size(numbers), sizeof(T)};
@@ -36,8 +36,8 @@ template <Real T>
 
 /// One member of an array of structs: `column(particles, &Particle::x)`.
 template <std::ranges::contiguous_range R, class Struct, Real T>
-  requires std::ranges::borrowed_range<R> && std::ranges::sized_range<R> &&
-           std::same_as<std::remove_cv_t<std::ranges::range_value_t<R>>, Struct>
+requires std::ranges::borrowed_range<R> && std::ranges::sized_range<R> &&
+    std::same_as<std::remove_cv_t<std::ranges::range_value_t<R>>, Struct>
 [[nodiscard]] constexpr Column<T> column(R&& structs, T Struct::*member) {
   const std::size_t size = std::ranges::size(structs);
   if (size == 0) return {nullptr, 0, sizeof(Struct)};
@@ -45,7 +45,9 @@ template <std::ranges::contiguous_range R, class Struct, Real T>
 }
 
 template <class X>
-concept ColumnLike = requires(X&& numbers) { abut::column(static_cast<X&&>(numbers)); };
+concept ColumnLike = requires(X&& numbers) {
+  abut::column(static_cast<X&&>(numbers));
+};
 
 template <class X>
 using ColumnScalar =

@@ -44,10 +44,10 @@ ABUT_API Statistics for_each_batch(const ElementView& elements, const Domain& do
 /// Calls `visitor(pair)` or `visitor(pair, worker)` once for each contact pair, in as_found order.
 /// An exception from the visitor stops the detection and passes through.
 template <class Visitor>
-  requires std::invocable<Visitor&, ContactPair> ||
-           std::invocable<Visitor&, ContactPair, WorkerNumber>
-Statistics for_each_contact_pair(const ElementView& elements, const Domain& domain,
-                                 const Options& options, Visitor&& visitor) {
+requires std::invocable<Visitor&, ContactPair> ||
+    std::invocable<Visitor&, ContactPair, WorkerNumber>
+        Statistics for_each_contact_pair(const ElementView& elements, const Domain& domain,
+                                         const Options& options, Visitor&& visitor) {
   return for_each_batch(elements, domain, options,
                         [&visitor](std::span<const ContactPair> pairs, WorkerNumber worker) {
                           for (const ContactPair& pair : pairs) {
@@ -62,7 +62,8 @@ Statistics for_each_contact_pair(const ElementView& elements, const Domain& doma
 }
 
 /// distance − (r_i + r_j), whatever the margin. Correctly signed: <= 0 exactly if the two elements
-/// touch. One fixed sequence of operations: the same bits everywhere. Both numbers must be < size().
+/// touch. One fixed sequence of operations: the same bits everywhere. Both numbers must be <
+/// size().
 [[nodiscard]] ABUT_API double gap(const ElementView& elements, ContactPair pair);
 
 }  // namespace abut

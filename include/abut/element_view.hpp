@@ -83,8 +83,8 @@ namespace detail {
 
 /// Radii are a column of the positions' type, or one number.
 template <class R, class T>
-concept RadiiOf = (ColumnLike<R> && std::same_as<ColumnScalar<R>, T>) || std::is_arithmetic_v<
-                      std::remove_cvref_t<R>>;
+concept RadiiOf = (ColumnLike<R> && std::same_as<ColumnScalar<R>, T>) ||
+                  std::is_arithmetic_v<std::remove_cvref_t<R>>;
 
 template <Real T, std::size_t Dim, class R>
 ElementView view(const std::array<Column<T>, Dim>& centers, R&& radii) {
@@ -101,12 +101,11 @@ template <class P>
 using PointScalar = std::remove_cvref_t<decltype(std::declval<const P&>()[0])>;
 
 template <class Points, std::size_t Dim>
-concept PointsOf =
-    std::ranges::contiguous_range<Points> && std::ranges::borrowed_range<Points> &&
-    std::ranges::sized_range<Points> && !ColumnLike<Points> &&
-    Real<PointScalar<std::ranges::range_value_t<Points>>> &&
-    sizeof(std::ranges::range_value_t<Points>) >=
-        Dim * sizeof(PointScalar<std::ranges::range_value_t<Points>>);
+concept PointsOf = std::ranges::contiguous_range<Points> && std::ranges::borrowed_range<Points> &&
+                   std::ranges::sized_range<Points> && !ColumnLike<Points> &&
+                   Real<PointScalar<std::ranges::range_value_t<Points>>> &&
+                   sizeof(std::ranges::range_value_t<Points>) >=
+                       Dim * sizeof(PointScalar<std::ranges::range_value_t<Points>>);
 
 template <std::size_t Dim, class Points>
 auto columns(Points&& points) {
@@ -125,36 +124,36 @@ auto columns(Points&& points) {
 
 /// Spheres from separate arrays. `radii` is an array of the same type or one number for all.
 template <ColumnLike X, ColumnLike Y, ColumnLike Z, detail::RadiiOf<ColumnScalar<X>> R>
-  requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>> &&
-           std::same_as<ColumnScalar<X>, ColumnScalar<Z>>
+requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>> &&
+    std::same_as<ColumnScalar<X>, ColumnScalar<Z>>
 [[nodiscard]] ElementView spheres(X&& x, Y&& y, Z&& z, R&& radii) {
   using T = ColumnScalar<X>;
-  return detail::view(std::array<Column<T>, 3>{column(static_cast<X&&>(x)),
-                                               column(static_cast<Y&&>(y)),
-                                               column(static_cast<Z&&>(z))},
-                      static_cast<R&&>(radii));
+  return detail::view(
+      std::array<Column<T>, 3>{column(static_cast<X&&>(x)), column(static_cast<Y&&>(y)),
+                               column(static_cast<Z&&>(z))},
+      static_cast<R&&>(radii));
 }
 
 /// Discs from separate arrays.
 template <ColumnLike X, ColumnLike Y, detail::RadiiOf<ColumnScalar<X>> R>
-  requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>>
+requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>>
 [[nodiscard]] ElementView discs(X&& x, Y&& y, R&& radii) {
   using T = ColumnScalar<X>;
-  return detail::view(std::array<Column<T>, 2>{column(static_cast<X&&>(x)),
-                                               column(static_cast<Y&&>(y))},
-                      static_cast<R&&>(radii));
+  return detail::view(
+      std::array<Column<T>, 2>{column(static_cast<X&&>(x)), column(static_cast<Y&&>(y))},
+      static_cast<R&&>(radii));
 }
 
 /// Spheres from an array of points of three numbers.
 template <class Points, class R>
-  requires detail::PointsOf<Points, 3>
+requires detail::PointsOf<Points, 3>
 [[nodiscard]] ElementView spheres(Points&& centers, R&& radii) {
   return detail::view(detail::columns<3>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
 }
 
 /// Discs from an array of points of two numbers.
 template <class Points, class R>
-  requires detail::PointsOf<Points, 2>
+requires detail::PointsOf<Points, 2>
 [[nodiscard]] ElementView discs(Points&& centers, R&& radii) {
   return detail::view(detail::columns<2>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
 }

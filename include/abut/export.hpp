@@ -1,7 +1,8 @@
 #pragma once
 
 #if defined(__FAST_MATH__)
-#error "abut decides contacts exactly; compile without -ffast-math (its headers refuse __FAST_MATH__)"
+#error \
+    "abut decides contacts exactly; compile without -ffast-math (its headers refuse __FAST_MATH__)"
 #endif
 
 #if defined(_WIN32)

@@ -114,7 +114,8 @@ void require_grid_fits(const api::RegistryRow& row, const grid::CellCoordinates<
 template <int Dim>
 void search(const api::GatheredElements<Dim>& gathered, const Options& options, PairSink& sink,
             DetectionContext& context, Statistics& statistics) {
-  const auto cells = grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
+  const auto cells =
+      grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
   const api::Choice choice = options.algorithm == Algorithm::automatic
                                  ? api::choose_algorithm(cells)
                                  : api::Choice{&api::row_of(options.algorithm), "asked for"};

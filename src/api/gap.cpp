@@ -13,9 +13,9 @@ namespace abut {
 double gap(const ElementView& elements, ContactPair pair) {
   const std::size_t larger = std::max(pair.first, pair.second);
   if (larger >= elements.size()) {
-    throw Error(ErrorCode::wrong_usage, "element " + std::to_string(larger) + " of a pair; there are " +
-                                            std::to_string(elements.size()) +
-                                            " elements, numbered from 0");
+    throw Error(ErrorCode::wrong_usage,
+                "element " + std::to_string(larger) + " of a pair; there are " +
+                    std::to_string(elements.size()) + " elements, numbered from 0");
   }
   const base::FloatEnvironment environment;
   if (elements.dimensions() == 2) {

@@ -52,8 +52,8 @@ template <int Dim, Real T>
 base::Sphere<Dim> read(const ElementView& elements, std::size_t k) {
   base::Sphere<Dim> sphere{};
   for (int axis = 0; axis < Dim; ++axis) sphere.center[axis] = Reader<T>(elements.center(axis))[k];
-  sphere.radius = elements.has_common_radius() ? elements.common_radius()
-                                               : Reader<T>(elements.radii())[k];
+  sphere.radius =
+      elements.has_common_radius() ? elements.common_radius() : Reader<T>(elements.radii())[k];
   return sphere;
 }
 
@@ -97,7 +97,7 @@ void read_all(const ElementView& elements, GatheredElements<Dim>& gathered,
 template <int Dim>
 GatheredElements<Dim> gather(const ElementView& elements, base::DetectionContext& context) {
   GatheredElements<Dim> gathered{
-      base::make_array<base::Sphere<Dim>>(context.memory, elements.size()), {}};
+      base::make_array_for_overwrite<base::Sphere<Dim>>(context.memory, elements.size()), {}};
   if (elements.size() == 0) return gathered;
   if (elements.precision() == Precision::float32) {
     read_all<Dim, float>(elements, gathered, context);

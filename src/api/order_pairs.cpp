@@ -11,9 +11,9 @@ namespace abut::api {
 void order_canonically(std::vector<ContactPair>& pairs, std::size_t element_count,
                        base::MemoryMeter& memory) {
   if (pairs.empty()) return;
-  auto partners = base::make_array<ElementIndex>(memory, pairs.size());
+  auto partners = base::make_array_for_overwrite<ElementIndex>(memory, pairs.size());
   // begin[e] .. begin[e + 1]: where the partners of e lie; filled from the back.
-  auto begin = base::make_array<std::uint64_t>(memory, element_count + 1);
+  auto begin = base::make_array<std::uint64_t>(memory, element_count + 1, 0);
   for (const ContactPair& pair : pairs) ++begin[pair.first];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   for (const ContactPair& pair : pairs) partners[--begin[pair.first]] = pair.second;

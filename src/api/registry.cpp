@@ -71,22 +71,29 @@ constexpr auto infos = [] {
 
 }  // namespace
 
-std::span<const RegistryRow> registry() { return table; }
+std::span<const RegistryRow> registry() {
+  return table;
+}
 
 const RegistryRow& row_of(Algorithm algorithm) {
   for (const RegistryRow& row : table) {
     if (row.info.algorithm == algorithm) return row;
   }
-  throw Error(ErrorCode::wrong_usage, "'auto' stands for a choice, not for one algorithm; name one");
+  throw Error(ErrorCode::wrong_usage,
+              "'auto' stands for a choice, not for one algorithm; name one");
 }
 
 }  // namespace abut::api
 
 namespace abut {
 
-std::span<const AlgorithmInfo> algorithms() { return api::infos; }
+std::span<const AlgorithmInfo> algorithms() {
+  return api::infos;
+}
 
-const AlgorithmInfo& info(Algorithm algorithm) { return api::row_of(algorithm).info; }
+const AlgorithmInfo& info(Algorithm algorithm) {
+  return api::row_of(algorithm).info;
+}
 
 std::string_view name_of(Algorithm algorithm) {
   return algorithm == Algorithm::automatic ? "auto" : info(algorithm).name;

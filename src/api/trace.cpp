@@ -23,7 +23,8 @@ template <int Dim>
 CellSystem cells_of(const ElementView& elements, const Options& options) {
   DetectionContext context;
   const auto gathered = api::gather<Dim>(elements, context);
-  const auto cells = grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
+  const auto cells =
+      grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
   CellSystem system;
   system.dimensions = Dim;
   system.cells.resize(elements.size());
@@ -45,9 +46,10 @@ void run(const api::RegistryRow& row, const CellSystem& system, Sink& sink) {
     for (std::size_t k = 0; k < system.cells.size(); ++k) {
       const std::int32_t cell = system.cells[k][axis];
       if (cell < 0 || cell >= system.cell_count[axis]) {
-        throw Error(ErrorCode::wrong_usage,
-                    "element " + std::to_string(k) + " is in cell " + std::to_string(cell) +
-                        " of an axis with cells 0 to " + std::to_string(system.cell_count[axis] - 1));
+        throw Error(ErrorCode::wrong_usage, "element " + std::to_string(k) + " is in cell " +
+                                                std::to_string(cell) +
+                                                " of an axis with cells 0 to " +
+                                                std::to_string(system.cell_count[axis] - 1));
       }
       cells.axis(axis)[k] = cell;
     }
@@ -55,8 +57,9 @@ void run(const api::RegistryRow& row, const CellSystem& system, Sink& sink) {
   if (system.cells.size() > most_traced_elements ||
       api::grid_bytes(row, cells) > most_traced_bytes) {
     throw Error(ErrorCode::limit_exceeded,
-                std::to_string(system.cells.size()) + " elements in this grid give arrays too long "
-                "to read; trace at most 65536 elements and 16 MiB of arrays");
+                std::to_string(system.cells.size()) +
+                    " elements in this grid give arrays too long "
+                    "to read; trace at most 65536 elements and 16 MiB of arrays");
   }
   reference::CandidateRecorder recorder(sink);
   if constexpr (Dim == 2) {
@@ -92,8 +95,8 @@ Partition first_partition(std::span<const std::int32_t> values) {
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   if (*lowest == *highest) return result;
   reference::CompanionArrays<1> arrays({std::span(result.values)});
-  result.left_size = arrays.exchange(0, values.size(), 0,
-                                     reference::partition_middle(*lowest, *highest));
+  result.left_size =
+      arrays.exchange(0, values.size(), 0, reference::partition_middle(*lowest, *highest));
   return result;
 }
 

@@ -10,8 +10,8 @@ constexpr std::string_view text = ABUT_TEXT(ABUT_VERSION_MAJOR) "." ABUT_TEXT(
     ABUT_VERSION_MINOR) "." ABUT_TEXT(ABUT_VERSION_PATCH);
 
 #if defined(__clang__)
-constexpr std::string_view compiler = "clang " ABUT_TEXT(__clang_major__) "." ABUT_TEXT(
-    __clang_minor__);
+constexpr std::string_view compiler =
+    "clang " ABUT_TEXT(__clang_major__) "." ABUT_TEXT(__clang_minor__);
 #else
 constexpr std::string_view compiler = "g++ " ABUT_TEXT(__GNUC__) "." ABUT_TEXT(__GNUC_MINOR__);
 #endif
@@ -28,12 +28,15 @@ constexpr std::string_view architecture = "unknown architecture";
 
 }  // namespace
 
-std::string_view version() { return text; }
+std::string_view version() {
+  return text;
+}
 
 std::string build_description() {
   std::string description = "abut ";
-  for (const std::string_view part : {text, std::string_view(" ("), compiler,
-                                      std::string_view(", "), architecture, std::string_view(")")}) {
+  for (const std::string_view part :
+       {text, std::string_view(" ("), compiler, std::string_view(", "), architecture,
+        std::string_view(")")}) {
     description += part;
   }
   return description;

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "base/memory_meter.hpp"
+#include "base/page_memory.hpp"
 
 #include <cstddef>
-#include <memory>
 #include <new>
 #include <vector>
 
 namespace abut::base {
 
-/// Allocates as std::allocator does and tells a MemoryMeter, which must outlive the container.
+/// Allocates page memory and tells a MemoryMeter, which must outlive the container.
 template <class T>
 class MeteredAllocator {
  public:
@@ -22,15 +22,26 @@ class MeteredAllocator {
   T* allocate(std::size_t count) {
     meter_->take(count * sizeof(T));
     try {
-      return std::allocator<T>().allocate(count);
+      return static_cast<T*>(allocate_pages(count * sizeof(T)));
     } catch (...) {
       meter_->give_back(count * sizeof(T));
       throw;
     }
   }
   void deallocate(T* first, std::size_t count) noexcept {
-    std::allocator<T>().deallocate(first, count);
+    free_pages(first);
     meter_->give_back(count * sizeof(T));
+  }
+
+  /// Elements without a value given are left as they are: arrays that are overwritten at once need
+  /// no zeros first.
+  template <class U>
+  void construct(U* place) noexcept {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class Value>
+  void construct(U* place, Value&& value) noexcept {
+    ::new (static_cast<void*>(place)) U(static_cast<Value&&>(value));
   }
 
   [[nodiscard]] MemoryMeter& meter() const noexcept { return *meter_; }
@@ -48,8 +59,14 @@ template <class T>
 using Array = std::vector<T, MeteredAllocator<T>>;
 
 template <class T>
-[[nodiscard]] Array<T> make_array(MemoryMeter& meter, std::size_t size, const T& value = T{}) {
+[[nodiscard]] Array<T> make_array(MemoryMeter& meter, std::size_t size, const T& value) {
   return Array<T>(size, value, MeteredAllocator<T>(meter));
+}
+
+/// For arrays whose every element is written before it is read.
+template <class T>
+[[nodiscard]] Array<T> make_array_for_overwrite(MemoryMeter& meter, std::size_t size) {
+  return Array<T>(size, MeteredAllocator<T>(meter));
 }
 
 }  // namespace abut::base

@@ -24,7 +24,9 @@ class FloatEnvironment {
     __asm__ volatile("msr fpcr, %0" : : "r"(default_control));
 #endif
   }
-  ~FloatEnvironment() { std::fesetenv(&caller_); }
+  ~FloatEnvironment() {
+    std::fesetenv(&caller_);
+  }
 
   FloatEnvironment(const FloatEnvironment&) = delete;
   FloatEnvironment& operator=(const FloatEnvironment&) = delete;

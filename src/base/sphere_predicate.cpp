@@ -21,42 +21,51 @@
 namespace abut::base {
 namespace {
 
-/// a + b, and whether it is exact (D. E. Knuth, The Art of Computer Programming 2, 4.2.2 theorem B:
-/// the error of a sum is itself computed without error).
-struct CheckedSum {
-  double value;
-  bool exact;
-};
-CheckedSum add(double a, double b) noexcept {
-  const double sum = a + b;
-  const double part = sum - a;
-  return {sum, (a - (sum - part)) + (b - part) == 0.0};
-}
+/// Follows a computation and remembers whether any step rounded.
+class RoundingWitness {
+ public:
+  /// a + b. The error of a sum is itself computed without error (D. E. Knuth, The Art of Computer
+  /// Programming 2, 4.2.2, theorem B).
+  double add(double a, double b) noexcept {
+    const double sum = a + b;
+    const double part = sum - a;
+    error_ += std::fabs((a - (sum - part)) + (b - part));
+    return sum;
+  }
 
-/// The square of a number of at most 26 significant bits has at most 52: exact, as long as it
-/// stays in the normal range, which the safe range of the sum of squares grants.
-bool square_is_exact(double value) noexcept {
-  constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27) - 1;
-  return (std::bit_cast<std::uint64_t>(value) & low_bits) == 0 &&
-         (value == 0.0 || std::fabs(value) >= 0x1p-480);
-}
+  /// The square of a number of at most 26 significant bits has at most 52; it is exact if it also
+  /// stays in the normal range.
+  double square(double value) noexcept {
+    bits_ |= std::bit_cast<std::uint64_t>(value);
+    tiny_ |= static_cast<int>(std::fabs(value) < 0x1p-480) & static_cast<int>(value != 0.0);
+    return value * value;
+  }
+
+  /// Overflow leaves a NaN among the errors, hence "rounded".
+  [[nodiscard]] bool nothing_rounded() const noexcept {
+    constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27) - 1;
+    return error_ == 0.0 && (bits_ & low_bits) == 0 && tiny_ == 0;
+  }
+
+ private:
+  double error_ = 0.0;
+  std::uint64_t bits_ = 0;
+  int tiny_ = 0;
+};
 
 template <int Dim>
 std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                               double margin) noexcept {
-  const CheckedSum radii = add(a.radius, b.radius);
-  const CheckedSum reach = add(radii.value, margin);
-  bool exact = radii.exact && reach.exact && square_is_exact(reach.value);
-  double distance_squared = 0.0;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const CheckedSum difference = add(a.center[axis], -b.center[axis]);
-    const CheckedSum sum = add(distance_squared, difference.value * difference.value);
-    exact = exact && difference.exact && square_is_exact(difference.value) && sum.exact;
-    distance_squared = sum.value;
+  RoundingWitness witness;
+  const double reach = witness.add(witness.add(a.radius, b.radius), margin);
+  const double reach_squared = witness.square(reach);
+  double distance_squared = witness.square(witness.add(a.center[0], -b.center[0]));
+  for (int axis = 1; axis < Dim; ++axis) {
+    const double difference = witness.add(a.center[axis], -b.center[axis]);
+    distance_squared = witness.add(distance_squared, witness.square(difference));
   }
-  // Overflow leaves NaN in an error term, hence "not exact".
-  if (!exact) return std::nullopt;
-  return distance_squared <= reach.value * reach.value;
+  if (!witness.nothing_rounded()) return std::nullopt;
+  return distance_squared <= reach_squared;
 }
 
 /// All numbers of one decision as integers times one power of two.
@@ -76,8 +85,7 @@ class CommonScale {
     const Decomposed d = decompose(value);
     if (d.significand == 0) return 0;
     const int shift = d.exponent - lowest_;
-    const std::uint64_t magnitude =
-        shift >= 0 ? d.significand << shift : d.significand >> -shift;
+    const std::uint64_t magnitude = shift >= 0 ? d.significand << shift : d.significand >> -shift;
     const auto integer = static_cast<std::int64_t>(magnitude);
     return d.negative ? -integer : integer;
   }

@@ -21,9 +21,7 @@ class CellCoordinates {
 
   [[nodiscard]] std::int32_t x(std::size_t element) const noexcept { return axes_[0][element]; }
   [[nodiscard]] std::int32_t y(std::size_t element) const noexcept { return axes_[1][element]; }
-  [[nodiscard]] std::int32_t z(std::size_t element) const noexcept
-    requires(Dim == 3)
-  {
+  [[nodiscard]] std::int32_t z(std::size_t element) const noexcept requires(Dim == 3) {
     return axes_[2][element];
   }
 
@@ -43,7 +41,8 @@ class CellCoordinates {
   template <std::size_t... Axis>
   CellCoordinates(std::size_t element_count, base::MemoryMeter& memory,
                   std::index_sequence<Axis...>)
-      : axes_{((void)Axis, base::make_array<std::int32_t>(memory, element_count))...} {}
+      : axes_{
+            ((void)Axis, base::make_array_for_overwrite<std::int32_t>(memory, element_count))...} {}
 
   std::array<base::Array<std::int32_t>, Dim> axes_;
 };

@@ -54,8 +54,8 @@ double cells_a_side(std::size_t element_count) {
 template <int Dim>
 double choose_cell_size(const Bounds<Dim>& bounds, double margin, double scale,
                         std::size_t element_count) {
-  const double reach = bounds.largest_radius * scale + bounds.second_largest_radius * scale +
-                       margin * scale;
+  const double reach =
+      bounds.largest_radius * scale + bounds.second_largest_radius * scale + margin * scale;
   if (reach > 0.0) return std::max(reach * cell_margin, smallest_cell_size);
   double extent = 0.0;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -80,11 +80,11 @@ template <int Dim>
 base::Array<Segment> collapse_gaps(std::span<const base::Sphere<Dim>> spheres, std::size_t axis,
                                    double scale, double cell_size,
                                    base::DetectionContext& context) {
-  auto sorted = base::make_array<double>(context.memory, spheres.size());
+  auto sorted = base::make_array_for_overwrite<double>(context.memory, spheres.size());
   for (std::size_t k = 0; k < spheres.size(); ++k) sorted[k] = spheres[k].center[axis] * scale;
   std::sort(sorted.begin(), sorted.end());
 
-  auto segments = base::make_array<Segment>(context.memory, 0);
+  auto segments = base::make_array_for_overwrite<Segment>(context.memory, 0);
   segments.push_back({sorted.front(), 0});
   for (std::size_t k = 1; k < sorted.size(); ++k) {
     if (sorted[k] - sorted[k - 1] <= cell_size) continue;
@@ -114,9 +114,8 @@ CellCoordinates<Dim> integerise(std::span<const base::Sphere<Dim>> spheres,
     const double start = bounds.lower[axis] * scale;
     const double extent_in_cells = (bounds.upper[axis] * scale - start) * (1.0 / cell_size);
     const bool one_segment = extent_in_cells <= most_cells_in_one_segment;
-    auto segments = one_segment
-                        ? base::make_array<Segment>(context.memory, 1, Segment{start, 0})
-                        : collapse_gaps(spheres, axis, scale, cell_size, context);
+    auto segments = one_segment ? base::make_array<Segment>(context.memory, 1, Segment{start, 0})
+                                : collapse_gaps(spheres, axis, scale, cell_size, context);
     const AxisMap map(scale, cell_size, std::move(segments));
     for (std::size_t k = 0; k < spheres.size(); ++k) {
       cells.axis(axis)[k] = map.cell(spheres[k].center[axis]);

@@ -34,9 +34,9 @@ class CellTree {
 
   CellTree(const grid::CellCoordinates<Dim>& cells, base::DetectionContext& context)
       : cell_count_(cells.cell_count),
-        left_child_(base::make_array<std::int32_t>(context.memory, 0)),
-        right_child_(base::make_array<std::int32_t>(context.memory, 0)),
-        cell_head_(base::make_array<std::int32_t>(context.memory, 0)) {
+        left_child_(base::make_array_for_overwrite<std::int32_t>(context.memory, 0)),
+        right_child_(base::make_array_for_overwrite<std::int32_t>(context.memory, 0)),
+        cell_head_(base::make_array_for_overwrite<std::int32_t>(context.memory, 0)) {
     // A square (cube) whose side is a power of two times the cell.
     const std::int32_t widest = *std::max_element(cell_count_.begin(), cell_count_.end());
     bits_ = std::bit_width(static_cast<std::uint32_t>(widest - 1));
@@ -118,7 +118,8 @@ class CellTree {
 };
 
 template <int Dim>
-std::array<std::int32_t, Dim> cell_of(const grid::CellCoordinates<Dim>& cells, std::size_t element) {
+std::array<std::int32_t, Dim> cell_of(const grid::CellCoordinates<Dim>& cells,
+                                      std::size_t element) {
   std::array<std::int32_t, Dim> cell{};
   for (std::size_t axis = 0; axis < Dim; ++axis) cell[axis] = cells.axis(axis)[element];
   return cell;
@@ -149,7 +150,8 @@ void binary_tree(const grid::CellCoordinates<Dim>& cells, Test& test,
   for (std::size_t k = 0; k < element_count; ++k) {
     context.progress.at(k);
     const auto e = static_cast<std::int32_t>(k);
-    for (std::int32_t f = next_in_cell[k]; f != none; f = next_in_cell[static_cast<std::size_t>(f)]) {
+    for (std::int32_t f = next_in_cell[k]; f != none;
+         f = next_in_cell[static_cast<std::size_t>(f)]) {
       test(e, f);
     }
     const auto central = cell_of(cells, k);

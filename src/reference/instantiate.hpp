@@ -1,12 +1,12 @@
 #pragma once
 
 /// The candidate tests that every algorithm is compiled for: one list, at the end of each file.
-#define ABUT_INSTANTIATE_2D_AND_3D(function)                                                   \
-  template void function<2>(const grid::CellCoordinates<2>&, ContactTest<2>&,                  \
-                            base::DetectionContext&);                                          \
-  template void function<3>(const grid::CellCoordinates<3>&, ContactTest<3>&,                  \
-                            base::DetectionContext&);                                          \
-  template void function<2>(const grid::CellCoordinates<2>&, CandidateRecorder&,               \
-                            base::DetectionContext&);                                          \
-  template void function<3>(const grid::CellCoordinates<3>&, CandidateRecorder&,               \
+#define ABUT_INSTANTIATE_2D_AND_3D(function)                                     \
+  template void function<2>(const grid::CellCoordinates<2>&, ContactTest<2>&,    \
+                            base::DetectionContext&);                            \
+  template void function<3>(const grid::CellCoordinates<3>&, ContactTest<3>&,    \
+                            base::DetectionContext&);                            \
+  template void function<2>(const grid::CellCoordinates<2>&, CandidateRecorder&, \
+                            base::DetectionContext&);                            \
+  template void function<3>(const grid::CellCoordinates<3>&, CandidateRecorder&, \
                             base::DetectionContext&)

@@ -15,8 +15,12 @@ inline constexpr std::int32_t none = -1;
 ///   h >= 0   first element, not yet treated ("new")
 ///   -1       empty
 ///   h <= -2  first element -2 - h, treated ("old")
-[[nodiscard]] constexpr bool is_old(std::int32_t head) noexcept { return head < none; }
-[[nodiscard]] constexpr std::int32_t as_old(std::int32_t head) noexcept { return -2 - head; }
+[[nodiscard]] constexpr bool is_old(std::int32_t head) noexcept {
+  return head < none;
+}
+[[nodiscard]] constexpr std::int32_t as_old(std::int32_t head) noexcept {
+  return -2 - head;
+}
 [[nodiscard]] constexpr std::int32_t first_of(std::int32_t head) noexcept {
   return is_old(head) ? -2 - head : head;
 }

@@ -104,8 +104,12 @@ class MunjizaNbs2d {
     for (std::int32_t e = first_of(row_head_[row]); e != none; e = next_in_row_[e]) visit(e);
   }
 
-  [[nodiscard]] std::int32_t x(std::int32_t e) const { return cells_.x(static_cast<std::size_t>(e)); }
-  [[nodiscard]] std::int32_t y(std::int32_t e) const { return cells_.y(static_cast<std::size_t>(e)); }
+  [[nodiscard]] std::int32_t x(std::int32_t e) const {
+    return cells_.x(static_cast<std::size_t>(e));
+  }
+  [[nodiscard]] std::int32_t y(std::int32_t e) const {
+    return cells_.y(static_cast<std::size_t>(e));
+  }
 
   const grid::CellCoordinates<2>& cells_;
   Test& test_;

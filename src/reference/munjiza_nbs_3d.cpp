@@ -80,7 +80,8 @@ class MunjizaNbs3d {
 
   void treat_central_row(std::int32_t iy, std::int32_t iz) {
     load_cells(central, iy, central);
-    for_each_merged_row(iy, [this](Set layer, std::int32_t row) { load_cells(layer, row, adjacent); });
+    for_each_merged_row(iy,
+                        [this](Set layer, std::int32_t row) { load_cells(layer, row, adjacent); });
     show_stage(context_, "central row: lists of its cells and of four rows merged", {any, iy, iz});
     cell_head_[central].show(context_, "A[0]", "cell_head[central]", IndexedBy::cell);
     cell_head_[adjacent].show(context_, "A[1]", "cell_head[adjacent]", IndexedBy::cell);
@@ -95,8 +96,8 @@ class MunjizaNbs3d {
     });
 
     unload_cells(central, iy, central);
-    for_each_merged_row(iy,
-                        [this](Set layer, std::int32_t row) { unload_cells(layer, row, adjacent); });
+    for_each_merged_row(
+        iy, [this](Set layer, std::int32_t row) { unload_cells(layer, row, adjacent); });
   }
 
   void treat_central_cell(std::int32_t ix) {
@@ -151,9 +152,15 @@ class MunjizaNbs3d {
     for (std::int32_t e = first_of(row_head_[layer][row]); e != none; e = next_in_row_[e]) visit(e);
   }
 
-  [[nodiscard]] std::int32_t x(std::int32_t e) const { return cells_.x(static_cast<std::size_t>(e)); }
-  [[nodiscard]] std::int32_t y(std::int32_t e) const { return cells_.y(static_cast<std::size_t>(e)); }
-  [[nodiscard]] std::int32_t z(std::int32_t e) const { return cells_.z(static_cast<std::size_t>(e)); }
+  [[nodiscard]] std::int32_t x(std::int32_t e) const {
+    return cells_.x(static_cast<std::size_t>(e));
+  }
+  [[nodiscard]] std::int32_t y(std::int32_t e) const {
+    return cells_.y(static_cast<std::size_t>(e));
+  }
+  [[nodiscard]] std::int32_t z(std::int32_t e) const {
+    return cells_.z(static_cast<std::size_t>(e));
+  }
 
   const grid::CellCoordinates<3>& cells_;
   Test& test_;

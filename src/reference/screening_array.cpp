@@ -79,8 +79,7 @@ void show_array_c(base::DetectionContext& context, const grid::CellCoordinates<D
       }
     }
   }
-  context.trace->array(
-      {"C", "cell_head", Meaning::element, IndexedBy::cell, extent, inner});
+  context.trace->array({"C", "cell_head", Meaning::element, IndexedBy::cell, extent, inner});
 }
 
 }  // namespace
@@ -123,7 +122,8 @@ void screening_array(const grid::CellCoordinates<Dim>& cells, Test& test,
         test(e, f);
       }
       for (const std::ptrdiff_t offset : guarded.mask()) {
-        const auto neighbor = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(central) + offset);
+        const auto neighbor =
+            static_cast<std::size_t>(static_cast<std::ptrdiff_t>(central) + offset);
         for (std::int32_t f = first_of(cell_head[neighbor]); f != none;
              f = next_in_cell[static_cast<std::size_t>(f)]) {
           test(e, f);

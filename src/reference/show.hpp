@@ -43,8 +43,7 @@ inline void show_heads(base::DetectionContext& context, std::string_view book_sy
   std::vector<std::int32_t> first(heads.size());
   for (std::size_t k = 0; k < heads.size(); ++k) first[k] = first_of(heads[k]);
   const auto size = static_cast<std::int32_t>(first.size());
-  context.trace->array(
-      {book_symbol, name, Meaning::element, indexed_by, {size, 1, 1}, first});
+  context.trace->array({book_symbol, name, Meaning::element, indexed_by, {size, 1, 1}, first});
 }
 
 }  // namespace abut::reference

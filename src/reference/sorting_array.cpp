@@ -73,7 +73,8 @@ class SortedCells {
               std::index_sequence<Axis...>)
       : context_(context),
         sorted_cell_{base::Array<std::int32_t>(cells.axis(Axis))...},
-        sorted_element_(base::make_array<std::int32_t>(context.memory, cells.element_count())) {
+        sorted_element_(
+            base::make_array_for_overwrite<std::int32_t>(context.memory, cells.element_count())) {
     show_stage(context, "step 1: integerise");
     std::iota(sorted_element_.begin(), sorted_element_.end(), 0);
     show();

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "io/snapshot.hpp"
+
+#include <abut/progress.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace abut::io {
+
+struct ReadOptions {
+  std::string format;            ///< a name of `readable_formats()`; empty: by suffix, then content
+  std::optional<double> radius;  ///< for all elements; wins over the file's own radii
+  std::optional<std::int64_t> frame;  ///< from 0, negative from the end; the last by default
+  ProgressHook progress;              ///< phase "read"; bytes of the file, total 0 if unknown
+};
+
+/// Reads one frame of a file; "-" is standard input. Streams: memory follows the frame, not the
+/// file. Throws Error{invalid_input}: one sentence with file, line, column and value.
+/// A frame without atoms is an empty snapshot.
+[[nodiscard]] Snapshot read_snapshot(const std::string& path, const ReadOptions& options = {});
+
+struct FormatInfo {
+  std::string_view name;
+  std::string_view suffixes;  ///< ".csv", ".xyz .extxyz", ...
+  std::string_view holds;     ///< one line
+};
+
+[[nodiscard]] std::span<const FormatInfo> readable_formats();
+
+}  // namespace abut::io

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <abut/element_view.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abut::io {
+
+/// The elements of one frame of a file, in the order of the file. Lengths in the file's unit.
+struct Snapshot {
+  int dimensions = 3;
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> z;          ///< empty in 2D
+  std::vector<double> radius;     ///< one per element
+  std::vector<std::int64_t> ids;  ///< the file's own numbers; empty if it has none
+
+  /// Axes on which the file says that its box is periodic.
+  std::array<bool, 3> periodic{};
+
+  std::string source;            ///< the file's name as given, "standard input" for "-"
+  std::string format;            ///< "csv", "lammps_dump", "xyz"
+  std::int64_t frame = 0;        ///< the one that was read, from 0
+  std::int64_t frame_count = 1;  ///< frames in the file
+
+  [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
+
+  [[nodiscard]] ElementView elements() const {
+    return dimensions == 2 ? discs(x, y, radius) : spheres(x, y, z, radius);
+  }
+};
+
+}  // namespace abut::io

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <ranges>
 
 namespace abut {
@@ -32,7 +33,7 @@ class ElementView {
   /// One radius for all.
   template <Real T, std::size_t Dim>
   ElementView(const std::array<Column<T>, Dim>& centers, double radius)
-      : ElementView(centers, centers[0].size, Numbers{}, radius) {}
+      : ElementView(centers, centers[0].size, std::nullopt, radius) {}
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] int dimensions() const noexcept { return dimensions_; }
@@ -41,18 +42,18 @@ class ElementView {
   [[nodiscard]] const Numbers& center(int axis) const noexcept {
     return centers_[static_cast<std::size_t>(axis)];
   }
-  [[nodiscard]] bool has_common_radius() const noexcept { return common_; }
+  [[nodiscard]] bool has_common_radius() const noexcept { return !radii_.has_value(); }
   [[nodiscard]] double common_radius() const noexcept { return common_radius_; }
-  [[nodiscard]] const Numbers& radii() const noexcept { return radii_; }
+  /// Only where there is no common radius.
+  [[nodiscard]] const Numbers& radii() const noexcept { return *radii_; }
 
  private:
   template <Real T, std::size_t Dim>
-  ElementView(const std::array<Column<T>, Dim>& centers, std::size_t radius_count, Numbers radii,
-              double common_radius)
+  ElementView(const std::array<Column<T>, Dim>& centers, std::size_t radius_count,
+              std::optional<Numbers> radii, double common_radius)
       : size_(centers[0].size),
         dimensions_(static_cast<int>(Dim)),
         precision_(std::same_as<T, float> ? Precision::float32 : Precision::float64),
-        common_(radii.stride_bytes == 0),
         radii_(radii),
         common_radius_(common_radius) {
     static_assert(Dim == 2 || Dim == 3);
@@ -73,9 +74,8 @@ class ElementView {
   std::size_t size_ = 0;
   int dimensions_ = 0;
   Precision precision_ = Precision::float64;
-  bool common_ = false;
   std::array<Numbers, 3> centers_{};
-  Numbers radii_{};
+  std::optional<Numbers> radii_;
   double common_radius_ = 0.0;
 };
 

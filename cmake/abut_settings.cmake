@@ -5,3 +5,10 @@ target_compile_features(abut_settings INTERFACE cxx_std_20)
 target_compile_options(abut_settings INTERFACE
   -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   $<$<BOOL:${ABUT_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# Sanitizers must see the whole program, test frameworks' inline code included.
+if(ABUT_SANITIZE)
+  add_compile_options(-fsanitize=${ABUT_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=${ABUT_SANITIZE})
+endif()

@@ -1,0 +1,33 @@
+# What `cmake --install` leaves: headers, library, tool, CMake package, pkg-config file. Everything
+# finds its neighbours relative to itself, so an installed tree may be moved.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS abut EXPORT abutTargets
+  RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/abut" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+  FILES_MATCHING PATTERN "*.hpp")
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/abut")
+install(EXPORT abutTargets NAMESPACE abut:: DESTINATION "${package_dir}")
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/abutConfig.cmake.in" "${PROJECT_BINARY_DIR}/abutConfig.cmake"
+  INSTALL_DESTINATION "${package_dir}")
+# Before 1.0 a minor version may change what programs were compiled against.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/abutConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/abutConfig.cmake" "${PROJECT_BINARY_DIR}/abutConfigVersion.cmake"
+  DESTINATION "${package_dir}")
+
+# From the folder of abut.pc up to the prefix; folders that were given as absolute stay so.
+file(RELATIVE_PATH ABUT_PC_TO_PREFIX
+  "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+cmake_path(APPEND ABUT_PC_LIBDIR "\${prefix}" "${CMAKE_INSTALL_LIBDIR}")
+cmake_path(APPEND ABUT_PC_INCLUDEDIR "\${prefix}" "${CMAKE_INSTALL_INCLUDEDIR}")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/abut.pc.in" "${PROJECT_BINARY_DIR}/abut.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/abut.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+
+if(ABUT_BUILD_TOOL AND TARGET abut_tool)
+  install(TARGETS abut_tool RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()

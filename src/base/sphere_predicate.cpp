@@ -24,33 +24,33 @@ namespace {
 /// Follows a computation and remembers whether any step rounded.
 class RoundingWitness {
  public:
-  /// a + b. The error of a sum is itself computed without error (D. E. Knuth, The Art of Computer
-  /// Programming 2, 4.2.2, theorem B).
+  /// a + b. If |a| >= |b|, sum - a is exact, and is b exactly when the sum is a + b (T. J. Dekker,
+  /// A floating-point technique for extending the available precision, Numer. Math. 18 (1971)
+  /// 224-242). Which one is larger need not be known when both are taken away in turn. Overflow
+  /// leaves an infinity.
   double add(double a, double b) noexcept {
     const double sum = a + b;
-    const double part = sum - a;
-    error_ += std::fabs((a - (sum - part)) + (b - part));
+    remainders_ |= bits(b - (sum - a)) | bits(a - (sum - b));
     return sum;
   }
 
   /// The square of a number of at most 26 significant bits has at most 52; it is exact if it also
   /// stays in the normal range.
   double square(double value) noexcept {
-    bits_ |= std::bit_cast<std::uint64_t>(value);
-    tiny_ |= static_cast<int>(std::fabs(value) < 0x1p-480) & static_cast<int>(value != 0.0);
+    constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27) - 1;
+    remainders_ |= bits(value) & low_bits;
+    // Magnitudes compare like their bits; 0, which squares exactly, wraps round to the largest.
+    tiny_ |= (bits(value) << 1) - 1 < (bits(0x1p-480) << 1) - 1;
     return value * value;
   }
 
-  /// Overflow leaves a NaN among the errors, hence "rounded".
-  [[nodiscard]] bool nothing_rounded() const noexcept {
-    constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27) - 1;
-    return error_ == 0.0 && (bits_ & low_bits) == 0 && tiny_ == 0;
-  }
+  [[nodiscard]] bool nothing_rounded() const noexcept { return remainders_ == 0 && !tiny_; }
 
  private:
-  double error_ = 0.0;
-  std::uint64_t bits_ = 0;
-  int tiny_ = 0;
+  static std::uint64_t bits(double value) noexcept { return std::bit_cast<std::uint64_t>(value); }
+
+  std::uint64_t remainders_ = 0;  ///< all bits 0: every remainder was +0
+  bool tiny_ = false;
 };
 
 template <int Dim>
@@ -64,7 +64,8 @@ std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere
     const double difference = witness.add(a.center[axis], -b.center[axis]);
     distance_squared = witness.add(distance_squared, witness.square(difference));
   }
-  if (!witness.nothing_rounded()) return std::nullopt;
+  if (!witness.nothing_rounded()) [[unlikely]]
+    return std::nullopt;
   return distance_squared <= reach_squared;
 }
 
@@ -142,13 +143,20 @@ bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b, double margi
   return slack.sign() >= 0;
 }
 
+/// Out of line, so that the first stage needs no stack of its own.
+template <int Dim>
+[[gnu::noinline]] bool decide_in_long_integers(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                               double margin) noexcept {
+  if (const std::optional<bool> decided = decide_scaled(a, b, margin)) return *decided;
+  return decide_accumulated(a, b, margin);
+}
+
 }  // namespace
 
 template <int Dim>
 bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b, double margin) noexcept {
   if (const std::optional<bool> decided = decide_if_nothing_rounded(a, b, margin)) return *decided;
-  if (const std::optional<bool> decided = decide_scaled(a, b, margin)) return *decided;
-  return decide_accumulated(a, b, margin);
+  return decide_in_long_integers(a, b, margin);
 }
 
 template bool within_reach_exactly<2>(const Sphere<2>&, const Sphere<2>&, double) noexcept;

@@ -1,0 +1,72 @@
+// The table of scenes. Tests, benchmarks and the tool read it: a new scene is a maker and a row.
+
+#include "scenes/scene.hpp"
+
+#include "scenes/families.hpp"
+
+#include <abut/error.hpp>
+
+#include <array>
+#include <string>
+
+namespace abut::scenes {
+namespace {
+
+constexpr std::array table{
+    SceneInfo{"pack_1", 2, "the book's pack I: rows of discs that touch exactly", make_pack_1},
+    SceneInfo{"pack_2", 2, "the book's pack II: discs two diameters apart in rows", make_pack_2},
+    SceneInfo{"pack_3", 2, "the book's pack III: discs two diameters apart both ways", make_pack_3},
+    SceneInfo{"pack_4", 2, "the book's pack IV: discs touching in twos", make_pack_4},
+    SceneInfo{"hexagonal_2d", 2, "dense discs: a hexagonal lattice thinned to 0.80 and jittered",
+              make_hexagonal_2d},
+    SceneInfo{"gas_2d", 2, "discs at random, filling 0.05 of the plane", make_gas_2d},
+    SceneInfo{"at_reach_2d", 2, "pairs at the sum of their radii within a few last places",
+              make_at_reach_2d},
+    SceneInfo{"near_faces_2d", 2, "touching pairs that a cell as wide as the reach would miss",
+              make_near_faces_2d},
+    SceneInfo{"near_faces_float32_2d", 2, "the same in float32 numbers",
+              make_near_faces_float32_2d},
+    SceneInfo{"dense", 3, "a dense packing of equal spheres, three pairs each, shuffled",
+              make_dense},
+    SceneInfo{"ordered", 3, "the dense packing, numbered along space", make_ordered},
+    SceneInfo{"gas", 3, "equal spheres at random, filling 0.05 of a cube", make_gas},
+    SceneInfo{"sparse", 3, "spheres of radius 1 in a cube 100000 wide", make_sparse},
+    SceneInfo{"clusters", 3, "Gaussian clusters in a cube 1000000 wide, three pairs each",
+              make_clusters},
+    SceneInfo{"bidisperse", 3, "one sphere in a hundred ten times as large", make_bidisperse},
+    SceneInfo{"log_uniform", 3, "radii 1 to 100, each decade as often", make_log_uniform},
+    SceneInfo{"graded", 3, "radii 1 to 100, each decade of the same volume", make_graded},
+    SceneInfo{"one_giant", 3, "a gas of small spheres and one as large as all of it",
+              make_one_giant},
+    SceneInfo{"touching_cubic", 3, "a simple cubic lattice whose neighbours touch exactly",
+              make_touching_cubic},
+    SceneInfo{"touching_fcc", 3, "a face-centred lattice with the smallest radius that touches",
+              make_touching_fcc},
+    SceneInfo{"line", 3, "a string of beads along x", make_line},
+    SceneInfo{"coincident", 3, "all centres in one point: every pair touches", make_coincident},
+    SceneInfo{"two_far_clusters", 3, "two groups of spheres 10^18 apart", make_two_far_clusters},
+    SceneInfo{"at_reach", 3, "pairs at the sum of their radii within a few last places",
+              make_at_reach},
+    SceneInfo{"near_faces", 3, "touching pairs that a cell as wide as the reach would miss",
+              make_near_faces},
+    SceneInfo{"near_faces_float32", 3, "the same in float32 numbers", make_near_faces_float32},
+};
+
+}  // namespace
+
+std::span<const SceneInfo> scenes() {
+  return table;
+}
+
+const SceneInfo& scene_named(std::string_view name) {
+  std::string known;
+  for (const SceneInfo& row : table) {
+    if (row.name == name) return row;
+    if (!known.empty()) known += ", ";
+    known += row.name;
+  }
+  throw Error(ErrorCode::wrong_usage,
+              "no scene is called '" + std::string(name) + "'; there are " + known);
+}
+
+}  // namespace abut::scenes

@@ -1,0 +1,133 @@
+#include "reference/partition_sort.hpp"
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace abut::reference {
+namespace {
+
+using Numbers = std::vector<std::int32_t>;
+
+Numbers sorted(Numbers values) {
+  CompanionArrays<1>({std::span(values)}).sort(0, values.size());
+  return values;
+}
+
+Numbers sorted_by_the_library(Numbers values) {
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+/// Neighbours among the small numbers, which a truncated mean cannot split.
+Numbers random_numbers(std::mt19937_64& random, std::size_t size) {
+  const std::int32_t largest = std::array{1, 2, 3, 100, 2147483647}[random() % 5];
+  std::uniform_int_distribution<std::int32_t> number(0, largest);
+  Numbers values(size);
+  for (std::int32_t& value : values) value = number(random);
+  return values;
+}
+
+TEST(PartitionSort, TwoNeighboringValuesAreSplit) {
+  EXPECT_EQ(sorted({2, 1}), (Numbers{1, 2}));
+  EXPECT_EQ(sorted({1, 2}), (Numbers{1, 2}));
+  EXPECT_EQ(sorted({2, 1, 2, 1, 1}), (Numbers{1, 1, 1, 2, 2}));
+  EXPECT_EQ(sorted({1, 0}), (Numbers{0, 1}));
+}
+
+TEST(PartitionSort, TheMiddleLeavesSomethingOnBothSides) {
+  EXPECT_EQ(partition_middle(1, 16), 8);
+  for (std::int32_t lowest = 0; lowest < 20; ++lowest) {
+    for (std::int32_t highest = lowest + 1; highest < 40; ++highest) {
+      EXPECT_GT(partition_middle(lowest, highest), lowest);
+      EXPECT_LE(partition_middle(lowest, highest), highest);
+    }
+  }
+  EXPECT_LE(partition_middle(0, 2147483647), 2147483647);
+}
+
+TEST(PartitionSort, NothingOneAllEqual) {
+  EXPECT_EQ(sorted({}), Numbers{});
+  EXPECT_EQ(sorted({7}), Numbers{7});
+  EXPECT_EQ(sorted(Numbers(1000, 7)), Numbers(1000, 7));
+}
+
+TEST(PartitionSort, RandomArrays) {
+  std::mt19937_64 random(20040301);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Numbers values = random_numbers(random, random() % 200);
+    ASSERT_EQ(sorted(values), sorted_by_the_library(values)) << "seed 20040301, trial " << trial;
+  }
+}
+
+TEST(PartitionSort, CompanionArraysMoveTogetherAndBreakTies) {
+  std::mt19937_64 random(20040302);
+  for (int trial = 0; trial < 100; ++trial) {
+    const std::size_t size = random() % 200;
+    Numbers x = random_numbers(random, size);
+    Numbers y = random_numbers(random, size);
+    Numbers element(size);
+    std::iota(element.begin(), element.end(), 0);
+    std::shuffle(element.begin(), element.end(), random);
+
+    std::vector<std::array<std::int32_t, 3>> expected(size);
+    for (std::size_t k = 0; k < size; ++k) expected[k] = {x[k], y[k], element[k]};
+    std::sort(expected.begin(), expected.end());
+
+    CompanionArrays<3>({std::span(x), std::span(y), std::span(element)}).sort(0, size);
+    for (std::size_t k = 0; k < size; ++k) {
+      ASSERT_EQ((std::array{x[k], y[k], element[k]}), expected[k])
+          << "seed 20040302, trial " << trial << ", position " << k;
+    }
+  }
+}
+
+TEST(PartitionSort, ExchangeTellsWhereTheRightBegins) {
+  Numbers values{5, 1, 4, 2, 3};
+  CompanionArrays<1> arrays({std::span(values)});
+  EXPECT_EQ(arrays.exchange(0, 5, 0, 0), 0u);
+  EXPECT_EQ(arrays.exchange(0, 5, 0, 6), 5u);
+  EXPECT_EQ(arrays.exchange(1, 3, 0, 2), 2u);
+  EXPECT_EQ(values, (Numbers{5, 1, 4, 2, 3})) << "outside [first, last) nothing may move";
+  EXPECT_EQ(arrays.exchange(0, 5, 0, 3), 2u);
+  EXPECT_LT(std::max(values[0], values[1]), 3);
+}
+
+/// Sorts on a thread with a small stack: recursion as deep as the array is long would overflow it.
+void sort_on_a_small_stack(Numbers& values) {
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{512} << 10), 0);
+  pthread_t thread;
+  const auto body = [](void* argument) -> void* {
+    auto& numbers = *static_cast<Numbers*>(argument);
+    CompanionArrays<1>({std::span(numbers)}).sort(0, numbers.size());
+    return nullptr;
+  };
+  ASSERT_EQ(pthread_create(&thread, &attributes, body, &values), 0);
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+}
+
+TEST(PartitionSort, RecursionIsNoDeeperThanTheBitsOfTheValues) {
+  // Powers of two halve the range as unevenly as values can: each split takes off one of them.
+  Numbers values;
+  for (int k = 0; k < 200000; ++k) values.push_back(std::int32_t{1} << (k % 31));
+  Numbers expected = sorted_by_the_library(values);
+  sort_on_a_small_stack(values);
+  EXPECT_EQ(values, expected);
+
+  Numbers rising(200000);
+  std::iota(rising.begin(), rising.end(), 0);
+  Numbers falling(rising.rbegin(), rising.rend());
+  sort_on_a_small_stack(falling);
+  EXPECT_EQ(falling, rising);
+}
+
+}  // namespace
+}  // namespace abut::reference

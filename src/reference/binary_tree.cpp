@@ -39,7 +39,7 @@ class CellTree {
         cell_head_(base::make_array_for_overwrite<std::int32_t>(context.memory, 0)) {
     // A square (cube) whose side is a power of two times the cell.
     const std::int32_t widest = *std::max_element(cell_count_.begin(), cell_count_.end());
-    bits_ = std::bit_width(static_cast<std::uint32_t>(widest - 1));
+    bits_ = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(widest - 1)));
     root_ = level_count() == 0 ? new_leaf() : new_node();
   }
 

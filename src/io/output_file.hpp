@@ -1,15 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace abut::io {
 
 /// Output that appears whole or not at all: written to a fresh temporary name beside the target,
-/// synced and renamed by `commit`; removed if destroyed before. "-" is standard output, which is
-/// only flushed. Every failure, that of closing included, throws Error{output_failed}; a closed
-/// pipe on standard output throws ClosedPipe.
+/// synced and renamed by `commit`; removed if destroyed before. A link is followed and what it
+/// points to is replaced; an existing file keeps its permissions. "-" is standard output; it,
+/// devices and pipes are written straight, as far as the writing gets.
+/// Every failure, that of closing included, throws Error{output_failed}; a closed pipe on standard
+/// output throws ClosedPipe, if the program ignores SIGPIPE.
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -21,12 +22,20 @@ class OutputFile {
   void commit();
 
  private:
+  void open_standard_output(int descriptor);
+  void open_straight();
+  void open_temporary();
   void flush();
-  [[noreturn]] void fail(const char* action) const;
+  void sync() const;
+  void close();
+  void discard() noexcept;
+  [[noreturn]] void fail(std::string_view action, int error) const;
 
-  std::string path_;
-  std::string temporary_;
+  std::string path_;       ///< as given, for messages
+  std::string target_;     ///< what the links of `path_` lead to
+  std::string temporary_;  ///< empty if written straight
   int descriptor_ = -1;
+  bool standard_output_ = false;
   std::string buffer_;
 };
 

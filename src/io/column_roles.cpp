@@ -1,0 +1,101 @@
+#include "io/column_roles.hpp"
+
+#include "io/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace abut::io {
+namespace {
+
+constexpr std::size_t absent = static_cast<std::size_t>(-1);
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 20;
+  std::string result;
+  for (std::size_t k = 0; k < std::min(names.size(), most); ++k) {
+    if (k > 0) result += ' ';
+    result += quoted(names[k]);
+  }
+  if (names.size() > most) result += fmt::format(" and {} more", names.size() - most);
+  return result.empty() ? "none" : result;
+}
+
+/// Finds columns by name and gives them roles.
+class Finder {
+ public:
+  Finder(const LineReader& reader, TableColumns& table) : reader_(reader), table_(table) {}
+
+  [[nodiscard]] bool has(std::string_view name) const { return find(name) != absent; }
+
+  bool assign(std::string_view name, ColumnRole role) {
+    const std::size_t column = find(name);
+    if (column == absent) return false;
+    const auto& names = table_.names;
+    if (std::count(names.begin(), names.end(), name) > 1) {
+      reader_.fail_at_line(
+          fmt::format("column {} is there twice; rename one of them", quoted(name)));
+    }
+    table_.roles[column] = role;
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::size_t find(std::string_view name) const {
+    const auto& names = table_.names;
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? absent : static_cast<std::size_t>(found - names.begin());
+  }
+
+  const LineReader& reader_;
+  TableColumns& table_;
+};
+
+std::size_t find_axes(const LineReader& reader, const Finder& finder, const TableColumns& table,
+                      std::span<const AxisNames> axes) {
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    if (finder.has(axes[k][0]) && finder.has(axes[k][1])) return k;
+  }
+  const std::string_view missing = axes[0][finder.has(axes[0][0]) ? 1 : 0];
+  reader.fail_at_line(
+      fmt::format("column {} is missing (the columns are {}); name at least {}, {} and a radius",
+                  missing, listed(table.names), axes[0][0], axes[0][1]));
+}
+
+}  // namespace
+
+bool TableColumns::has(ColumnRole role) const {
+  return std::find(roles.begin(), roles.end(), role) != roles.end();
+}
+
+TableColumns find_columns(const LineReader& reader, std::vector<std::string> names,
+                          std::span<const AxisNames> axes, RadiusColumn radius) {
+  TableColumns table;
+  table.names = std::move(names);
+  table.roles.assign(table.names.size(), ColumnRole::other);
+  Finder finder(reader, table);
+
+  table.axis_names = find_axes(reader, finder, table, axes);
+  const AxisNames& found = axes[table.axis_names];
+  finder.assign(found[0], ColumnRole::x);
+  finder.assign(found[1], ColumnRole::y);
+  table.dimensions = finder.assign(found[2], ColumnRole::z) ? 3 : 2;
+  for (const AxisNames& other : axes) {
+    if (table.dimensions == 3 || !finder.has(other[2])) continue;
+    reader.fail_at_line(fmt::format("columns {} and {} come without {}, but there is {}; write {}",
+                                    found[0], found[1], found[2], other[2], found[2]));
+  }
+  finder.assign("id", ColumnRole::id);
+  if (radius == RadiusColumn::ignored) return table;
+  if (finder.assign("radius", ColumnRole::radius) || finder.assign("r", ColumnRole::radius) ||
+      finder.assign("diameter", ColumnRole::diameter)) {
+    return table;
+  }
+  reader.fail_at_line(
+      fmt::format("there is no column radius, r or diameter (the columns are {}); give one radius "
+                  "for all with --radius",
+                  listed(table.names)));
+}
+
+}  // namespace abut::io

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "io/line_reader.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abut::io {
+
+/// What a column of a table of elements holds.
+enum class ColumnRole : std::uint8_t { other, x, y, z, radius, diameter, id };
+
+/// The columns of a table and what is taken from them.
+struct TableColumns {
+  std::vector<std::string> names;
+  std::vector<ColumnRole> roles;  ///< one per name
+  int dimensions = 3;
+  std::size_t axis_names = 0;  ///< which of the given names of the axes were found
+
+  [[nodiscard]] bool has(ColumnRole role) const;
+};
+
+/// Names of the columns of the coordinates, x first.
+using AxisNames = std::array<std::string_view, 3>;
+
+/// Whether radii are looked for; they are not where one radius is given for all.
+enum class RadiusColumn { required, ignored };
+
+/// Finds coordinates (the first of `axes` of which x and y are there; without z the table is 2D),
+/// radius (`radius`, `r` or `diameter`) and `id` by name. Throws Error{invalid_input} if one that
+/// is needed is missing or named twice.
+[[nodiscard]] TableColumns find_columns(const LineReader& reader, std::vector<std::string> names,
+                                        std::span<const AxisNames> axes, RadiusColumn radius);
+
+}  // namespace abut::io

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "io/output_file.hpp"
+#include "io/snapshot.hpp"
+#include "io/write_contacts.hpp"
+
+#include <abut/pair.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace abut::io {
+
+/// What every format of contacts writes from, and the way out.
+class ContactWriter {
+ public:
+  ContactWriter(OutputFile& file, const ContactOutput& output, const Snapshot& snapshot,
+                std::span<const ContactPair> pairs);
+
+  [[nodiscard]] const Snapshot& snapshot() const noexcept { return snapshot_; }
+  [[nodiscard]] std::span<const ContactPair> pairs() const noexcept { return pairs_; }
+  [[nodiscard]] bool with_ids() const noexcept { return with_ids_; }
+  [[nodiscard]] double gap(const ContactPair& pair) const;
+
+  /// The text written next; `append_pair` and `finish` hand it on.
+  [[nodiscard]] std::string& text() noexcept { return text_; }
+
+  /// Hands on what is in `text` if it is much.
+  void hand_on();
+  void finish();
+
+  /// Tells the progress hook, now and then, how many pairs are written.
+  void wrote(std::uint64_t pairs);
+
+ private:
+  OutputFile& file_;
+  const ProgressHook& progress_;
+  const Snapshot& snapshot_;
+  ElementView elements_;
+  std::span<const ContactPair> pairs_;
+  bool with_ids_;
+  std::string text_;
+};
+
+/// One function a format; `write_contacts` chooses.
+void write_contacts_csv(ContactWriter& writer);
+void write_contacts_json(ContactWriter& writer);
+void write_contacts_vtp(ContactWriter& writer);
+
+}  // namespace abut::io

@@ -1,0 +1,110 @@
+#include "io/read_snapshot.hpp"
+
+#include "base/written.hpp"
+#include "io/line_reader.hpp"
+#include "io/number_text.hpp"
+#include "io/read_format.hpp"
+#include "io/row_parser.hpp"
+#include "io/suffix.hpp"
+
+#include <abut/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+namespace abut::io {
+namespace {
+
+constexpr std::array<FormatInfo, 3> formats{{
+    {"csv", ".csv .tsv .txt", "a table with a header line: x, y, z (3D) and radius"},
+    {"lammps_dump", ".dump .lammpstrj .lammps", "text dump of LAMMPS, one or more frames"},
+    {"xyz", ".xyz .extxyz", "XYZ and extended XYZ, one or more frames"},
+}};
+constexpr std::array readers{&read_csv, &read_lammps_dump, &read_xyz};
+
+/// Position in `formats`.
+using FormatNumber = std::size_t;
+
+std::optional<FormatNumber> format_with_suffix(std::string_view suffix) {
+  for (FormatNumber k = 0; k < formats.size(); ++k) {
+    if (has_word(formats[k].suffixes, suffix)) return k;
+  }
+  return std::nullopt;
+}
+
+FormatNumber format_named(const std::string& name) {
+  for (FormatNumber k = 0; k < formats.size(); ++k) {
+    if (formats[k].name == name) return k;
+  }
+  if (const auto found = format_with_suffix(fmt::format(".{}", name))) return *found;
+  std::string names;
+  for (const FormatInfo& format : formats) names += fmt::format(" {}", format.name);
+  throw Error(ErrorCode::wrong_usage,
+              fmt::format("there is no format {} to read; the formats are{}", quoted(name), names));
+}
+
+/// By the first line that is not blank: a section of a dump, a lone count, else a header.
+FormatNumber format_by_content(LineReader& reader) {
+  const TextPosition start = reader.position();
+  reader.keep_from(start);
+  if (!reader.skip_blank_lines()) reader.fail("is empty; there are no elements in it");
+  const std::vector<std::string> fields = split(*reader.next(), Separator::blanks);
+  reader.seek(start);
+  reader.keep_nothing();
+  if (fields[0] == "ITEM:") return 1;
+  return fields.size() == 1 && parse_integer(fields[0]) ? 2 : 0;
+}
+
+FormatNumber choose_format(LineReader& reader, const std::string& path,
+                           const ReadOptions& options) {
+  if (!options.format.empty()) return format_named(options.format);
+  const auto by_suffix = path == "-" ? std::nullopt : format_with_suffix(suffix_of(path));
+  return by_suffix ? *by_suffix : format_by_content(reader);
+}
+
+void validate(const ReadOptions& options) {
+  if (options.radius && !(std::isfinite(*options.radius) && *options.radius >= 0.0)) {
+    throw Error(ErrorCode::wrong_usage,
+                fmt::format("the radius for all elements is {}; it must be finite and not negative",
+                            base::written(*options.radius)));
+  }
+  if (!options.format.empty()) static_cast<void>(format_named(options.format));
+}
+
+Snapshot read(const std::string& path, const ReadOptions& options) {
+  LineReader reader(path, options.progress);
+  const FormatNumber format = choose_format(reader, path, options);
+  Snapshot snapshot = readers[format](reader, options);
+  snapshot.source = reader.name();
+  snapshot.format = formats[format].name;
+  return snapshot;
+}
+
+[[noreturn]] void fail_for_memory(const std::string& path) {
+  throw Error(ErrorCode::limit_exceeded,
+              fmt::format("{}: there is not enough memory for its elements", path));
+}
+
+}  // namespace
+
+std::span<const FormatInfo> readable_formats() {
+  return formats;
+}
+
+Snapshot read_snapshot(const std::string& path, const ReadOptions& options) {
+  validate(options);
+  try {
+    return read(path, options);
+  } catch (const std::bad_alloc&) {
+    fail_for_memory(path);
+  } catch (const std::length_error&) {
+    fail_for_memory(path);
+  }
+}
+
+}  // namespace abut::io

@@ -1,0 +1,96 @@
+#include "io/column_roles.hpp"
+#include "io/element_count.hpp"
+#include "io/number_text.hpp"
+#include "io/read_format.hpp"
+#include "io/row_parser.hpp"
+#include "io/select_frame.hpp"
+#include "io/xyz_comment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace abut::io {
+namespace {
+
+constexpr AxisNames axis_names[] = {{"x", "y", "z"}};
+
+std::uint64_t read_count(LineReader& reader) {
+  // `select_frame` stands at a line that is not blank.
+  const std::vector<std::string> fields = split(reader.next().value_or(""), Separator::blanks);
+  if (fields.size() != 1) {
+    reader.fail_at_line(
+        fmt::format("a frame must begin with the number of its elements alone, but "
+                    "the line has {} fields; correct the count of the frame before "
+                    "or this line",
+                    fields.size()));
+  }
+  return parse_element_count(reader, fields[0]);
+}
+
+void skip_frame(LineReader& reader) {
+  const std::uint64_t count = read_count(reader);
+  reader.skip(1);
+  reader.skip(count);
+}
+
+/// Columns of a plain file: symbol x y z, or symbol x y z radius if there are five.
+std::vector<std::string> plain_columns(std::size_t fields) {
+  std::vector<std::string> names{"symbol", "x", "y", "z"};
+  if (fields == 5) names.emplace_back("radius");
+  while (names.size() < fields) names.push_back(fmt::format("column {}", names.size() + 1));
+  return names;
+}
+
+[[noreturn]] void fail_at_end(const LineReader& reader, std::uint64_t found, std::uint64_t count) {
+  reader.fail(fmt::format("ends after {} of the {} elements of its last frame; the file is cut off",
+                          found, count));
+}
+
+void read_elements(LineReader& reader, std::uint64_t count, const XyzComment& comment,
+                   const ReadOptions& options, Snapshot& snapshot) {
+  std::optional<std::string_view> line;
+  std::vector<std::string> names;
+  if (comment.columns) {
+    names = *comment.columns;
+  } else {
+    line = reader.next();
+    if (!line) fail_at_end(reader, 0, count);
+    names = plain_columns(split(*line, Separator::blanks).size());
+  }
+  const TableColumns columns =
+      find_columns(reader, std::move(names), axis_names,
+                   options.radius ? RadiusColumn::ignored : RadiusColumn::required);
+  RowParser rows(reader, columns, Separator::blanks, options.radius, IdRule::must_be_integers,
+                 snapshot);
+  const std::uint64_t first = line ? 1 : 0;
+  const std::size_t room = room_for(reader, count - first, columns.names.size());
+  if (line) rows.append(*line);
+  rows.reserve(room + first);
+  for (std::uint64_t k = first; k < count; ++k) {
+    line = reader.next();
+    if (!line) fail_at_end(reader, k, count);
+    rows.append(*line);
+  }
+}
+
+Snapshot read_frame(LineReader& reader, const ReadOptions& options) {
+  const std::uint64_t count = read_count(reader);
+  Snapshot snapshot;
+  const std::optional<std::string_view> line = reader.next();
+  if (!line && count > 0) fail_at_end(reader, 0, count);
+  const XyzComment comment = parse_xyz_comment(reader, line.value_or(""));
+  snapshot.periodic = comment.periodic;
+  if (count > 0) read_elements(reader, count, comment, options, snapshot);
+  return snapshot;
+}
+
+}  // namespace
+
+Snapshot read_xyz(LineReader& reader, const ReadOptions& options) {
+  return select_frame(
+      reader, options.frame.value_or(-1),
+      {skip_frame, [&options](LineReader& from) { return read_frame(from, options); }});
+}
+
+}  // namespace abut::io

@@ -1,0 +1,161 @@
+#include "io/row_parser.hpp"
+
+#include "io/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace abut::io {
+namespace {
+
+constexpr bool is_blank(char c) noexcept {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
+}
+
+std::string_view without_blanks(std::string_view text) noexcept {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+FieldCursor::FieldCursor(std::string_view row, Separator separator)
+    : rest_(separator == Separator::blanks ? without_blanks(row) : row),
+      separator_(separator),
+      more_(separator != Separator::blanks || !rest_.empty()) {}
+
+std::optional<std::string_view> FieldCursor::next() {
+  if (!more_) return std::nullopt;
+  if (separator_ == Separator::blanks) {
+    const auto end = std::find_if(rest_.begin(), rest_.end(), is_blank);
+    const auto size = static_cast<std::size_t>(end - rest_.begin());
+    const std::string_view field = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
+    more_ = !rest_.empty();
+    return field;
+  }
+  const std::size_t start = std::min(rest_.find_first_not_of(' '), rest_.size());
+  if (start < rest_.size() && rest_[start] == '"') return next_quoted();
+  const std::size_t end = rest_.find(static_cast<char>(separator_));
+  more_ = end != std::string_view::npos;
+  const std::string_view field = rest_.substr(0, end);
+  rest_.remove_prefix(more_ ? end + 1 : rest_.size());
+  return without_blanks(field);
+}
+
+/// A field in double quotes may hold separators; two quotes in a row stand for one and stay two,
+/// since only ignored columns can hold them.
+std::string_view FieldCursor::next_quoted() {
+  const std::size_t open = rest_.find('"');
+  std::size_t close = open + 1;
+  for (;;) {
+    close = std::min(rest_.find('"', close), rest_.size());
+    if (close + 1 >= rest_.size() || rest_[close + 1] != '"') break;
+    close += 2;
+  }
+  std::string_view field = rest_.substr(open + 1, close - open - 1);
+  const std::size_t after = std::min(close + 1, rest_.size());
+  const std::size_t end = rest_.find(static_cast<char>(separator_), after);
+  more_ = end != std::string_view::npos;
+  const std::string_view behind = rest_.substr(after, more_ ? end - after : end);
+  // Text behind the closing quote belongs to no field: the whole is shown, and refused if needed.
+  if (!without_blanks(behind).empty()) field = rest_.substr(open, more_ ? end - open : end);
+  rest_.remove_prefix(more_ ? end + 1 : rest_.size());
+  return without_blanks(field);
+}
+
+std::vector<std::string> split(std::string_view row, Separator separator) {
+  std::vector<std::string> fields;
+  FieldCursor cursor(row, separator);
+  while (const std::optional<std::string_view> field = cursor.next()) fields.emplace_back(*field);
+  return fields;
+}
+
+RowParser::RowParser(const LineReader& reader, const TableColumns& columns, Separator separator,
+                     std::optional<double> common_radius, IdRule id_rule, Snapshot& snapshot)
+    : reader_(reader),
+      columns_(columns),
+      separator_(separator),
+      common_radius_(common_radius),
+      id_rule_(id_rule),
+      takes_ids_(columns.has(ColumnRole::id)),
+      snapshot_(snapshot) {
+  snapshot_.dimensions = columns.dimensions;
+}
+
+void RowParser::reserve(std::size_t count) {
+  snapshot_.x.reserve(count);
+  snapshot_.y.reserve(count);
+  if (columns_.dimensions == 3) snapshot_.z.reserve(count);
+  snapshot_.radius.reserve(count);
+  if (takes_ids_) snapshot_.ids.reserve(count);
+}
+
+void RowParser::append(std::string_view row) {
+  FieldCursor cursor(row, separator_);
+  const std::size_t columns = columns_.names.size();
+  std::size_t fields = 0;
+  for (; const std::optional<std::string_view> field = cursor.next(); ++fields) {
+    if (fields >= columns || columns_.roles[fields] == ColumnRole::other) continue;
+    if (columns_.roles[fields] == ColumnRole::id) {
+      append_id(fields, *field);
+    } else {
+      append_number(fields, *field);
+    }
+  }
+  if (fields != columns) fail_at_size(fields);
+  if (common_radius_) snapshot_.radius.push_back(*common_radius_);
+}
+
+void RowParser::append_number(std::size_t column, std::string_view field) {
+  const auto [value, fault] = parse_number(field);
+  const ColumnRole role = columns_.roles[column];
+  if (fault != NumberFault::none) {
+    reader_.fail_in_column(quoted(columns_.names[column]), number_complaint(field, fault));
+  }
+  const bool size = role == ColumnRole::radius || role == ColumnRole::diameter;
+  if (size && value < 0.0) {
+    reader_.fail_in_column(quoted(columns_.names[column]),
+                           quoted(field) + " is negative; correct or remove this element");
+  }
+  switch (role) {
+    case ColumnRole::x:
+      return snapshot_.x.push_back(value);
+    case ColumnRole::y:
+      return snapshot_.y.push_back(value);
+    case ColumnRole::z:
+      return snapshot_.z.push_back(value);
+    case ColumnRole::diameter:
+      return snapshot_.radius.push_back(0.5 * value);
+    default:
+      return snapshot_.radius.push_back(value);
+  }
+}
+
+void RowParser::append_id(std::size_t column, std::string_view field) {
+  if (!takes_ids_) return;
+  if (const std::optional<std::int64_t> id = parse_integer(field)) {
+    snapshot_.ids.push_back(*id);
+    return;
+  }
+  if (id_rule_ == IdRule::must_be_integers) {
+    reader_.fail_in_column(quoted(columns_.names[column]),
+                           quoted(field) + " is not a whole number of 64 bits; write one");
+  }
+  takes_ids_ = false;
+  snapshot_.ids.clear();
+}
+
+void RowParser::fail_at_size(std::size_t fields) const {
+  const std::size_t columns = columns_.names.size();
+  reader_.fail_at_line(
+      fmt::format("has {} field{}, but there are {} columns; write one field for "
+                  "each column",
+                  fields, fields == 1 ? "" : "s", columns));
+}
+
+}  // namespace abut::io

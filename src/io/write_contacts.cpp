@@ -1,0 +1,72 @@
+#include "io/write_contacts.hpp"
+
+#include "io/contact_writer.hpp"
+#include "io/number_text.hpp"
+#include "io/output_file.hpp"
+#include "io/suffix.hpp"
+
+#include <abut/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace abut::io {
+namespace {
+
+std::optional<ContactFormat> format_named(std::string_view name) {
+  if (name == "csv") return ContactFormat::csv;
+  if (name == "json") return ContactFormat::json;
+  if (name == "vtp") return ContactFormat::vtp;
+  return std::nullopt;
+}
+
+void validate(const ContactOutput& output, const Snapshot& snapshot,
+              std::span<const ContactPair> pairs) {
+  if (output.ids == IdColumns::with && snapshot.ids.size() != snapshot.size()) {
+    throw Error(
+        ErrorCode::invalid_input,
+        fmt::format("{} has no ids of its own; leave out the columns of ids", snapshot.source));
+  }
+  for (const ContactPair& pair : pairs) {
+    if (std::max(pair.first, pair.second) < snapshot.size()) continue;
+    throw Error(ErrorCode::wrong_usage,
+                fmt::format("contact pair ({}, {}) names an element beyond the {} there are",
+                            pair.first, pair.second, snapshot.size()));
+  }
+}
+
+}  // namespace
+
+ContactFormat contact_format(std::string_view name, std::string_view path) {
+  const std::string suffix = suffix_of(path);
+  if (name.empty() && path == "-") return ContactFormat::csv;
+  const std::string_view wanted =
+      name.empty() ? std::string_view(suffix).substr(suffix.empty() ? 0 : 1) : name;
+  if (const std::optional<ContactFormat> format = format_named(wanted)) return *format;
+  throw Error(ErrorCode::wrong_usage,
+              fmt::format("contacts cannot be written as {}; the formats are csv, json and vtp",
+                          quoted(name.empty() ? path : name)));
+}
+
+void write_contacts(const ContactOutput& output, const Snapshot& snapshot,
+                    std::span<const ContactPair> pairs) {
+  validate(output, snapshot, pairs);
+  OutputFile file(output.path);
+  ContactWriter writer(file, output, snapshot, pairs);
+  switch (output.format) {
+    case ContactFormat::csv:
+      write_contacts_csv(writer);
+      break;
+    case ContactFormat::json:
+      write_contacts_json(writer);
+      break;
+    case ContactFormat::vtp:
+      write_contacts_vtp(writer);
+      break;
+  }
+  file.commit();
+}
+
+}  // namespace abut::io

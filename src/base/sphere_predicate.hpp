@@ -38,9 +38,10 @@ inline constexpr double largest_safe_square = 0x1p1000;
 template <int Dim>
 [[nodiscard]] inline bool within_reach(const Sphere<Dim>& a, const Sphere<Dim>& b, double margin,
                                        std::uint64_t& exact_decisions) noexcept {
-  double distance_squared = 0.0;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const double difference = a.center[axis] - b.center[axis];
+  double difference = a.center[0] - b.center[0];
+  double distance_squared = difference * difference;
+  for (int axis = 1; axis < Dim; ++axis) {
+    difference = a.center[axis] - b.center[axis];
     distance_squared += difference * difference;
   }
   const double reach = a.radius + b.radius + margin;

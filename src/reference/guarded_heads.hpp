@@ -19,10 +19,10 @@ class GuardedHeads {
       : heads_(base::make_array<std::int32_t>(memory, static_cast<std::size_t>(count) + 2, none)) {}
 
   [[nodiscard]] std::int32_t& operator[](std::int32_t number) noexcept {
-    return heads_[static_cast<std::size_t>(number + 1)];
+    return heads_.data()[1 + std::ptrdiff_t{number}];
   }
   [[nodiscard]] std::int32_t operator[](std::int32_t number) const noexcept {
-    return heads_[static_cast<std::size_t>(number + 1)];
+    return heads_.data()[1 + std::ptrdiff_t{number}];
   }
 
   void show(base::DetectionContext& context, std::string_view book_symbol, std::string_view name,

@@ -60,17 +60,18 @@ class MunjizaNbs2d {
   void treat_central_row(std::int32_t iy) {
     load(iy, central);
     load(iy - 1, adjacent);
-    show_stage(context_, "central row: lists of its cells and of those below", {any, iy, any});
+    show_stage(context_, "central row: lists of its cells and of those below", any, iy, any);
     cell_head_[central].show(context_, "A[0]", "cell_head[central]", IndexedBy::cell);
     cell_head_[adjacent].show(context_, "A[1]", "cell_head[adjacent]", IndexedBy::cell);
     next_in_cell_.show(context_, "X", "next_in_cell");
 
     for_each_in_row(iy, [this, iy](std::int32_t e) {
-      std::int32_t& head = cell_head_[central][x(e)];
+      const std::int32_t ix = x(e);
+      std::int32_t& head = cell_head_[central][ix];
       if (is_old(head)) return;
       head = as_old(head);
-      show_stage(context_, "central cell", {x(e), iy, any});
-      treat_central_cell(x(e));
+      show_stage(context_, "central cell", ix, iy, any);
+      treat_central_cell(ix);
     });
 
     for_each_in_row(iy, [this](std::int32_t e) { cell_head_[central][x(e)] = none; });
@@ -85,17 +86,26 @@ class MunjizaNbs2d {
   }
 
   void treat_central_cell(std::int32_t ix) {
+    const std::int32_t left = first_of(cell_head_[central][ix - 1]);
+    const std::int32_t below_left = cell_head_[adjacent][ix - 1];
+    const std::int32_t below = cell_head_[adjacent][ix];
+    const std::int32_t below_right = cell_head_[adjacent][ix + 1];
     for (std::int32_t f = first_of(cell_head_[central][ix]); f != none; f = next_in_cell_[f]) {
       check(f, next_in_cell_[f]);
-      check(f, first_of(cell_head_[central][ix - 1]));
-      check(f, cell_head_[adjacent][ix - 1]);
-      check(f, cell_head_[adjacent][ix]);
-      check(f, cell_head_[adjacent][ix + 1]);
+      check(f, left);
+      check(f, below_left);
+      check(f, below);
+      check(f, below_right);
     }
   }
 
   /// Element f against the list that begins with g.
   void check(std::int32_t f, std::int32_t g) {
+    if (g != none) check_all(f, g);
+  }
+
+  /// Out of line: copies of the test in each of the five places would leave no registers for lists.
+  [[gnu::noinline]] void check_all(std::int32_t f, std::int32_t g) {
     for (; g != none; g = next_in_cell_[g]) test_(f, g);
   }
 

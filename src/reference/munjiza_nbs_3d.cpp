@@ -62,7 +62,7 @@ class MunjizaNbs3d {
   void treat_central_layer(std::int32_t iz) {
     load_rows(iz, central);
     load_rows(iz - 1, adjacent);
-    show_stage(context_, "central layer: lists of its rows and of those below", {any, any, iz});
+    show_stage(context_, "central layer: lists of its rows and of those below", any, any, iz);
     row_head_[central].show(context_, "B[0]", "row_head[central]", IndexedBy::row);
     row_head_[adjacent].show(context_, "B[1]", "row_head[adjacent]", IndexedBy::row);
     next_in_row_.show(context_, "Y", "next_in_row");
@@ -82,17 +82,18 @@ class MunjizaNbs3d {
     load_cells(central, iy, central);
     for_each_merged_row(iy,
                         [this](Set layer, std::int32_t row) { load_cells(layer, row, adjacent); });
-    show_stage(context_, "central row: lists of its cells and of four rows merged", {any, iy, iz});
+    show_stage(context_, "central row: lists of its cells and of four rows merged", any, iy, iz);
     cell_head_[central].show(context_, "A[0]", "cell_head[central]", IndexedBy::cell);
     cell_head_[adjacent].show(context_, "A[1]", "cell_head[adjacent]", IndexedBy::cell);
     next_in_cell_.show(context_, "X", "next_in_cell");
 
     for_each_in_row(central, iy, [this, iy, iz](std::int32_t e) {
-      std::int32_t& head = cell_head_[central][x(e)];
+      const std::int32_t ix = x(e);
+      std::int32_t& head = cell_head_[central][ix];
       if (is_old(head)) return;
       head = as_old(head);
-      show_stage(context_, "central cell", {x(e), iy, iz});
-      treat_central_cell(x(e));
+      show_stage(context_, "central cell", ix, iy, iz);
+      treat_central_cell(ix);
     });
 
     unload_cells(central, iy, central);
@@ -101,17 +102,26 @@ class MunjizaNbs3d {
   }
 
   void treat_central_cell(std::int32_t ix) {
+    const std::int32_t left = first_of(cell_head_[central][ix - 1]);
+    const std::int32_t merged_left = cell_head_[adjacent][ix - 1];
+    const std::int32_t merged = cell_head_[adjacent][ix];
+    const std::int32_t merged_right = cell_head_[adjacent][ix + 1];
     for (std::int32_t f = first_of(cell_head_[central][ix]); f != none; f = next_in_cell_[f]) {
       check(f, next_in_cell_[f]);
-      check(f, first_of(cell_head_[central][ix - 1]));
-      check(f, cell_head_[adjacent][ix - 1]);
-      check(f, cell_head_[adjacent][ix]);
-      check(f, cell_head_[adjacent][ix + 1]);
+      check(f, left);
+      check(f, merged_left);
+      check(f, merged);
+      check(f, merged_right);
     }
   }
 
   /// Element f against the list that begins with g.
   void check(std::int32_t f, std::int32_t g) {
+    if (g != none) check_all(f, g);
+  }
+
+  /// Out of line: copies of the test in each of the five places would leave no registers for lists.
+  [[gnu::noinline]] void check_all(std::int32_t f, std::int32_t g) {
     for (; g != none; g = next_in_cell_[g]) test_(f, g);
   }
 

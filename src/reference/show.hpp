@@ -16,13 +16,12 @@ namespace abut::reference {
 
 using trace::IndexedBy;
 using trace::Meaning;
-using Cell = std::array<std::int32_t, 3>;
 
 inline constexpr std::int32_t any = -1;
 
 inline void show_stage(base::DetectionContext& context, std::string_view title,
-                       Cell cell = {any, any, any}) {
-  if (context.trace != nullptr) context.trace->stage(title, cell);
+                       std::int32_t ix = any, std::int32_t iy = any, std::int32_t iz = any) {
+  if (context.trace != nullptr) context.trace->stage(title, {ix, iy, iz});
 }
 
 /// One number per element: "next" arrays, integerised coordinates.

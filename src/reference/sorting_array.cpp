@@ -109,7 +109,7 @@ void sorting_array(const grid::CellCoordinates<Dim>& cells, Test& test,
       for (std::size_t axis = 0; axis < Dim; ++axis) neighbor[axis] += offset[axis];
       if (context.trace != nullptr) {
         const std::int32_t z = Dim == 3 ? neighbor.back() : any;
-        show_stage(context, "binary search", {neighbor[0], neighbor[1], z});
+        show_stage(context, "binary search", neighbor[0], neighbor[1], z);
       }
       for (std::size_t p = sorted.find(neighbor); p < sorted.size() && sorted.cell(p) == neighbor;
            ++p) {

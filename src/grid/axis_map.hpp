@@ -14,12 +14,6 @@ struct Segment {
   std::int32_t first_cell;
 };
 
-/// floor, for values that fit an int32.
-inline std::int32_t floor_to_int(double value) noexcept {
-  const auto truncated = static_cast<std::int32_t>(value);
-  return truncated - (value < static_cast<double>(truncated) ? 1 : 0);
-}
-
 /// The map from a coordinate to a cell number on one axis: the only one in the library.
 ///
 ///   cell(x) = first_cell + floor((x * scale - start) / cell_size)
@@ -39,7 +33,9 @@ class AxisMap {
   [[nodiscard]] std::int32_t cell(double x) const noexcept {
     const double scaled = x * scale_;
     const Segment segment = segments_.size() == 1 ? first_ : segment_of(scaled);
-    return segment.first_cell + floor_to_int((scaled - segment.start) * inverse_cell_size_);
+    // No element lies before its segment: truncation is floor.
+    return segment.first_cell +
+           static_cast<std::int32_t>((scaled - segment.start) * inverse_cell_size_);
   }
 
  private:

@@ -27,10 +27,10 @@ class RoundingWitness {
   /// a + b. If |a| >= |b|, sum - a is exact, and is b exactly when the sum is a + b (T. J. Dekker,
   /// A floating-point technique for extending the available precision, Numer. Math. 18 (1971)
   /// 224-242). Which one is larger need not be known when both are taken away in turn. Overflow
-  /// leaves an infinity.
+  /// leaves an infinity, zeros of either sign leave +0.
   double add(double a, double b) noexcept {
     const double sum = a + b;
-    remainders_ |= bits(b - (sum - a)) | bits(a - (sum - b));
+    remainders_ |= bits((sum - a) - b) | bits((sum - b) - a);
     return sum;
   }
 
@@ -57,7 +57,8 @@ template <int Dim>
 std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                               double margin) noexcept {
   RoundingWitness witness;
-  const double reach = witness.add(witness.add(a.radius, b.radius), margin);
+  double reach = witness.add(a.radius, b.radius);
+  if (margin != 0.0) reach = witness.add(reach, margin);
   const double reach_squared = witness.square(reach);
   double distance_squared = witness.square(witness.add(a.center[0], -b.center[0]));
   for (int axis = 1; axis < Dim; ++axis) {

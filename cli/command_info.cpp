@@ -1,0 +1,128 @@
+#include "command_info.hpp"
+
+#include "human_text.hpp"
+#include "json_text.hpp"
+#include "talk.hpp"
+#include "text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace abut::cli {
+namespace {
+
+struct Range {
+  double least = 0.0;
+  double most = 0.0;
+};
+
+Range range_of(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {*least, *most};
+}
+
+std::vector<Range> ranges_of_centers(const io::Snapshot& snapshot) {
+  std::vector<Range> ranges{range_of(snapshot.x), range_of(snapshot.y)};
+  if (snapshot.dimensions == 3) ranges.push_back(range_of(snapshot.z));
+  return ranges;
+}
+
+double mean_radius(const io::Snapshot& snapshot) {
+  double mean = 0.0;
+  double count = 0.0;
+  for (const double radius : snapshot.radius) mean += (radius - mean) / ++count;
+  return mean;
+}
+
+std::string ids_text(const io::Snapshot& snapshot) {
+  if (snapshot.ids.empty()) return "none; elements are numbered from 0 as they stand in the file";
+  const auto [least, most] = std::minmax_element(snapshot.ids.begin(), snapshot.ids.end());
+  return fmt::format("{} to {}", *least, *most);
+}
+
+std::string radii_text(const io::Snapshot& snapshot) {
+  const Range radii = range_of(snapshot.radius);
+  if (radii.least == radii.most) return fmt::format("all {}", measure(radii.least));
+  std::string text = fmt::format("{} to {}, mean {}", measure(radii.least), measure(radii.most),
+                                 measure(mean_radius(snapshot)));
+  if (radii.least > 0.0) {
+    text += fmt::format(", size ratio {:.3g}", radii.most / radii.least);
+  }
+  return text;
+}
+
+std::string next_command(const InfoOptions& options, const io::Snapshot& snapshot) {
+  std::string command = "abut contacts " + shell_quoted(options.input.path);
+  if (options.input.frame.has_value()) command += fmt::format(" --frame {}", *options.input.frame);
+  if (options.input.radius.has_value()) {
+    command += fmt::format(" --radius {}", *options.input.radius);
+  }
+  if (!periodic_axes(snapshot).empty()) command += " --periodic none";
+  return command;
+}
+
+std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot) {
+  TextTable table({Align::left, Align::left});
+  table.add_row({"format", snapshot.format});
+  table.add_row(
+      {"frames", snapshot.frame_count == 1
+                     ? "1"
+                     : fmt::format("{}; this is {}",
+                                   grouped(static_cast<std::uint64_t>(snapshot.frame_count)),
+                                   frame_text(snapshot))});
+  table.add_row({"elements", elements_text(snapshot)});
+  if (snapshot.size() > 0) {
+    const std::vector<Range> ranges = ranges_of_centers(snapshot);
+    for (std::size_t axis = 0; axis < ranges.size(); ++axis) {
+      table.add_row(
+          {fmt::format("center {}", "xyz"[axis]),
+           fmt::format("{} to {}", measure(ranges[axis].least), measure(ranges[axis].most))});
+    }
+    table.add_row({"radii", radii_text(snapshot)});
+  }
+  const std::string axes = periodic_axes(snapshot);
+  table.add_row({"box", axes.empty() ? "not periodic" : "periodic in " + axes});
+  table.add_row({"ids", ids_text(snapshot)});
+  table.add_row({"next", next_command(options, snapshot)});
+  return snapshot.source + '\n' + table.text("  ");
+}
+
+std::string json_of(const io::Snapshot& snapshot) {
+  std::string least;
+  std::string most;
+  std::string radii = "null";
+  if (snapshot.size() > 0) {
+    for (const Range& range : ranges_of_centers(snapshot)) {
+      least += (least.empty() ? "" : ", ") + json_number(range.least);
+      most += (most.empty() ? "" : ", ") + json_number(range.most);
+    }
+    const Range range = range_of(snapshot.radius);
+    radii = fmt::format("{{\"min\": {}, \"mean\": {}, \"max\": {}}}", json_number(range.least),
+                        json_number(mean_radius(snapshot)), json_number(range.most));
+  }
+  const auto& periodic = snapshot.periodic;
+  return fmt::format(
+      "{{\"file\": {}, \"format\": {}, \"frame\": {}, \"frames\": {}, \"elements\": {}, "
+      "\"dimensions\": {}, \"center\": {{\"min\": [{}], \"max\": [{}]}}, \"radius\": {}, "
+      "\"periodic\": [{}, {}, {}], \"ids\": {}}}\n",
+      json_string(snapshot.source), json_string(snapshot.format), snapshot.frame,
+      snapshot.frame_count, snapshot.size(), snapshot.dimensions, least, most, radii, periodic[0],
+      periodic[1], periodic[2], !snapshot.ids.empty());
+}
+
+}  // namespace
+
+void run(const InfoOptions& options) {
+  Console console(options.console);
+  const io::Snapshot snapshot = load_snapshot(options.input, console);
+  console.finish();
+  write_out(options.listing == Listing::json ? json_of(snapshot) : text_of(options, snapshot));
+}
+
+}  // namespace abut::cli

@@ -1,0 +1,158 @@
+#include "contact_summary.hpp"
+
+#include "human_text.hpp"
+#include "interrupt.hpp"
+#include "text_table.hpp"
+
+#include <abut/algorithm.hpp>
+#include <abut/detect.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace abut::cli {
+namespace {
+
+/// What one pass over the pairs tells.
+struct Findings {
+  std::uint64_t elements_without_pair = 0;
+  std::uint32_t highest_coordination = 0;
+  double smallest_gap = std::numeric_limits<double>::infinity();
+  ContactPair closest;
+};
+
+Findings findings(const io::Snapshot& snapshot, const PairList& pairs) {
+  constexpr std::uint64_t pairs_between_looks = 1 << 20;
+  Findings found;
+  std::vector<std::uint32_t> coordination(snapshot.size(), 0);
+  const ElementView elements = snapshot.elements();
+  std::uint64_t seen = 0;
+  for (const ContactPair& pair : pairs) {
+    if (++seen % pairs_between_looks == 0) stop_if_interrupted();
+    ++coordination[pair.first];
+    ++coordination[pair.second];
+    const double gap_here = gap(elements, pair);
+    // Of equal gaps the first in canonical order, whatever the order of the list.
+    if (gap_here < found.smallest_gap || (gap_here == found.smallest_gap && pair < found.closest)) {
+      found.smallest_gap = gap_here;
+      found.closest = pair;
+    }
+  }
+  for (const std::uint32_t neighbors : coordination) {
+    found.highest_coordination = std::max(found.highest_coordination, neighbors);
+    if (neighbors == 0) ++found.elements_without_pair;
+  }
+  return found;
+}
+
+std::string file_line(const io::Snapshot& snapshot) {
+  std::string line = fmt::format("{}: {}", snapshot.source, snapshot.format);
+  if (snapshot.frame_count > 1) line += ", " + frame_text(snapshot);
+  line += ", " + elements_text(snapshot);
+  if (snapshot.size() > 0) {
+    const auto [least, most] = std::minmax_element(snapshot.radius.begin(), snapshot.radius.end());
+    line += *least == *most ? fmt::format(" of radius {}", measure(*least))
+                            : fmt::format(" of radius {} to {}", measure(*least), measure(*most));
+  }
+  const std::string axes = periodic_axes(snapshot);
+  line += axes.empty() ? ", open space" : fmt::format(", periodic in {} but taken as open", axes);
+  return line;
+}
+
+std::string share_text(std::uint64_t part, std::uint64_t whole) {
+  const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  return fmt::format("{} of {} ({:.1f} %)", grouped(part), counted(whole, "element"), percent);
+}
+
+std::string coordination_text(const PairList& pairs, const Findings& found) {
+  const Statistics& statistics = pairs.statistics();
+  const double mean =
+      2.0 * static_cast<double>(pairs.size()) / static_cast<double>(statistics.elements);
+  return fmt::format("mean {:.3f}, at most {}", mean, found.highest_coordination);
+}
+
+std::string closest_text(const io::Snapshot& snapshot, const Findings& found) {
+  const auto [i, j] = found.closest;
+  std::string text =
+      fmt::format("{:.4g} between elements {} and {}", std::abs(found.smallest_gap), i, j);
+  if (!snapshot.ids.empty()) {
+    text += fmt::format(" (ids {} and {})", snapshot.ids[i], snapshot.ids[j]);
+  }
+  const double smaller = std::min(snapshot.radius[i], snapshot.radius[j]);
+  if (found.smallest_gap < 0.0 && smaller > 0.0) {
+    text += fmt::format(", {:.2f} % of the smaller radius", -100.0 * found.smallest_gap / smaller);
+  }
+  return text;
+}
+
+std::string time_text(const ContactsOptions& options, const PairList& pairs,
+                      const PhaseSeconds& seconds) {
+  const double order = pairs.statistics().order_seconds;
+  std::string text = fmt::format("{}: read {}, search {}", duration(seconds.total),
+                                 duration(seconds.read), duration(seconds.search - order));
+  if (options.detection.order == Order::canonical) text += ", order " + duration(order);
+  if (!options.output.empty()) text += ", write " + duration(seconds.write);
+  return text;
+}
+
+bool is_vtp(const ContactsOptions& options) {
+  return options.output_format == "vtp" || options.output.ends_with(".vtp");
+}
+
+std::string next_command(const ContactsOptions& options, const io::Snapshot& snapshot) {
+  if (is_vtp(options) && options.output != "-") return "paraview " + shell_quoted(options.output);
+  std::string command = "abut contacts " + shell_quoted(options.input.path);
+  if (options.input.frame.has_value()) command += fmt::format(" --frame {}", *options.input.frame);
+  if (options.input.radius.has_value()) {
+    command += fmt::format(" --radius {}", *options.input.radius);
+  }
+  if (!periodic_axes(snapshot).empty()) command += " --periodic none";
+  if (options.detection.margin > 0.0) {
+    command += fmt::format(" --margin {}", options.detection.margin);
+  }
+  return command + " -o contacts.vtp";
+}
+
+}  // namespace
+
+std::string contact_summary(const ContactsOptions& options, const io::Snapshot& snapshot,
+                            const PairList& pairs, const PhaseSeconds& seconds) {
+  const Statistics& statistics = pairs.statistics();
+  TextTable table({Align::left, Align::left});
+  std::string count = grouped(pairs.size());
+  if (options.detection.margin > 0.0) {
+    count += fmt::format(", touching or at most {} apart", measure(options.detection.margin));
+  }
+  table.add_row({"contact pairs", count});
+  if (!snapshot.x.empty()) {
+    const Findings found = findings(snapshot, pairs);
+    table.add_row({"coordination", coordination_text(pairs, found)});
+    table.add_row({options.detection.margin > 0.0 ? "without a pair" : "touch nothing",
+                   share_text(found.elements_without_pair, statistics.elements)});
+    if (!pairs.empty()) {
+      table.add_row({found.smallest_gap <= 0.0 ? "deepest overlap" : "smallest gap",
+                     closest_text(snapshot, found)});
+    }
+  }
+  table.add_row(
+      {"algorithm", fmt::format("{}, {}: {}", name_of(statistics.algorithm),
+                                counted(static_cast<std::uint64_t>(statistics.threads), "thread"),
+                                statistics.reason)});
+  table.add_row({"work", fmt::format("{}, {} of memory",
+                                     counted(statistics.candidate_tests, "candidate test"),
+                                     byte_size(statistics.peak_bytes))});
+  table.add_row({"time", time_text(options, pairs, seconds)});
+  if (!options.output.empty() && options.output != "-") {
+    table.add_row({"written to", options.output});
+  }
+  table.add_row({"next", next_command(options, snapshot)});
+  return file_line(snapshot) + '\n' + table.text("  ");
+}
+
+}  // namespace abut::cli

@@ -1,0 +1,385 @@
+// The command line, by CLI11. This is the only file that includes it: it takes seconds to compile.
+
+#include "parse.hpp"
+
+#include "argument.hpp"
+#include "human_text.hpp"
+#include "io/read_snapshot.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <abut/error.hpp>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abut::cli {
+namespace {
+
+constexpr std::size_t text_width = 100;
+constexpr std::size_t description_column = 28;
+
+// ------------------------------------------------------------------------------- help texts
+
+std::string help_entry(const std::string& name, const std::string& description) {
+  std::string line = "  " + name;
+  if (line.size() + 2 > description_column) {
+    line += '\n' + std::string(description_column, ' ');
+  } else {
+    line.resize(description_column, ' ');
+  }
+  const std::string text = wrapped(std::string(description_column, '.') + ' ' + description,
+                                   text_width, description_column);
+  return line + text.substr(description_column + 1) + '\n';
+}
+
+std::string option_name(const CLI::Option& option) {
+  std::string name = option.get_positional() ? option.get_name(true) : option.get_name(false, true);
+  const std::size_t comma = name.find(',');
+  if (comma != std::string::npos) name.insert(comma + 1, " ");
+  const std::string type = option.get_positional() ? "" : option.get_type_name();
+  return type.empty() ? name : name + ' ' + type;
+}
+
+/// Examples first (the footer holds them), then what it does, then every option.
+std::string help_text(const CLI::App* app, const std::string&, CLI::AppFormatMode) {
+  const std::string full_name =
+      app->get_parent() == nullptr ? app->get_name() : "abut " + app->get_name();
+  std::string positionals;
+  std::string options;
+  std::string usage = full_name;
+  for (const CLI::Option* option : app->get_options()) {
+    const std::string entry = help_entry(option_name(*option), option->get_description());
+    (option->get_positional() ? positionals : options) += entry;
+    if (!option->get_positional()) continue;
+    const std::string name = option->get_name(true);
+    usage += option->get_required() ? ' ' + name : " [" + name + ']';
+  }
+  std::string commands;
+  for (const CLI::App* command : app->get_subcommands({})) {
+    commands += help_entry(command->get_name(), command->get_description());
+  }
+  std::string text =
+      fmt::format("{}\n\n{}: {}\n\nUsage: {}{} [options]\n", app->get_footer(), full_name,
+                  app->get_description(), usage, commands.empty() ? "" : " COMMAND");
+  text += positionals;
+  if (!commands.empty()) text += "\nCommands:\n" + commands;
+  return text + "\nOptions:\n" + options;
+}
+
+// ----------------------------------------------------------------------- options in common
+
+/// An option whose text is handed to `use` after the whole line has been read.
+template <class Use>
+CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& type,
+                       const std::string& description, Use use) {
+  return app.add_option_function<std::string>(names, use, description)->type_name(type);
+}
+
+/// A flag that is only looked at.
+CLI::Option* add_mark(CLI::App& app, const std::string& name, const std::string& description) {
+  return app.add_flag_function(
+      name, [](std::int64_t) {}, description);
+}
+
+template <class Target, class Value>
+CLI::Option* add_switch(CLI::App& app, const std::string& names, const std::string& description,
+                        Target& target, Value value) {
+  return app.add_flag_callback(
+      names, [&target, value] { target = value; }, description);
+}
+
+void add_console(CLI::App& app, ConsoleOptions& console) {
+  add_switch(app, "-q,--quiet", "say nothing but what was asked for, and errors", console.quiet,
+             true);
+  add_value(app, "--progress", "auto|bar|log|none",
+            "on standard error: a bar, or a line every 10 s; auto: a bar on a terminal",
+            [&console](const std::string& text) {
+              console.progress = choice<ProgressMode>("--progress", text,
+                                                      {{"auto", ProgressMode::automatic},
+                                                       {"bar", ProgressMode::bar},
+                                                       {"log", ProgressMode::log},
+                                                       {"none", ProgressMode::none}});
+            });
+}
+
+void add_json(CLI::App& app, Listing& listing) {
+  add_switch(app, "--json", "one JSON object", listing, Listing::json);
+}
+
+PeriodicBox periodic_box(const std::string& text) {
+  if (text == "none") return PeriodicBox::take_as_open;
+  throw Error(ErrorCode::wrong_usage,
+              fmt::format("--periodic {}: periodic boxes are not carried yet; --periodic none "
+                          "takes a periodic box as open",
+                          text));
+}
+
+/// Everything about how FILE is read, but FILE itself.
+void add_reading(CLI::App& app, InputOptions& input) {
+  add_value(app, "--frame", "K", "frame of FILE, from 0, negative from the end; default the last",
+            [&input](const std::string& text) {
+              input.frame = number<std::int64_t>("--frame", text, "a whole number");
+            });
+  add_value(app, "--radius", "R", "one radius for all elements, in place of those of FILE",
+            [&input](const std::string& text) { input.radius = length("--radius", text); });
+  add_value(app, "--periodic", "none", "take a box that FILE calls periodic as open",
+            [&input](const std::string& text) { input.periodic_box = periodic_box(text); });
+}
+
+void add_input_format(CLI::App& app, InputOptions& input) {
+  add_value(app, "--format", "NAME",
+            "format of FILE: csv, lammps_dump or xyz; default by suffix, then by content",
+            [&input](const std::string& text) { input.format = text; });
+}
+
+void add_margin(CLI::App& app, double& margin) {
+  add_value(app, "--margin", "D", "pairs at most D apart count too; default 0",
+            [&margin](const std::string& text) { margin = length("--margin", text); });
+}
+
+void add_max_memory(CLI::App& app, std::uint64_t& max_bytes) {
+  add_value(app, "--max-memory", "BYTES", "fail rather than hold more; K, M, G for powers of 1024",
+            [&max_bytes](const std::string& text) { max_bytes = bytes("--max-memory", text); });
+}
+
+// ---------------------------------------------------------------------------- the commands
+
+/// The options of a subcommand live as long as the parse; the callback hands them over.
+template <class Options>
+std::shared_ptr<Options> hand_over(CLI::App& app, Command& command) {
+  auto options = std::make_shared<Options>();
+  app.callback([&command, options] { command = *options; });
+  return options;
+}
+
+bool is_contact_format(std::string_view name) {
+  return name == "csv" || name == "json" || name == "vtp";
+}
+
+void add_detection(CLI::App& app, Options& detection) {
+  add_value(app, "--algorithm", "NAME", "one of 'abut algorithms', or auto, the default",
+            [&detection](const std::string& text) { detection.algorithm = algorithm_named(text); });
+  add_value(app, "--threads", "N", "number of threads; the algorithms of the book use one",
+            [&detection](const std::string& text) {
+              static constexpr std::string_view wanted = "a whole number, at least 1";
+              detection.threads = number<int>("--threads", text, wanted);
+              if (detection.threads < 1) reject("--threads", text, wanted);
+            });
+  add_value(app, "--order", "canonical|as_found",
+            "pairs ascending by (i, j), the default, or as the algorithm meets them",
+            [&detection](const std::string& text) {
+              detection.order =
+                  choice<Order>("--order", text,
+                                {{"canonical", Order::canonical}, {"as_found", Order::as_found}});
+            });
+  add_margin(app, detection.margin);
+  add_value(app, "--max-pairs", "M", "fail if there are more than M contact pairs",
+            [&detection](const std::string& text) {
+              detection.max_pairs = number<PairCount>("--max-pairs", text, "a whole number");
+            });
+  add_max_memory(app, detection.max_bytes);
+}
+
+void add_report(CLI::App& app, Report& report) {
+  CLI::Option* count = add_switch(
+      app, "--count", "print the number of contact pairs and nothing else", report, Report::count);
+  CLI::Option* digest = add_switch(
+      app, "--digest", "print the SHA-256 of the pairs in canonical order", report, Report::digest);
+  CLI::Option* json = add_switch(app, "--json", "print one JSON object with counts and times",
+                                 report, Report::json);
+  count->excludes(digest)->excludes(json);
+  digest->excludes(json);
+}
+
+void add_contacts(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("contacts", "finds which elements of a file touch");
+  sub.footer(
+      "abut contacts packing.csv\n"
+      "abut contacts pour.dump --frame 0 --periodic none -o contacts.vtp");
+  auto options = hand_over<ContactsOptions>(sub, command);
+  auto format = std::make_shared<std::string>();
+  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_value(sub, "-o,--output", "OUT",
+            "write the pairs to a file .csv, .json or .vtp; - is standard output, as CSV",
+            [options](const std::string& text) { options->output = text; });
+  add_value(sub, "--format", "NAME",
+            "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_dump, xyz; default by "
+            "suffix, then by content",
+            [format](const std::string& text) { *format = text; });
+  CLI::Option* ids = add_switch(sub, "--ids", "add the file's own ids to OUT", options->ids, true);
+  ids->needs(sub.get_option("--output"));
+  add_report(sub, options->report);
+  add_detection(sub, options->detection);
+  add_reading(sub, options->input);
+  add_console(sub, options->console);
+  sub.callback([&command, options, format] {
+    const bool of_output = !options->output.empty() && is_contact_format(*format);
+    (of_output ? options->output_format : options->input.format) = *format;
+    command = *options;
+  });
+}
+
+void add_info(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("info", "says what is in a file");
+  sub.footer("abut info packing.csv");
+  auto options = hand_over<InfoOptions>(sub, command);
+  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_input_format(sub, options->input);
+  add_json(sub, options->listing);
+  add_reading(sub, options->input);
+  add_console(sub, options->console);
+}
+
+void add_generate(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("generate", "writes the elements of a scene");
+  sub.footer(
+      "abut generate --list\n"
+      "abut generate random_loose --count 100000 -o loose.csv");
+  auto options = std::make_shared<GenerateOptions>();
+  auto list = std::make_shared<SceneListOptions>();
+  CLI::Option* scene = sub.add_option("SCENE", options->scene, "one of 'abut generate --list'");
+  CLI::Option* all = add_mark(sub, "--list", "list the scenes");
+  CLI::Option* count =
+      add_value(sub, "--count", "N", "number of elements", [options](const std::string& text) {
+        options->count = number<std::uint64_t>("--count", text, "a whole number");
+      });
+  add_value(sub, "--seed", "S", "seed of the random numbers; default 1",
+            [options](const std::string& text) {
+              options->seed = number<std::uint64_t>("--seed", text, "a whole number");
+            });
+  add_value(sub, "-o,--output", "FILE", "default - is standard output, as CSV",
+            [options](const std::string& text) { options->output = text; });
+  add_value(sub, "--format", "NAME", "csv, lammps_dump or xyz; default by suffix",
+            [options](const std::string& text) { options->output_format = text; });
+  add_json(sub, list->listing);
+  add_console(sub, options->console);
+  sub.callback([&command, options, list, scene, all, count] {
+    if (all->count() > 0) {
+      command = *list;
+      return;
+    }
+    if (scene->count() == 0 || count->count() == 0) {
+      throw Error(ErrorCode::wrong_usage,
+                  "generate: name a scene and say how many elements with --count; "
+                  "'abut generate --list' shows the scenes");
+    }
+    command = *options;
+  });
+}
+
+void add_compare(CLI::App& app, Command& command) {
+  CLI::App& sub =
+      *app.add_subcommand("compare", "runs all algorithms on a file or scene and compares them");
+  sub.footer(
+      "abut compare packing.csv\n"
+      "abut compare random_loose --count 20000 --algorithms munjiza_nbs,sorting_array");
+  auto options = hand_over<CompareOptions>(sub, command);
+  sub.add_option("FILE|SCENE", options->input.path, "elements to read; with --count a scene")
+      ->required();
+  add_value(sub, "--count", "N", "number of elements of the scene",
+            [options](const std::string& text) {
+              options->count = number<std::uint64_t>("--count", text, "a whole number");
+            });
+  add_value(sub, "--seed", "S", "seed of the scene; default 1", [options](const std::string& text) {
+    options->seed = number<std::uint64_t>("--seed", text, "a whole number");
+  });
+  add_value(sub, "--algorithms", "A,B", "only these; default all that can",
+            [options](const std::string& text) {
+              for (const std::string& name : CLI::detail::split(text, ',')) {
+                options->algorithms.push_back(info(algorithm_named(name)).algorithm);
+              }
+            });
+  add_json(sub, options->listing);
+  add_margin(sub, options->margin);
+  add_max_memory(sub, options->max_bytes);
+  add_input_format(sub, options->input);
+  add_reading(sub, options->input);
+  add_console(sub, options->console);
+}
+
+void add_explain(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("explain", "walks through an algorithm of the book");
+  sub.footer(
+      "abut explain munjiza_nbs --book\n"
+      "abut explain sorting_array few_elements.csv");
+  auto options = std::make_shared<ExplainOptions>();
+  add_value(sub, "ALGORITHM", "NAME", "one of 'abut algorithms'",
+            [options](const std::string& text) {
+              options->algorithm = info(algorithm_named(text)).algorithm;
+            })
+      ->required();
+  CLI::Option* file =
+      sub.add_option("FILE", options->input.path, "a small file; - is standard input");
+  CLI::Option* book = add_mark(sub, "--book", "the book's own example, numbered as in the book");
+  add_margin(sub, options->margin);
+  add_input_format(sub, options->input);
+  add_reading(sub, options->input);
+  add_console(sub, options->console);
+  sub.callback([&command, options, file, book] {
+    if ((file->count() > 0) == (book->count() > 0)) {
+      throw Error(ErrorCode::wrong_usage,
+                  "explain: give either FILE or --book, the book's own example");
+    }
+    command = *options;
+  });
+}
+
+void add_algorithms(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("algorithms", "lists the algorithms");
+  sub.footer("abut algorithms");
+  auto options = hand_over<AlgorithmsOptions>(sub, command);
+  add_json(sub, options->listing);
+}
+
+void add_version(CLI::App& app, Command& command) {
+  CLI::Option* version = add_mark(app, "--version", "print the version");
+  CLI::Option* verbose = add_mark(app, "--verbose", "with --version: how abut was built");
+  verbose->needs(version);
+  app.callback([&app, &command, version, verbose] {
+    if (!app.get_subcommands().empty()) return;
+    if (version->count() == 0) {
+      throw Error(ErrorCode::wrong_usage, "name a command; 'abut --help' lists them");
+    }
+    const auto detail = verbose->count() > 0 ? VersionDetail::build : VersionDetail::number;
+    command = VersionOptions{detail};
+  });
+}
+
+std::string name_of_help(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? "abut --help" : "abut " + chosen.front()->get_name() + " --help";
+}
+
+}  // namespace
+
+Command parse(int argc, const char* const* argv) {
+  Command command;
+  CLI::App app("which discrete elements touch?", "abut");
+  app.formatter_fn(help_text);
+  app.set_help_flag("-h,--help", "show this text");
+  app.footer("abut contacts packing.csv\nabut explain munjiza_nbs --book");
+  app.require_subcommand(0, 1);
+  add_contacts(app, command);
+  add_info(app, command);
+  add_generate(app, command);
+  add_compare(app, command);
+  add_explain(app, command);
+  add_algorithms(app, command);
+  add_version(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return HelpText{app.help()};
+  } catch (const CLI::ParseError& error) {
+    throw Error(ErrorCode::wrong_usage,
+                fmt::format("{}; see '{}'", error.what(), name_of_help(app)));
+  }
+  return command;
+}
+
+}  // namespace abut::cli

@@ -40,7 +40,7 @@ struct Options {
   /// Number of threads, 0 for the default. The algorithms of the book use one whatever it says.
   int threads = 0;
 
-  ProgressHook progress;
+  ProgressHook progress = {};
 };
 
 }  // namespace abut

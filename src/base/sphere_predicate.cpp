@@ -12,6 +12,7 @@
 
 #include "base/bits.hpp"
 #include "base/exact_accumulator.hpp"
+#include "base/exact_stages.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -44,14 +45,16 @@ class RoundingWitness {
     return value * value;
   }
 
-  [[nodiscard]] bool nothing_rounded() const noexcept { return remainders_ == 0 && !tiny_; }
+  [[nodiscard]] bool nothing_rounded() const noexcept { return (remainders_ << 1) == 0 && !tiny_; }
 
  private:
   static std::uint64_t bits(double value) noexcept { return std::bit_cast<std::uint64_t>(value); }
 
-  std::uint64_t remainders_ = 0;  ///< all bits 0: every remainder was +0
+  std::uint64_t remainders_ = 0;  ///< all bits but the sign 0: every remainder was +0 or -0
   bool tiny_ = false;
 };
+
+}  // namespace
 
 template <int Dim>
 std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere<Dim>& b,
@@ -69,6 +72,8 @@ std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere
     return std::nullopt;
   return distance_squared <= reach_squared;
 }
+
+namespace {
 
 /// All numbers of one decision as integers times one power of two.
 class CommonScale {
@@ -101,6 +106,8 @@ Uint128 square(std::int64_t value) noexcept {
   const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
   return Uint128{magnitude} * magnitude;
 }
+
+}  // namespace
 
 template <int Dim>
 std::optional<bool> decide_scaled(const Sphere<Dim>& a, const Sphere<Dim>& b,
@@ -144,6 +151,8 @@ bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b, double margi
   return slack.sign() >= 0;
 }
 
+namespace {
+
 /// Out of line, so that the first stage needs no stack of its own.
 template <int Dim>
 [[gnu::noinline]] bool decide_in_long_integers(const Sphere<Dim>& a, const Sphere<Dim>& b,
@@ -160,6 +169,14 @@ bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b, double mar
   return decide_in_long_integers(a, b, margin);
 }
 
+template std::optional<bool> decide_if_nothing_rounded(const Sphere<2>&, const Sphere<2>&,
+                                                       double) noexcept;
+template std::optional<bool> decide_if_nothing_rounded(const Sphere<3>&, const Sphere<3>&,
+                                                       double) noexcept;
+template std::optional<bool> decide_scaled(const Sphere<2>&, const Sphere<2>&, double) noexcept;
+template std::optional<bool> decide_scaled(const Sphere<3>&, const Sphere<3>&, double) noexcept;
+template bool decide_accumulated(const Sphere<2>&, const Sphere<2>&, double) noexcept;
+template bool decide_accumulated(const Sphere<3>&, const Sphere<3>&, double) noexcept;
 template bool within_reach_exactly<2>(const Sphere<2>&, const Sphere<2>&, double) noexcept;
 template bool within_reach_exactly<3>(const Sphere<3>&, const Sphere<3>&, double) noexcept;
 

@@ -1,5 +1,7 @@
 #include "io/line_reader.hpp"
 
+#include "io/number_text.hpp"
+
 #include <abut/error.hpp>
 
 #include <fcntl.h>
@@ -44,7 +46,10 @@ void LineReader::open(const std::string& path) {
   if (path == "-") {
     descriptor_ = STDIN_FILENO;
   } else {
-    if (path.find('\0') != std::string::npos) fail("a file name cannot hold a NUL byte");
+    if (path.find('\0') != std::string::npos) {
+      name_ = quoted(path);
+      fail("a file name cannot hold a NUL byte");
+    }
     do {
       descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
     } while (descriptor_ < 0 && errno == EINTR);
@@ -137,16 +142,21 @@ void LineReader::skip(std::uint64_t lines) {
   }
 }
 
+std::optional<std::string_view> LineReader::peek() {
+  const TextPosition start = position();
+  const std::optional<std::string_view> line = next();
+  // `next` has dropped nothing from the beginning of the line on.
+  begin_ = static_cast<std::size_t>(start.offset - block_offset_);
+  line_ = start.line;
+  return line;
+}
+
 bool LineReader::skip_blank_lines() {
-  for (;;) {
-    const TextPosition start = position();
-    const std::optional<std::string_view> line = next();
-    if (!line) return false;
-    if (line->find_first_not_of(" \t\r\f\v") == std::string_view::npos) continue;
-    begin_ = static_cast<std::size_t>(start.offset - block_offset_);
-    line_ = start.line;
-    return true;
+  while (const std::optional<std::string_view> line = peek()) {
+    if (line->find_first_not_of(" \t\r\f\v") != std::string_view::npos) return true;
+    skip(1);
   }
+  return false;
 }
 
 void LineReader::seek(TextPosition position) {

@@ -29,6 +29,9 @@ class LineReader {
   /// The next line without its end, valid until the next call; nothing at the end of the file.
   [[nodiscard]] std::optional<std::string_view> next();
 
+  /// The line that `next` will return.
+  [[nodiscard]] std::optional<std::string_view> peek();
+
   /// Passes over lines without looking into them; fewer at the end of the file.
   void skip(std::uint64_t lines);
 
@@ -39,8 +42,6 @@ class LineReader {
 
   /// `seek` will not go before this position.
   void keep_from(TextPosition position) noexcept { kept_offset_ = position.offset; }
-
-  void keep_nothing() noexcept { kept_offset_.reset(); }
 
   /// Back to a position not before the one of `keep_from`.
   void seek(TextPosition position);

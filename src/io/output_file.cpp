@@ -1,5 +1,6 @@
 #include "io/output_file.hpp"
 
+#include "io/number_text.hpp"
 #include "io/output_path.hpp"
 
 #include <abut/error.hpp>
@@ -35,7 +36,9 @@ bool cannot_sync(int error) {
 }  // namespace
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
-  if (path_.empty() || path_.find('\0') != std::string::npos) fail("name", EINVAL);
+  const bool has_nul = path_.find('\0') != std::string::npos;
+  if (has_nul) path_ = quoted(path_);
+  if (has_nul || path_.empty()) fail("name", EINVAL);
   if (const std::optional<int> descriptor = named_descriptor(path_)) {
     open_standard_output(*descriptor);
     return;

@@ -61,11 +61,10 @@ bool read_section(LineReader& reader, std::string_view line, FrameHeader& header
     header.columns = split(*names, Separator::blanks);
     return true;
   } else {
-    reader.fail_at_line(
-        fmt::format("{} is not a section of a LAMMPS dump of atoms; ITEM: TIMESTEP, NUMBER OF "
-                    "ATOMS, BOX BOUNDS "
-                    "and ATOMS are",
-                    quoted(line)));
+    reader.fail_at_line(fmt::format(
+        "{} is not a section of a dump of atoms (TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS, ATOMS); "
+        "correct it, or the number of atoms of the frame before",
+        quoted(line)));
   }
   return false;
 }

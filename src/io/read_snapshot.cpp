@@ -50,12 +50,8 @@ FormatNumber format_named(const std::string& name) {
 
 /// By the first line that is not blank: a section of a dump, a lone count, else a header.
 FormatNumber format_by_content(LineReader& reader) {
-  const TextPosition start = reader.position();
-  reader.keep_from(start);
   if (!reader.skip_blank_lines()) reader.fail("is empty; there are no elements in it");
-  const std::vector<std::string> fields = split(*reader.next(), Separator::blanks);
-  reader.seek(start);
-  reader.keep_nothing();
+  const std::vector<std::string> fields = split(*reader.peek(), Separator::blanks);
   if (fields[0] == "ITEM:") return 1;
   return fields.size() == 1 && parse_integer(fields[0]) ? 2 : 0;
 }

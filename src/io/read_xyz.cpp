@@ -49,26 +49,21 @@ std::vector<std::string> plain_columns(std::size_t fields) {
 
 void read_elements(LineReader& reader, std::uint64_t count, const XyzComment& comment,
                    const ReadOptions& options, Snapshot& snapshot) {
-  std::optional<std::string_view> line;
-  std::vector<std::string> names;
-  if (comment.columns) {
-    names = *comment.columns;
-  } else {
-    line = reader.next();
-    if (!line) fail_at_end(reader, 0, count);
-    names = plain_columns(split(*line, Separator::blanks).size());
-  }
+  std::optional<std::string_view> line = reader.peek();
+  if (!line) fail_at_end(reader, 0, count);
+  std::vector<std::string> names =
+      comment.columns ? *comment.columns : plain_columns(split(*line, Separator::blanks).size());
+  const std::size_t room = room_for(reader, count, names.size());
+  // The columns of a plain file are those of its first element, whose line messages should name.
+  if (!comment.columns) line = reader.next();
   const TableColumns columns =
       find_columns(reader, std::move(names), axis_names,
                    options.radius ? RadiusColumn::ignored : RadiusColumn::required);
   RowParser rows(reader, columns, Separator::blanks, options.radius, IdRule::must_be_integers,
                  snapshot);
-  const std::uint64_t first = line ? 1 : 0;
-  const std::size_t room = room_for(reader, count - first, columns.names.size());
-  if (line) rows.append(*line);
-  rows.reserve(room + first);
-  for (std::uint64_t k = first; k < count; ++k) {
-    line = reader.next();
+  rows.reserve(room);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    if (k > 0 || comment.columns) line = reader.next();
     if (!line) fail_at_end(reader, k, count);
     rows.append(*line);
   }

@@ -62,8 +62,10 @@ std::string_view FieldCursor::next_quoted() {
   const std::size_t end = rest_.find(static_cast<char>(separator_), after);
   more_ = end != std::string_view::npos;
   const std::string_view behind = rest_.substr(after, more_ ? end - after : end);
-  // Text behind the closing quote belongs to no field: the whole is shown, and refused if needed.
-  if (!without_blanks(behind).empty()) field = rest_.substr(open, more_ ? end - open : end);
+  // A quote that is not closed, or text behind it: the whole is the field, and refused if needed.
+  if (close == rest_.size() || !without_blanks(behind).empty()) {
+    field = rest_.substr(open, more_ ? end - open : end);
+  }
   rest_.remove_prefix(more_ ? end + 1 : rest_.size());
   return without_blanks(field);
 }

@@ -1,0 +1,98 @@
+"""Reads the files of write_vtp_files with VTK's own reader and compares every number.
+
+check_vtp.py WRITER DUMP: WRITER is the program, DUMP the file that spheres.vtp was made from.
+"""
+
+import math
+import subprocess
+import sys
+import tempfile
+
+from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkOutputWindow
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+
+def read(path):
+    errors = []
+    reader = vtkXMLPolyDataReader()
+    reader.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
+    reader.AddObserver("WarningEvent", lambda *_: errors.append("warning"))
+    reader.SetFileName(path)
+    reader.Update()
+    assert not errors, f"{path}: VTK's reader reports {errors}"
+    assert reader.GetErrorCode() == 0, f"{path}: error code {reader.GetErrorCode()}"
+    return reader.GetOutput()
+
+
+def values(array):
+    return [array.GetValue(k) for k in range(array.GetNumberOfValues())]
+
+
+def lines_of(data):
+    cells = data.GetLines()
+    connectivity = values(cells.GetConnectivityArray())
+    offsets = values(cells.GetOffsetsArray())
+    assert offsets == list(range(0, len(connectivity) + 1, 2)), "lines have two ends each"
+    return list(zip(connectivity[0::2], connectivity[1::2]))
+
+
+def check(path, points, radii, ids, expected_lines=None):
+    data = read(path)
+    n = len(points)
+    assert data.GetNumberOfPoints() == n, path
+    assert data.GetNumberOfCells() == data.GetNumberOfLines(), path
+    assert [data.GetPoint(k) for k in range(n)] == points, path
+    if n:
+        assert data.GetPoints().GetData().GetDataTypeAsString() == "double", path
+
+    lines = lines_of(data)
+    assert expected_lines is None or lines == expected_lines, (path, lines)
+    coordination = [0] * n
+    for i, j in lines:
+        coordination[i] += 1
+        coordination[j] += 1
+    point_data = data.GetPointData()
+    names = [point_data.GetArrayName(k) for k in range(point_data.GetNumberOfArrays())]
+    assert names == ["radius", "coordination_number"] + (["id"] if ids else []), names
+    assert values(point_data.GetArray("radius")) == radii, path
+    assert values(point_data.GetArray("coordination_number")) == coordination, path
+    assert not ids or values(point_data.GetArray("id")) == ids, path
+
+    cell_data = data.GetCellData()
+    assert cell_data.GetNumberOfArrays() == 1, path
+    gaps = values(cell_data.GetArray("gap"))
+    assert len(gaps) == len(lines), path
+    for (i, j), gap in zip(lines, gaps):
+        expected = math.dist(points[i], points[j]) - (radii[i] + radii[j])
+        assert abs(gap - expected) < 1e-14 and gap <= 0, (path, i, j, gap, expected)
+    return len(lines)
+
+
+def dump_rows(path):
+    with open(path) as file:
+        text = file.read()
+    rows = text[text.rindex("ITEM: ATOMS"):].splitlines()
+    columns = rows[0].split()[2:]
+    return [dict(zip(columns, row.split())) for row in rows[1:]]
+
+
+def main(writer, dump):
+    # Reports of VTK that no observer of the reader sees would go to the terminal unnoticed.
+    window = vtkFileOutputWindow()
+    with tempfile.TemporaryDirectory() as folder:
+        window.SetFileName(f"{folder}/vtk.log")
+        vtkOutputWindow.SetInstance(window)
+        subprocess.run([writer, folder], check=True)
+        rows = dump_rows(dump)
+        count = check(f"{folder}/spheres.vtp",
+                      [tuple(float(row[axis]) for axis in "xyz") for row in rows],
+                      [float(row["radius"]) for row in rows], [int(row["id"]) for row in rows])
+        assert count == 4158, count
+        check(f"{folder}/discs.vtp", [(0, 0, 0), (1, 0, 0), (2.5, 0, 0), (9, 9, 0)],
+              [0.5, 0.75, 0.75, 0.25], None, [(0, 1), (1, 2)])
+        check(f"{folder}/alone.vtp", [(1, 1, 1)], [1], None, [])
+        check(f"{folder}/nothing.vtp", [], [], None, [])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

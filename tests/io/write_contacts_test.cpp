@@ -1,0 +1,137 @@
+#include "io/write_contacts.hpp"
+
+#include "scratch.hpp"
+
+#include <abut/detect.hpp>
+
+#include <bit>
+#include <cstdio>
+#include <random>
+#include <sstream>
+
+namespace abut::io::testing {
+namespace {
+
+Snapshot three_in_a_row() {
+  Snapshot snapshot;
+  snapshot.dimensions = 2;
+  snapshot.x = {0, 1, 2.1};
+  snapshot.y = {0, 0, 0};
+  snapshot.radius = {0.5, 0.5, 0.75};
+  snapshot.ids = {70, -5, 9};
+  snapshot.source = "three";
+  return snapshot;
+}
+
+const std::vector<ContactPair> two_pairs{{0, 1}, {1, 2}};
+
+std::string written(ContactFormat format, IdColumns ids, const Snapshot& snapshot,
+                    std::span<const ContactPair> pairs) {
+  const Scratch scratch;
+  write_contacts({scratch.path("out"), format, ids, {}}, snapshot, pairs);
+  return text_of(scratch.path("out"));
+}
+
+TEST(WriteContacts, Csv) {
+  EXPECT_EQ(written(ContactFormat::csv, IdColumns::without, three_in_a_row(), two_pairs),
+            "i,j,gap\n0,1,0\n1,2,-0.14999999999999991\n");
+  EXPECT_EQ(written(ContactFormat::csv, IdColumns::with, three_in_a_row(), two_pairs),
+            "i,j,id_i,id_j,gap\n0,1,70,-5,0\n1,2,-5,9,-0.14999999999999991\n");
+  EXPECT_EQ(written(ContactFormat::csv, IdColumns::without, Snapshot{}, {}), "i,j,gap\n");
+}
+
+TEST(WriteContacts, Json) {
+  EXPECT_EQ(written(ContactFormat::json, IdColumns::without, three_in_a_row(), two_pairs),
+            "{\n\"elements\": 3,\n\"dimensions\": 2,\n\"contact_pairs\": 2,\n"
+            "\"columns\": [\"i\", \"j\", \"gap\"],\n"
+            "\"pairs\": [\n[0, 1, 0],\n[1, 2, -0.1499999999999999]\n]\n}\n");
+  EXPECT_EQ(written(ContactFormat::json, IdColumns::with, three_in_a_row(), {two_pairs.data(), 1}),
+            "{\n\"elements\": 3,\n\"dimensions\": 2,\n\"contact_pairs\": 1,\n"
+            "\"columns\": [\"i\", \"j\", \"id_i\", \"id_j\", \"gap\"],\n"
+            "\"pairs\": [\n[0, 1, 70, -5, 0]\n]\n}\n");
+  EXPECT_EQ(written(ContactFormat::json, IdColumns::without, Snapshot{}, {}),
+            "{\n\"elements\": 0,\n\"dimensions\": 3,\n\"contact_pairs\": 0,\n"
+            "\"columns\": [\"i\", \"j\", \"gap\"],\n\"pairs\": []\n}\n");
+}
+
+TEST(WriteContacts, OrderIsKept) {
+  const std::vector<ContactPair> backwards{two_pairs[1], two_pairs[0]};
+  EXPECT_EQ(written(ContactFormat::csv, IdColumns::without, three_in_a_row(), backwards),
+            "i,j,gap\n1,2,-0.14999999999999991\n0,1,0\n");
+}
+
+/// Every gap as printf's %.17g writes it, and reading it gives its bits back.
+TEST(WriteContacts, GapsOfARealPacking) {
+  const Snapshot snapshot = read_snapshot(ABUT_EXAMPLE_DATA "/yade_settled_5000.csv");
+  const PairList pairs = find_contact_pairs(snapshot.elements());
+  std::istringstream lines(
+      written(ContactFormat::csv, IdColumns::without, snapshot, pairs.pairs()));
+  std::string line;
+  std::getline(lines, line);
+  for (const ContactPair& pair : pairs) {
+    char expected[80];
+    std::snprintf(expected, sizeof expected, "%u,%u,%.17g", pair.first, pair.second,
+                  gap(snapshot.elements(), pair));
+    ASSERT_TRUE(std::getline(lines, line));
+    ASSERT_EQ(line, expected);
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST(WriteContacts, FormatByNameElseBySuffix) {
+  EXPECT_EQ(contact_format("", "a.csv"), ContactFormat::csv);
+  EXPECT_EQ(contact_format("", "dir.d/A.VTP"), ContactFormat::vtp);
+  EXPECT_EQ(contact_format("", "-"), ContactFormat::csv);
+  EXPECT_EQ(contact_format("json", "-"), ContactFormat::json);
+  EXPECT_EQ(contact_format("vtp", "a.csv"), ContactFormat::vtp);
+  for (const auto& [name, path] : {std::pair{"", "a.xlsx"}, {"", "out"}, {"xlsx", "a.csv"}}) {
+    const std::string sentence =
+        sentence_of(ErrorCode::wrong_usage, [&] { static_cast<void>(contact_format(name, path)); });
+    EXPECT_NE(sentence.find("csv, json and vtp"), std::string::npos) << sentence;
+  }
+}
+
+TEST(WriteContacts, RefusesIdsThatAreNotThereAndElementsBeyondTheLast) {
+  const Scratch scratch;
+  Snapshot snapshot = three_in_a_row();
+  const std::vector<ContactPair> beyond{{0, 3}};
+  for (const ContactFormat format : {ContactFormat::csv, ContactFormat::json, ContactFormat::vtp}) {
+    sentence_of(ErrorCode::wrong_usage, [&] {
+      write_contacts({scratch.path("a"), format, IdColumns::without, {}}, snapshot, beyond);
+    });
+  }
+  snapshot.ids.clear();
+  const std::string sentence = sentence_of(ErrorCode::invalid_input, [&] {
+    write_contacts({scratch.path("a"), ContactFormat::csv, IdColumns::with, {}}, snapshot, {});
+  });
+  EXPECT_NE(sentence.find("three has no ids"), std::string::npos) << sentence;
+  EXPECT_EQ(scratch.file_count(), 0u);
+}
+
+TEST(WriteContacts, ProgressCountsPairsAndCancelLeavesNoFile) {
+  const Snapshot snapshot = three_in_a_row();
+  const std::vector<ContactPair> many(200'000, ContactPair{0, 1});
+  for (const ContactFormat format : {ContactFormat::csv, ContactFormat::json, ContactFormat::vtp}) {
+    const Scratch scratch;
+    std::vector<std::uint64_t> done;
+    const auto output = [&](ProgressAction second) {
+      return ContactOutput{scratch.path("a"), format, IdColumns::without,
+                           [&done, second](const Progress& progress) {
+                             EXPECT_EQ(progress.phase, "write");
+                             EXPECT_EQ(progress.total, 200'000u);
+                             done.push_back(progress.done);
+                             return done.size() == 2 ? second : ProgressAction::proceed;
+                           }};
+    };
+    sentence_of(ErrorCode::cancelled,
+                [&] { write_contacts(output(ProgressAction::cancel), snapshot, many); });
+    EXPECT_EQ(scratch.file_count(), 0u);
+    done.clear();
+    write_contacts(output(ProgressAction::proceed), snapshot, many);
+    EXPECT_EQ(done, (std::vector<std::uint64_t>{65536, 131072, 196608}));
+    EXPECT_EQ(scratch.file_count(), 1u);
+  }
+}
+
+}  // namespace
+}  // namespace abut::io::testing

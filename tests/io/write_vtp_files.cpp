@@ -1,0 +1,48 @@
+// Writes the files that check_vtp.py reads: write_vtp_files FOLDER
+
+#include "io/read_snapshot.hpp"
+#include "io/write_contacts.hpp"
+
+#include <abut/detect.hpp>
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+namespace {
+
+using abut::io::Snapshot;
+
+void write(const std::string& path, const Snapshot& snapshot) {
+  const abut::PairList pairs = abut::find_contact_pairs(snapshot.elements());
+  abut::io::write_contacts({path, abut::io::ContactFormat::vtp, abut::io::IdColumns::without, {}},
+                           snapshot, pairs.pairs());
+}
+
+void write_all(const std::string& folder) {
+  write(folder + "/spheres.vtp", abut::io::read_snapshot(ABUT_EXAMPLE_DATA "/lammps_pour.dump"));
+
+  Snapshot discs;
+  discs.dimensions = 2;
+  discs.x = {0, 1, 2.5, 9};
+  discs.y = {0, 0, 0, 9};
+  discs.radius = {0.5, 0.75, 0.75, 0.25};
+  write(folder + "/discs.vtp", discs);
+
+  Snapshot alone;
+  alone.x = alone.y = alone.z = alone.radius = {1};
+  write(folder + "/alone.vtp", alone);
+  write(folder + "/nothing.vtp", Snapshot{});
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 2) return 2;
+  try {
+    write_all(words[1]);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+}

@@ -164,8 +164,8 @@ Statistics run(const ElementView& elements, const Options& options, PairSink& si
 /// Runs `body`, turning what the standard library throws for lack of memory into an Error.
 template <class Body>
 auto guarded(const ElementView& elements, const Options& options, Body&& body) {
-  api::validate(options, elements);
   const base::FloatEnvironment environment;
+  api::validate(options, elements);
   DetectionContext context(api::memory_bound(options), options.progress);
   try {
     return body(context);

@@ -74,8 +74,8 @@ void run(const api::RegistryRow& row, const CellSystem& system, Sink& sink) {
 Sink::~Sink() = default;
 
 CellSystem integerise(const ElementView& elements, const Options& options) {
-  api::validate(options, elements);
   const base::FloatEnvironment environment;
+  api::validate(options, elements);
   return elements.dimensions() == 2 ? cells_of<2>(elements, options)
                                     : cells_of<3>(elements, options);
 }

@@ -6,9 +6,10 @@
 
 #include <limits>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include <unistd.h>
 
 namespace abut::scenes {
 namespace {
@@ -22,10 +23,24 @@ constexpr std::size_t most_elements = std::numeric_limits<std::uint32_t>::max() 
                   " elements does not fit into memory; ask for fewer elements");
 }
 
+/// Where memory is promised without being there, reserving it does not fail.
+bool exceeds_machine(double bytes) {
+  const auto pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
+  const auto page_size = static_cast<double>(sysconf(_SC_PAGESIZE));
+  return pages > 0.0 && page_size > 0.0 && bytes > pages * page_size;
+}
+
 }  // namespace
 
+void require_possible(std::size_t count) {
+  constexpr double bytes_per_element = 4.0 * sizeof(double);
+  if (count > most_elements || exceeds_machine(static_cast<double>(count) * bytes_per_element)) {
+    refuse(count);
+  }
+}
+
 Scene empty_scene(int dimensions, std::size_t count) {
-  if (count > most_elements) refuse(count);
+  require_possible(count);
   Scene scene;
   scene.dimensions = dimensions;
   try {
@@ -34,8 +49,6 @@ Scene empty_scene(int dimensions, std::size_t count) {
     if (dimensions == 3) scene.z.reserve(count);
     scene.radius.reserve(count);
   } catch (const std::bad_alloc&) {
-    refuse(count);
-  } catch (const std::length_error&) {
     refuse(count);
   }
   return scene;

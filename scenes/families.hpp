@@ -9,6 +9,9 @@
 /// The makers behind the table of scene.cpp, and what they share.
 namespace abut::scenes {
 
+/// Throws Error{limit_exceeded} for more elements than there are numbers or memory.
+void require_possible(std::size_t count);
+
 /// No elements yet, and room for `count`. Throws Error{limit_exceeded} if there is none.
 [[nodiscard]] Scene empty_scene(int dimensions, std::size_t count);
 

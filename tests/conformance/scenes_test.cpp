@@ -1,0 +1,175 @@
+// Scenes are what their table says, and the same bits on every machine.
+
+#include "scenes/arithmetic.hpp"
+#include "scenes/packs.hpp"
+#include "scenes/random.hpp"
+#include "scenes/scene.hpp"
+#include "support/oracle.hpp"
+
+#include <abut/error.hpp>
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Scene;
+
+/// FNV-1a over the bits of all numbers (G. Fowler, L. C. Noll, K.-P. Vo, 1991).
+std::uint64_t hash_of(const Scene& scene) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const auto* column : {&scene.x, &scene.y, &scene.z, &scene.radius}) {
+    for (const double number : *column) {
+      const auto bits = std::bit_cast<std::uint64_t>(number);
+      for (int shift = 0; shift < 64; shift += 8) {
+        hash = (hash ^ ((bits >> shift) & 0xff)) * 0x100000001b3;
+      }
+    }
+  }
+  return hash;
+}
+
+class EveryScene : public ::testing::TestWithParam<scenes::SceneInfo> {};
+
+TEST_P(EveryScene, HasExactlyTheElementsAskedFor) {
+  for (const std::size_t count : {0, 1, 2, 3, 5, 10, 63, 100, 1001}) {
+    const Scene scene = GetParam().make(count, 3);
+    EXPECT_EQ(scene.dimensions, GetParam().dimensions);
+    EXPECT_EQ(scene.size(), count);
+    EXPECT_EQ(scene.y.size(), count);
+    EXPECT_EQ(scene.z.size(), scene.dimensions == 3 ? count : 0);
+    EXPECT_EQ(scene.radius.size(), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      EXPECT_TRUE(std::isfinite(scene.x[k]) && std::isfinite(scene.y[k]));
+      EXPECT_TRUE(scene.radius[k] >= 0.0 && std::isfinite(scene.radius[k]));
+    }
+  }
+}
+
+TEST_P(EveryScene, IsFoundByItsName) {
+  EXPECT_EQ(scenes::scene_named(GetParam().name).make, GetParam().make);
+  EXPECT_FALSE(GetParam().purpose.empty());
+}
+
+TEST_P(EveryScene, RefusesMoreElementsThanNumbers) {
+  for (const std::size_t count : {std::size_t{1} << 33, std::numeric_limits<std::size_t>::max()}) {
+    try {
+      static_cast<void>(GetParam().make(count, 1));
+      FAIL() << "a scene of " << count << " elements";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::limit_exceeded);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
+                         ::testing::ValuesIn(scenes::scenes().begin(), scenes::scenes().end()),
+                         [](const auto& parameter) { return std::string(parameter.param.name); });
+
+/// Of 1000 elements from seed 42. Recorded on x86-64; every machine, compiler and optimisation must
+/// make the same numbers. A scene that is new here prints its hash.
+const std::map<std::string_view, std::uint64_t> recorded_hashes{
+    {"pack_1", 0x089498e9362750a5},
+    {"pack_2", 0x4684064797547ca5},
+    {"pack_3", 0x4684064797547ca5},
+    {"pack_4", 0x7009f523b34c9ffb},
+    {"hexagonal_2d", 0xfa30d201f0397dd0},
+    {"gas_2d", 0x7a8fd7627d3e0aba},
+    {"at_reach_2d", 0xd04c503ca692d53d},
+    {"near_faces_2d", 0xddcaa0839bef9380},
+    {"near_faces_float32_2d", 0x25437d06ed314c38},
+    {"dense", 0x512d30a9af1b927e},
+    {"ordered", 0xcd301569b933a8ea},
+    {"gas", 0x76a550d165f01d7b},
+    {"sparse", 0x4f5ddc94c7dcddae},
+    {"clusters", 0x776f64f443aaf49d},
+    {"bidisperse", 0x8057bc54b96782cb},
+    {"log_uniform", 0x5459de47cbe6e866},
+    {"graded", 0xaea9e3dfe288f604},
+    {"one_giant", 0x84075c2ce4d34cf3},
+    {"touching_cubic", 0x52fbc66a5c68402d},
+    {"touching_fcc", 0x5340f18de0df6925},
+    {"line", 0x0452318e6c4be2f3},
+    {"coincident", 0xc462431233de0f9e},
+    {"two_far_clusters", 0x2a6ebb9477153342},
+    {"at_reach", 0xe1266f3b31098319},
+    {"near_faces", 0x96042537dae6f362},
+    {"near_faces_float32", 0xd58235372c864a5f}};
+
+TEST_P(EveryScene, HasTheSameBitsEverywhere) {
+  const std::uint64_t hash = hash_of(GetParam().make(1000, 42));
+  ASSERT_TRUE(recorded_hashes.contains(GetParam().name)) << std::hex << "0x" << hash;
+  EXPECT_EQ(hash, recorded_hashes.at(GetParam().name));
+}
+
+TEST(Scenes, NamesAreUniqueAndUnknownOnesListed) {
+  std::set<std::string_view> names;
+  for (const scenes::SceneInfo& info : scenes::scenes()) names.insert(info.name);
+  EXPECT_EQ(names.size(), scenes::scenes().size());
+  try {
+    static_cast<void>(scenes::scene_named("packing"));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::wrong_usage);
+    for (const std::string_view name : names) {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << name;
+    }
+  }
+}
+
+/// Contact pairs of the packs as computed for the book's problems: R (K - 1), none, none and
+/// R floor(K / 2).
+TEST(Packs, ContactPairs) {
+  EXPECT_EQ(oracle_pairs(scenes::pack_1(10, 10)).size(), 90U);
+  EXPECT_EQ(oracle_pairs(scenes::pack_1(31, 32)).size(), 961U);
+  EXPECT_EQ(oracle_pairs(scenes::pack_2(10, 10, 1.0)).size(), 90U);
+  EXPECT_EQ(oracle_pairs(scenes::pack_2(10, 10, 2.0)).size(), 0U);
+  EXPECT_EQ(oracle_pairs(scenes::pack_3(10, 10, 1.0)).size(), 180U);
+  EXPECT_EQ(oracle_pairs(scenes::pack_3(10, 10, 200.0)).size(), 0U);
+  EXPECT_EQ(oracle_pairs(scenes::pack_4(10, 10, 50.0)).size(), 50U);
+  EXPECT_EQ(oracle_pairs(scenes::pack_4(10, 11, 50.0)).size(), 50U);
+}
+
+TEST(Packs, Extent) {
+  const Scene scene = scenes::pack_4(100, 100, 200.0);
+  EXPECT_EQ(scene.size(), 10000U);
+  EXPECT_EQ(scene.x.back(), 50.0 + 49.0 * 200.0);
+  EXPECT_EQ(scene.y.back(), 198.0);
+}
+
+/// First numbers from seed 1234567, as other implementations of SplitMix64 print them.
+TEST(Random, IsSplitMix64) {
+  scenes::Random random(1234567);
+  EXPECT_EQ(random.next(), 6457827717110365317U);
+  EXPECT_EQ(random.next(), 3203168211198807973U);
+  EXPECT_EQ(random.next(), 9817491932198370423U);
+  EXPECT_EQ(random.next(), 4593380528125082431U);
+  EXPECT_EQ(random.next(), 16408922859458223821U);
+}
+
+TEST(Arithmetic, RootsAndPowers) {
+  for (const double value : {1e-9, 1e-6, 0.3, 1.0, 2.0, 8.0, 1e3, 1e20}) {
+    const double root = scenes::cube_root(value);
+    EXPECT_NEAR(root * root * root / value, 1.0, 1e-14) << value;
+  }
+  EXPECT_EQ(scenes::fractional_power(100.0, 0.0), 1.0);
+  EXPECT_EQ(scenes::fractional_power(100.0, 0.5), 10.0);
+  EXPECT_NEAR(scenes::fractional_power(100.0, 0.75), 31.622776601683793, 1e-12);
+  EXPECT_NEAR(scenes::fractional_power(100.0, 1.0 - 0x1p-53), 100.0, 1e-9);
+}
+
+TEST(Arithmetic, NeighborNumbers) {
+  EXPECT_EQ(scenes::neighbor_number(1.0, 1), 1.0 + 0x1p-52);
+  EXPECT_EQ(scenes::neighbor_number(1.0, -1), 1.0 - 0x1p-53);
+  EXPECT_EQ(scenes::neighbor_number(1.0F, -2), 1.0F - 0x1p-23F);
+}
+
+}  // namespace
+}  // namespace abut::testing

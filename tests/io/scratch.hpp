@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -65,6 +66,11 @@ inline Snapshot read_piped(std::string_view text, const ReadOptions& options = {
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("pipe failed");
   std::jthread writer([text, end = ends[1]]() mutable {
+    // A reader that refuses the text early closes the pipe.
+    sigset_t closed_pipe;
+    sigemptyset(&closed_pipe);
+    sigaddset(&closed_pipe, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &closed_pipe, nullptr);
     while (!text.empty()) {
       const ssize_t count = ::write(end, text.data(), text.size());
       if (count <= 0) break;

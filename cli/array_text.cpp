@@ -1,5 +1,7 @@
 #include "array_text.hpp"
 
+#include "human_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,22 +72,21 @@ std::string entries_text(const RecordedArray& array, Numbering numbering) {
 
 std::string matrix_text(const RecordedArray& array, Numbering numbering) {
   const auto columns = static_cast<std::size_t>(array.extent[1]);
-  std::vector<NumberRow> rows;
-  NumberRow header{label_of(array) + ", i down, j across", {}};
+  std::vector<NumberRow> rows(1);
   for (std::int32_t j = 0; j < array.extent[1]; ++j) {
-    header.numbers.push_back(numbered(j, numbering));
+    rows[0].numbers.push_back(numbered(j, numbering));
   }
-  rows.push_back(std::move(header));
   const std::vector<std::int32_t> values = numbered_all(array, numbering);
   for (std::size_t i = 0; i * columns < values.size(); ++i) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
-    rows.push_back({std::to_string(numbered(static_cast<std::int32_t>(i), numbering)),
+    rows.push_back({fmt::format("{:>4}", numbered(static_cast<std::int32_t>(i), numbering)),
                     {first, first + static_cast<std::ptrdiff_t>(columns)}});
   }
-  return rows_text(rows);
+  return fmt::format("  {}, i down, j across\n{}", label_of(array), rows_text(rows));
 }
 
-std::string lists_text(std::span<const RecordedArray> arrays, Numbering numbering) {
+std::string lists_text(std::span<const RecordedArray> arrays, Numbering numbering,
+                       std::size_t label_width) {
   std::vector<NumberRow> rows(1);
   rows[0].label = name_of(arrays[0].indexed_by);
   for (std::size_t k = 0; k < arrays[0].values.size(); ++k) {
@@ -94,7 +95,7 @@ std::string lists_text(std::span<const RecordedArray> arrays, Numbering numberin
   for (const RecordedArray& array : arrays) {
     rows.push_back({label_of(array), numbered_all(array, numbering)});
   }
-  return rows_text(rows);
+  return rows_text(rows, label_width);
 }
 
 bool share_an_index(const RecordedArray& a, const RecordedArray& b) {
@@ -112,8 +113,7 @@ std::int32_t numbered(std::int32_t value, Numbering numbering) {
   return value < 0 ? value : value + static_cast<std::int32_t>(numbering);
 }
 
-std::string rows_text(std::span<const NumberRow> rows) {
-  std::size_t label_width = 0;
+std::string rows_text(std::span<const NumberRow> rows, std::size_t label_width) {
   std::size_t width = 2;
   std::size_t count = 0;
   for (const NumberRow& row : rows) {
@@ -139,22 +139,28 @@ std::string rows_text(std::span<const NumberRow> rows) {
 }
 
 std::string arrays_text(std::span<const RecordedArray> arrays, Numbering numbering) {
+  std::size_t label_width = 0;
+  for (const RecordedArray& array : arrays) {
+    if (!is_grid(array)) label_width = std::max(label_width, label_of(array).size());
+  }
   std::string text;
   while (!arrays.empty()) {
     std::size_t group = 1;
     const RecordedArray& array = arrays[0];
     if (is_empty(array)) {
-      text += fmt::format("  {}: all -1\n", label_of(array));
+      text += fmt::format("  {:<{}} all -1\n", label_of(array), label_width);
     } else if (is_drawn_as_matrix(array)) {
       text += matrix_text(array, numbering);
     } else if (is_grid(array) || array.values.size() > longest_list) {
-      text += fmt::format("  {}: {}\n", label_of(array), entries_text(array, numbering));
+      text += wrapped(fmt::format("  {}: {}", label_of(array), entries_text(array, numbering)),
+                      text_width, 4) +
+              '\n';
     } else {
       while (group < arrays.size() && share_an_index(array, arrays[group]) &&
              !is_empty(arrays[group])) {
         ++group;
       }
-      text += lists_text(arrays.first(group), numbering);
+      text += lists_text(arrays.first(group), numbering, label_width);
     }
     arrays = arrays.subspan(group);
   }

@@ -2,6 +2,7 @@
 
 #include "trace_recorder.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -25,8 +26,9 @@ struct NumberRow {
   std::vector<std::int32_t> numbers;
 };
 
-/// Rows below each other, in columns, folded at 100 characters with the first row repeated.
-[[nodiscard]] std::string rows_text(std::span<const NumberRow> rows);
+/// Rows below each other, in columns, folded at 100 characters with all rows repeated; labels are
+/// at least `label_width` wide.
+[[nodiscard]] std::string rows_text(std::span<const NumberRow> rows, std::size_t label_width = 0);
 
 /// The arrays of a stage as the figures draw them: matrices row by row, lists below their index.
 /// Arrays too large for that show what is in them, not what is empty.

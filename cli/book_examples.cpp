@@ -32,7 +32,7 @@ trace::CellSystem sorting_system() {
 }
 
 BookExample direct_check_example() {
-  return {"p. 77-80, eq. 3.10",
+  return {"eq. 3.10",
           "The book gives no example of its own here; these are the 8 elements of Figure 3.21.",
           sorting_system(),
           {}};
@@ -76,23 +76,21 @@ std::string partition_text() {
   const std::vector<std::int32_t> before{3, 16, 7, 11, 2, 14, 5, 9, 4, 8, 12, 6, 13, 15, 1, 10};
   const trace::Partition after = trace::first_partition(before);
   const auto [lowest, highest] = std::minmax_element(before.begin(), before.end());
-  std::string left;
-  std::string right;
+  const std::span<const std::int32_t> halves(after.values);
   std::string swaps;
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    const bool is_left = k < after.left_size;
-    (is_left ? left : right) += fmt::format("{} ", after.values[k]);
-    if (is_left && after.values[k] != before[k]) {
-      swaps += fmt::format("{}{} <-> {}", swaps.empty() ? "" : ", ", before[k], after.values[k]);
-    }
+  for (std::size_t k = 0; k < after.left_size; ++k) {
+    if (after.values[k] == before[k]) continue;
+    swaps += fmt::format("{}{} <-> {}", swaps.empty() ? "" : ", ", before[k], after.values[k]);
   }
   return fmt::format(
       "\npartition sort of 16 numbers, first split (Figures 3.28 to 3.38)\n"
       "  before  {}\n"
       "  middle  ({} + {}) / 2 = {}, truncated; left is what is below it\n"
       "  swaps   {}\n"
-      "  after   {}| {}\n",
-      fmt::join(before, " "), *lowest, *highest, (*lowest + *highest) / 2, swaps, left, right);
+      "  after   {} | {}\n",
+      fmt::join(before, " "), *lowest, *highest, (*lowest + *highest) / 2, swaps,
+      fmt::join(halves.first(after.left_size), " "),
+      fmt::join(halves.subspan(after.left_size), " "));
 }
 
 /// Figure 3.14: eq. 3.20 once more, on the arrays as they stand.

@@ -9,32 +9,35 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <vector>
 
 namespace abut::cli {
 namespace {
 
-std::string dimensions_text(const AlgorithmInfo& info) {
-  return info.min_dimensions == info.max_dimensions
-             ? fmt::format("{}D", info.min_dimensions)
-             : fmt::format("{}D, {}D", info.min_dimensions, info.max_dimensions);
+/// "2D 3D", with "periodic" where that is carried too.
+std::string carries(const AlgorithmInfo& info) {
+  std::string text;
+  for (int dimensions = info.min_dimensions; dimensions <= info.max_dimensions; ++dimensions) {
+    text += fmt::format("{}{}D", text.empty() ? "" : " ", dimensions);
+  }
+  return info.periodic ? text + " periodic" : text;
 }
 
 std::string text_of_all() {
-  std::string text;
+  TextTable table(std::vector<Align>(5, Align::left));
+  table.add_row({"algorithm", "time", "carries", "book", "idea"});
+  TextTable memory(std::vector<Align>(2, Align::left));
+  memory.add_row({"algorithm", "memory in integers"});
   for (const AlgorithmInfo& info : algorithms()) {
-    TextTable table({Align::left, Align::left});
-    table.add_row({"time", fmt::format("~ {}", info.time)});
-    table.add_row({"memory", fmt::format("{} integers", info.memory)});
-    table.add_row({"carries", fmt::format("{}, {}", dimensions_text(info),
-                                          info.periodic ? "open and periodic" : "open space")});
-    table.add_row({"book", fmt::format("p. {}", info.book_pages)});
-    text += fmt::format("{}: {}\n{}\n", info.name, info.idea, table.text("  "));
+    table.add_row({std::string(info.name), std::string(info.time), carries(info),
+                   std::string(info.book_pages), std::string(info.idea)});
+    memory.add_row({std::string(info.name), std::string(info.memory)});
   }
-  text +=
-      "All give the same pairs. N elements; n_x, n_y, n_z cells along the axes. Book: A. Munjiza,\n"
-      "The Combined Finite-Discrete Element Method, Wiley 2004.\n"
-      "next: abut explain munjiza_nbs --book\n";
-  return text;
+  return table.text() + '\n' + memory.text() +
+         "\nAll find the same pairs. N elements; n_x, n_y, n_z cells along the axes. Book: pages "
+         "of\n"
+         "A. Munjiza, The Combined Finite-Discrete Element Method, Wiley 2004.\n"
+         "next: abut explain munjiza_nbs --book\n";
 }
 
 std::string json_of_all() {

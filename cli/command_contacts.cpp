@@ -12,10 +12,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 namespace abut::cli {
 namespace {
+
+/// By name, else by suffix, else CSV.
+io::ContactFormat output_format(const ContactsOptions& options) {
+  const bool has_suffix = std::filesystem::path(options.output).has_extension();
+  if (options.output_format.empty() && !has_suffix) return io::ContactFormat::csv;
+  return io::contact_format(options.output_format, options.output);
+}
 
 io::Snapshot read(const ContactsOptions& options, Console& console) {
   io::Snapshot snapshot = load_snapshot(options.input, console);
@@ -87,16 +96,22 @@ void show_report(const ContactsOptions& options, const std::string& text) {
   }
 }
 
+void require_other_file(const ContactsOptions& options) {
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(options.input.path, options.output, ignored)) return;
+  if (!std::filesystem::is_regular_file(options.output, ignored)) return;
+  throw Error(ErrorCode::wrong_usage,
+              fmt::format("-o {}: that is the file that is read; name another", options.output));
+}
+
 }  // namespace
 
 void run(const ContactsOptions& options) {
   PhaseStopwatch stopwatch;
   PhaseSeconds seconds;
   Console console(options.console);
-  const auto format = options.output.empty()
-                          ? io::ContactFormat::csv
-                          : io::contact_format(options.output_format, options.output);
-
+  const io::ContactFormat format = output_format(options);
+  require_other_file(options);
   const io::Snapshot snapshot = read(options, console);
   seconds.read = stopwatch.lap();
   const PairList pairs = detect(options, snapshot, console);

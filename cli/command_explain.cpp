@@ -26,6 +26,13 @@ bool shows_mapping(Algorithm algorithm) {
   return algorithm != Algorithm::direct_check && algorithm != Algorithm::sorting_array;
 }
 
+/// What the arrays alone do not say.
+std::string reading_note(Algorithm algorithm) {
+  if (algorithm != Algorithm::binary_tree) return "";
+  return "Nodes are numbered as they are made; the children at the last level are positions of "
+         "HEAD.";
+}
+
 std::string checks_text(std::size_t count, std::size_t checks) {
   return fmt::format("\n(N^2 - N) / 2 = ({} - {}) / 2 = {} checks\n", count * count, count, checks);
 }
@@ -56,7 +63,9 @@ std::string explain_book(Algorithm algorithm) {
                           row.book_pages, example.figures),
               text_width) +
       '\n';
-  if (!example.note.empty()) text += wrapped(example.note, text_width) + '\n';
+  for (const std::string& note : {reading_note(algorithm), example.note}) {
+    if (!note.empty()) text += wrapped(note, text_width) + '\n';
+  }
   return text +
          walk(algorithm, example.system, stages, Numbering::from_one, {example.searched_cell}) +
          book_supplement(algorithm, stages);
@@ -81,6 +90,8 @@ std::string explain_file(const ExplainOptions& options, const io::Snapshot& snap
                               snapshot.source, elements_text(snapshot)),
                   text_width) +
           '\n';
+  const std::string note = reading_note(options.algorithm);
+  if (!note.empty()) text += wrapped(note, text_width) + '\n';
   return text + walk(options.algorithm, system, stages, Numbering::from_zero, {}) +
          pairs_text("contact pair", pairs.pairs(), Numbering::from_zero);
 }

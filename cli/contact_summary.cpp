@@ -152,7 +152,7 @@ std::string contact_summary(const ContactsOptions& options, const io::Snapshot& 
     table.add_row({"written to", options.output});
   }
   table.add_row({"next", next_command(options, snapshot)});
-  return file_line(snapshot) + '\n' + table.text("  ");
+  return wrapped(file_line(snapshot), 100, 2) + '\n' + table.text("  ");
 }
 
 }  // namespace abut::cli

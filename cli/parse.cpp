@@ -93,9 +93,13 @@ CLI::Option* add_switch(CLI::App& app, const std::string& names, const std::stri
       names, [&target, value] { target = value; }, description);
 }
 
-void add_console(CLI::App& app, ConsoleOptions& console) {
+void add_quiet(CLI::App& app, ConsoleOptions& console) {
   add_switch(app, "-q,--quiet", "say nothing but what was asked for, and errors", console.quiet,
              true);
+}
+
+void add_console(CLI::App& app, ConsoleOptions& console) {
+  add_quiet(app, console);
   add_value(app, "--progress", "auto|bar|log|none",
             "on standard error: a bar, or a line every 10 s; auto: a bar on a terminal",
             [&console](const std::string& text) {
@@ -119,14 +123,16 @@ PeriodicBox periodic_box(const std::string& text) {
                           text));
 }
 
-/// Everything about how FILE is read, but FILE itself.
-void add_reading(CLI::App& app, InputOptions& input) {
+void add_frame_and_radius(CLI::App& app, InputOptions& input) {
   add_value(app, "--frame", "K", "frame of FILE, from 0, negative from the end; default the last",
             [&input](const std::string& text) {
               input.frame = number<std::int64_t>("--frame", text, "a whole number");
             });
   add_value(app, "--radius", "R", "one radius for all elements, in place of those of FILE",
             [&input](const std::string& text) { input.radius = length("--radius", text); });
+}
+
+void add_periodic(CLI::App& app, InputOptions& input) {
   add_value(app, "--periodic", "none", "take a box that FILE calls periodic as open",
             [&input](const std::string& text) { input.periodic_box = periodic_box(text); });
 }
@@ -200,13 +206,15 @@ void add_contacts(CLI::App& app, Command& command) {
   CLI::App& sub = *app.add_subcommand("contacts", "finds which elements of a file touch");
   sub.footer(
       "abut contacts packing.csv\n"
-      "abut contacts pour.dump --frame 0 --periodic none -o contacts.vtp");
+      "abut contacts pour.dump --frame 0 --periodic none -o contacts.vtp\n"
+      "abut contacts packing.csv -o - | head");
   auto options = hand_over<ContactsOptions>(sub, command);
   auto format = std::make_shared<std::string>();
   sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
-  add_value(sub, "-o,--output", "OUT",
-            "write the pairs to a file .csv, .json or .vtp; - is standard output, as CSV",
-            [options](const std::string& text) { options->output = text; });
+  add_value(
+      sub, "-o,--output", "OUT",
+      "write the pairs to a file .csv, .json or .vtp, CSV without a suffix; - is standard output",
+      [options](const std::string& text) { options->output = text; });
   add_value(sub, "--format", "NAME",
             "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_dump, xyz; default by "
             "suffix, then by content",
@@ -215,7 +223,8 @@ void add_contacts(CLI::App& app, Command& command) {
   ids->needs(sub.get_option("--output"));
   add_report(sub, options->report);
   add_detection(sub, options->detection);
-  add_reading(sub, options->input);
+  add_frame_and_radius(sub, options->input);
+  add_periodic(sub, options->input);
   add_console(sub, options->console);
   sub.callback([&command, options, format] {
     const bool of_output = !options->output.empty() && is_contact_format(*format);
@@ -231,7 +240,7 @@ void add_info(CLI::App& app, Command& command) {
   sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
   add_input_format(sub, options->input);
   add_json(sub, options->listing);
-  add_reading(sub, options->input);
+  add_frame_and_radius(sub, options->input);
   add_console(sub, options->console);
 }
 
@@ -239,7 +248,7 @@ void add_generate(CLI::App& app, Command& command) {
   CLI::App& sub = *app.add_subcommand("generate", "writes the elements of a scene");
   sub.footer(
       "abut generate --list\n"
-      "abut generate random_loose --count 100000 -o loose.csv");
+      "abut generate dense --count 100000 -o dense.csv");
   auto options = std::make_shared<GenerateOptions>();
   auto list = std::make_shared<SceneListOptions>();
   CLI::Option* scene = sub.add_option("SCENE", options->scene, "one of 'abut generate --list'");
@@ -256,8 +265,8 @@ void add_generate(CLI::App& app, Command& command) {
             [options](const std::string& text) { options->output = text; });
   add_value(sub, "--format", "NAME", "csv, lammps_dump or xyz; default by suffix",
             [options](const std::string& text) { options->output_format = text; });
-  add_json(sub, list->listing);
-  add_console(sub, options->console);
+  add_switch(sub, "--json", "with --list: one JSON object", list->listing, Listing::json);
+  add_quiet(sub, options->console);
   sub.callback([&command, options, list, scene, all, count] {
     if (all->count() > 0) {
       command = *list;
@@ -277,7 +286,7 @@ void add_compare(CLI::App& app, Command& command) {
       *app.add_subcommand("compare", "runs all algorithms on a file or scene and compares them");
   sub.footer(
       "abut compare packing.csv\n"
-      "abut compare random_loose --count 20000 --algorithms munjiza_nbs,sorting_array");
+      "abut compare gas --count 20000 --algorithms munjiza_nbs,sorting_array");
   auto options = hand_over<CompareOptions>(sub, command);
   sub.add_option("FILE|SCENE", options->input.path, "elements to read; with --count a scene")
       ->required();
@@ -298,7 +307,8 @@ void add_compare(CLI::App& app, Command& command) {
   add_margin(sub, options->margin);
   add_max_memory(sub, options->max_bytes);
   add_input_format(sub, options->input);
-  add_reading(sub, options->input);
+  add_frame_and_radius(sub, options->input);
+  add_periodic(sub, options->input);
   add_console(sub, options->console);
 }
 
@@ -318,7 +328,8 @@ void add_explain(CLI::App& app, Command& command) {
   CLI::Option* book = add_mark(sub, "--book", "the book's own example, numbered as in the book");
   add_margin(sub, options->margin);
   add_input_format(sub, options->input);
-  add_reading(sub, options->input);
+  add_frame_and_radius(sub, options->input);
+  add_periodic(sub, options->input);
   add_console(sub, options->console);
   sub.callback([&command, options, file, book] {
     if ((file->count() > 0) == (book->count() > 0)) {
@@ -362,7 +373,9 @@ Command parse(int argc, const char* const* argv) {
   CLI::App app("which discrete elements touch?", "abut");
   app.formatter_fn(help_text);
   app.set_help_flag("-h,--help", "show this text");
-  app.footer("abut contacts packing.csv\nabut explain munjiza_nbs --book");
+  app.footer(
+      "abut contacts packing.csv\nabut generate dense --count 10000 | abut contacts -\nabut "
+      "explain munjiza_nbs --book");
   app.require_subcommand(0, 1);
   add_contacts(app, command);
   add_info(app, command);

@@ -45,12 +45,12 @@ class RoundingWitness {
     return value * value;
   }
 
-  [[nodiscard]] bool nothing_rounded() const noexcept { return (remainders_ << 1) == 0 && !tiny_; }
+  [[nodiscard]] bool nothing_rounded() const noexcept { return remainders_ == 0 && !tiny_; }
 
  private:
   static std::uint64_t bits(double value) noexcept { return std::bit_cast<std::uint64_t>(value); }
 
-  std::uint64_t remainders_ = 0;  ///< all bits but the sign 0: every remainder was +0 or -0
+  std::uint64_t remainders_ = 0;  ///< all bits 0: every remainder was +0
   bool tiny_ = false;
 };
 

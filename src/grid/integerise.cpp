@@ -7,7 +7,7 @@
 // than 1, hence Q_i and Q_j by more than 1 - 6.02 u Q. With Q <= 2^31 that is 1 - 2^-19.4, so
 //   c >= d (1 + 2^-19)
 // excludes it, with room for the rounding of d and c themselves (a few u) and for coordinates that
-// the scaling pushes below the normal range (2^-1075 against a cell of at least 2^-964).
+// the scaling pushes below the normal range (2^-1075 against a cell of at least 2^-900).
 // Munjiza's c = d, by contrast, misses touching pairs.
 
 #include "grid/integerise.hpp"

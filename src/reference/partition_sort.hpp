@@ -16,7 +16,8 @@ namespace abut::reference {
 /// ever. 1..16 gives 8.
 [[nodiscard]] constexpr std::int32_t partition_middle(std::int32_t lowest,
                                                       std::int32_t highest) noexcept {
-  return lowest + std::max(1, (highest - lowest) / 2);
+  const std::int64_t range = std::int64_t{highest} - lowest;
+  return static_cast<std::int32_t>(lowest + std::max(std::int64_t{1}, range / 2));
 }
 
 /// Arrays that are sorted together: position k of all of them is one record.

@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -55,6 +56,14 @@ TEST(PartitionSort, NothingOneAllEqual) {
   EXPECT_EQ(sorted({}), Numbers{});
   EXPECT_EQ(sorted({7}), Numbers{7});
   EXPECT_EQ(sorted(Numbers(1000, 7)), Numbers(1000, 7));
+}
+
+TEST(PartitionSort, NegativeNumbersAndTheWholeRange) {
+  constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  EXPECT_EQ(sorted({most, -1, least, 0, most, least}), (Numbers{least, least, -1, 0, most, most}));
+  EXPECT_EQ(sorted({-2, -1, -2}), (Numbers{-2, -2, -1}));
+  EXPECT_GT(partition_middle(least, most), least);
 }
 
 TEST(PartitionSort, RandomArrays) {

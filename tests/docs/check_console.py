@@ -16,6 +16,7 @@ import tempfile
 import blocks
 
 MARK = "@@ next command @@"
+COMMANDS = ("contacts", "info", "generate", "compare", "explain", "algorithms")
 
 
 def commands_of(block):
@@ -91,6 +92,19 @@ def check(block, folder, environment):
     return problems
 
 
+def check_flags(root, environment):
+    """Flags that the help texts know and docs/cli.md does not, or the other way round."""
+    def help_of(*command):
+        return subprocess.run(["abut", *command, "--help"], env=environment, text=True, check=True,
+                              stdout=subprocess.PIPE).stdout
+
+    texts = [help_of()] + [help_of(command) for command in COMMANDS]
+    known = set(re.findall(r"--[a-z][-a-z]+", " ".join(texts)))
+    told = set(re.findall(r"--[a-z][-a-z]+", (root / "docs" / "cli.md").read_text("utf-8")))
+    return [f"docs/cli.md: {flag} is in a help text but not here" for flag in known - told] + \
+           [f"docs/cli.md: {flag} is in no help text" for flag in told - known]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--root", required=True)
@@ -101,7 +115,7 @@ def main():
     environment = {**os.environ, "PATH": f"{tool_folder}:/usr/bin:/bin", "COLUMNS": "100",
                    "NO_COLOR": "1"}
 
-    problems, checked = [], 0
+    problems, checked = check_flags(root, environment), 0
     for page in blocks.pages(root):
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "examples").symlink_to(root / "examples")

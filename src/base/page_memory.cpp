@@ -33,6 +33,8 @@ void* allocate_pages(std::size_t bytes) {
   return block;
 }
 
-void free_pages(void* block) noexcept { std::free(block); }
+void free_pages(void* block) noexcept {
+  std::free(block);
+}
 
 }  // namespace abut::base

@@ -1,0 +1,77 @@
+"""Checks an installed tree: python3 check_installed.py PREFIX shared|static SOURCE BUILD [tool].
+Prints what is wrong; exit code 1 if anything is."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+STANDARD_LIBRARIES = re.compile(r"lib(stdc\+\+|m|gcc_s|c)\.so|ld-linux|lib[a-z]*san\.so")
+INNER = ("abut::base::", "abut::grid::", "abut::reference::", "abut::api::", "abut::io::")
+
+
+def output(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def wrong_headers(prefix, source):
+    for header in (source / "include/abut").rglob("*.hpp"):
+        installed = prefix / header.relative_to(source)
+        if not installed.is_file() or installed.read_bytes() != header.read_bytes():
+            yield f"{installed} is not the header of that name"
+    for header in (prefix / "include").rglob("*"):
+        if header.is_file() and not (source / header.relative_to(prefix)).is_file():
+            yield f"{header} is no public header"
+
+
+def wrong_paths(prefix, folders):
+    for file in prefix.rglob("*"):
+        for folder in folders:
+            if file.is_file() and str(folder).encode() in file.read_bytes():
+                yield f"{file} names {folder}: it cannot be moved or reproduced"
+
+
+def wrong_library(prefix, kind, version):
+    libraries = [file for file in prefix.rglob("libabut*") if not file.is_symlink()]
+    expected = "libabut.a" if kind == "static" else f"libabut.so.{version}"
+    if [file.name for file in libraries] != [expected]:
+        yield f"installed are {libraries} where {expected} should be"
+        return
+    if kind == "static":
+        return
+    dynamic = output("readelf", "-d", str(libraries[0]))
+    soname = f"libabut.so.{version.rsplit('.', 1)[0]}"
+    if f"[{soname}]" not in dynamic:
+        yield f"the soname is not {soname}:\n{dynamic}"
+    for needed in re.findall(r"NEEDED.*\[(.*)\]", dynamic):
+        if not STANDARD_LIBRARIES.match(needed):
+            yield f"the library needs {needed}; it may link nothing but the standard library"
+    for line in output("nm", "-DC", "--defined-only", str(libraries[0])).splitlines():
+        symbol = re.sub(r"^(vtable|typeinfo|typeinfo name) for ", "", line.split(" ", 2)[2])
+        if symbol.startswith("std::") or symbol.startswith(("__odr_asan", "__asan", "__start", "__stop")):
+            continue  # inline code of the standard library, marks of the sanitizers
+        if not symbol.startswith("abut::") or symbol.startswith(INNER):
+            yield f"the library exports {symbol}, which is not public (ABUT_API)"
+
+
+def wrong_tool(prefix, version):
+    said = output(str(prefix / "bin/abut"), "--version")
+    if version not in said:
+        yield f"the installed tool says '{said.strip()}', not version {version}"
+
+
+def main():
+    prefix, kind = Path(sys.argv[1]), sys.argv[2]
+    source, build = Path(sys.argv[3]), Path(sys.argv[4])
+    header = (source / "include/abut/version.hpp").read_text()
+    version = ".".join(re.findall(r"ABUT_VERSION_[A-Z]+ (\d+)", header))
+    wrong = [*wrong_headers(prefix, source), *wrong_paths(prefix, (source, build)),
+             *wrong_library(prefix, kind, version)]
+    if "tool" in sys.argv[5:]:
+        wrong += wrong_tool(prefix, version)
+    print("\n".join(wrong))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

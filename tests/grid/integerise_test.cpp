@@ -101,10 +101,10 @@ TEST(Integerise, CellNumbersFollowTheElementsOnAnyScale) {
   std::mt19937_64 random(92);
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<base::Sphere<3>> spheres(1 + random() % 100);
-    const int spread = static_cast<int>(random() % 2000);
+    const std::uint64_t spread = random() % 2000;
     for (auto& sphere : spheres) {
       for (double& x : sphere.center) {
-        const int exponent = -1000 + static_cast<int>(random() % (spread + 1u));
+        const int exponent = -1000 + static_cast<int>(random() % (spread + 1));
         x = std::ldexp(std::uniform_real_distribution<double>(-1.0, 1.0)(random), exponent);
       }
       sphere.radius = std::ldexp(1.0, -1060 + static_cast<int>(random() % 100));

@@ -23,7 +23,7 @@ class ContactWriter {
   [[nodiscard]] bool with_ids() const noexcept { return with_ids_; }
   [[nodiscard]] double gap(const ContactPair& pair) const;
 
-  /// The text written next; `append_pair` and `finish` hand it on.
+  /// The text written next; `wrote`, `hand_on` and `finish` pass it on to the file.
   [[nodiscard]] std::string& text() noexcept { return text_; }
 
   /// Hands on what is in `text` if it is much.

@@ -25,6 +25,9 @@ constexpr std::array<FormatInfo, 3> formats{{
     {"lammps_dump", ".dump .lammpstrj .lammps", "text dump of LAMMPS, one or more frames"},
     {"xyz", ".xyz .extxyz", "XYZ and extended XYZ, one or more frames"},
 }};
+constexpr std::size_t csv = 0;
+constexpr std::size_t lammps_dump = 1;
+constexpr std::size_t xyz = 2;
 constexpr std::array readers{&read_csv, &read_lammps_dump, &read_xyz};
 
 /// Position in `formats`.
@@ -52,8 +55,8 @@ FormatNumber format_named(const std::string& name) {
 FormatNumber format_by_content(LineReader& reader) {
   if (!reader.skip_blank_lines()) reader.fail("is empty; there are no elements in it");
   const std::vector<std::string> fields = split(*reader.peek(), Separator::blanks);
-  if (fields[0] == "ITEM:") return 1;
-  return fields.size() == 1 && parse_integer(fields[0]) ? 2 : 0;
+  if (fields[0] == "ITEM:") return lammps_dump;
+  return fields.size() == 1 && parse_integer(fields[0]) ? xyz : csv;
 }
 
 FormatNumber choose_format(LineReader& reader, const std::string& path,
@@ -78,6 +81,8 @@ Snapshot read(const std::string& path, const ReadOptions& options) {
   Snapshot snapshot = readers[format](reader, options);
   snapshot.source = reader.name();
   snapshot.format = formats[format].name;
+  // LAMMPS and others call the missing axis of a plane periodic.
+  if (snapshot.dimensions == 2) snapshot.periodic[2] = false;
   return snapshot;
 }
 

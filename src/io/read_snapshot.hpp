@@ -20,8 +20,13 @@ struct ReadOptions {
 };
 
 /// Reads one frame of a file; "-" is standard input. Streams: memory follows the frame, not the
-/// file. Throws Error{invalid_input}: one sentence with file, line, column and value.
-/// A frame without atoms is an empty snapshot.
+/// file; frames that are not wanted are passed over, not checked. A frame without atoms is an empty
+/// snapshot. Every number is the double nearest to its text and finite; no radius is negative.
+/// Throws Error:
+///  invalid_input   one sentence with file, line, column and value; also a frame that is not there
+///  wrong_usage     a format that is not there; a radius for all that is no radius
+///  limit_exceeded  the elements do not fit into memory
+///  cancelled       the progress hook asked to stop
 [[nodiscard]] Snapshot read_snapshot(const std::string& path, const ReadOptions& options = {});
 
 struct FormatInfo {

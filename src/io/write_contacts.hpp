@@ -29,10 +29,13 @@ struct ContactOutput {
 
 /// Writes the pairs in the order given, with their gaps.
 ///  csv   header i,j,gap (with ids: i,j,id_i,id_j,gap), gap as %.17g
-///  json  one object: elements, dimensions, contact_pairs, pairs: [[i, j, gap], ...]
+///  json  one object: elements, dimensions, contact_pairs, columns: the names as in CSV, pairs:
+///        [[i, j, gap], ...], numbers as the shortest texts that read back as the same doubles
 ///  vtp   VTK PolyData: elements as points with radius and coordination number, contacts as lines
-///        with gap; double precision, appended raw
-/// Throws Error{output_failed}; a failed write leaves no file and the old one untouched.
+///        with gap, ids where the snapshot has them; double precision, appended raw
+/// Throws Error{output_failed}; Error{invalid_input} if ids are asked for and not there,
+/// Error{wrong_usage} for an element that is not there; Error{cancelled}. A failed write leaves no
+/// file and the old one untouched.
 void write_contacts(const ContactOutput& output, const Snapshot& snapshot,
                     std::span<const ContactPair> pairs);
 

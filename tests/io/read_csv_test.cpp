@@ -1,5 +1,7 @@
 #include "scratch.hpp"
 
+#include <clocale>
+
 namespace abut::io::testing {
 namespace {
 

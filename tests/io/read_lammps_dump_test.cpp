@@ -44,6 +44,9 @@ TEST(ReadLammpsDump, WithoutZTwoDimensions) {
   const Snapshot snapshot = read_text("a.dump", frame(unit_box, "x y radius", {"1 2 3"}));
   EXPECT_EQ(snapshot.dimensions, 2);
   EXPECT_TRUE(snapshot.z.empty());
+  const std::string plane = "ITEM: BOX BOUNDS ff pp pp\n0 1\n0 1\n-0.5 0.5\n";
+  EXPECT_EQ(read_text("a.dump", frame(plane, "x y radius", {"1 2 3"})).periodic,
+            (std::array{false, true, false}));
 }
 
 TEST(ReadLammpsDump, ScaledCoordinatesAreUndone) {

@@ -6,6 +6,7 @@ next one is `echo $?`. A line `...` stands for any lines. Durations are masked.
 """
 
 import argparse
+import contextlib
 import os
 import pathlib
 import re
@@ -92,6 +93,20 @@ def check(block, folder, environment):
     return problems
 
 
+def environment_with(tool):
+    """What the commands of a page find: the tool, and no terminal."""
+    folder = pathlib.Path(tool).resolve().parent
+    return {**os.environ, "PATH": f"{folder}:/usr/bin:/bin", "COLUMNS": "100", "NO_COLOR": "1"}
+
+
+@contextlib.contextmanager
+def page_folder(root):
+    """The folder that the commands of a page run in."""
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "examples").symlink_to(root / "examples")
+        yield folder
+
+
 def check_flags(root, environment):
     """Flags that the help texts know and docs/cli.md does not, or the other way round."""
     def help_of(*command):
@@ -111,14 +126,11 @@ def main():
     parser.add_argument("--tool", required=True)
     arguments = parser.parse_args()
     root = pathlib.Path(arguments.root).resolve()
-    tool_folder = pathlib.Path(arguments.tool).resolve().parent
-    environment = {**os.environ, "PATH": f"{tool_folder}:/usr/bin:/bin", "COLUMNS": "100",
-                   "NO_COLOR": "1"}
+    environment = environment_with(arguments.tool)
 
     problems, checked = check_flags(root, environment), 0
     for page in blocks.pages(root):
-        with tempfile.TemporaryDirectory() as folder:
-            (pathlib.Path(folder) / "examples").symlink_to(root / "examples")
+        with page_folder(root) as folder:
             for block in blocks.blocks_of(page):
                 if block.language == "console":
                     checked += 1

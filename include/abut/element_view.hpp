@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <ranges>
+#include <type_traits>
 
 namespace abut {
 
@@ -100,12 +101,20 @@ ElementView view(const std::array<Column<T>, Dim>& centers, R&& radii) {
 template <class P>
 using PointScalar = std::remove_cvref_t<decltype(std::declval<const P&>()[0])>;
 
+/// Not a container or a view, whose numbers lie elsewhere.
+template <class P>
+concept HoldsItsNumbers = std::is_trivially_destructible_v<P> && !std::ranges::borrowed_range<P>;
+
 template <class Points, std::size_t Dim>
 concept PointsOf = std::ranges::contiguous_range<Points> && std::ranges::borrowed_range<Points> &&
                    std::ranges::sized_range<Points> && !ColumnLike<Points> &&
+                   HoldsItsNumbers<std::ranges::range_value_t<Points>> &&
                    Real<PointScalar<std::ranges::range_value_t<Points>>> &&
                    sizeof(std::ranges::range_value_t<Points>) >=
                        Dim * sizeof(PointScalar<std::ranges::range_value_t<Points>>);
+
+template <class R, class Points>
+concept RadiiOfPoints = RadiiOf<R, PointScalar<std::ranges::range_value_t<Points>>>;
 
 template <std::size_t Dim, class Points>
 auto columns(Points&& points) {
@@ -146,14 +155,14 @@ requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>>
 
 /// Spheres from an array of points of three numbers.
 template <class Points, class R>
-requires detail::PointsOf<Points, 3>
+requires detail::PointsOf<Points, 3> && detail::RadiiOfPoints<R, Points>
 [[nodiscard]] ElementView spheres(Points&& centers, R&& radii) {
   return detail::view(detail::columns<3>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
 }
 
 /// Discs from an array of points of two numbers.
 template <class Points, class R>
-requires detail::PointsOf<Points, 2>
+requires detail::PointsOf<Points, 2> && detail::RadiiOfPoints<R, Points>
 [[nodiscard]] ElementView discs(Points&& centers, R&& radii) {
   return detail::view(detail::columns<2>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
 }

@@ -8,6 +8,7 @@
 #include "reference/partition_sort.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace abut::trace {
@@ -18,6 +19,9 @@ using base::DetectionContext;
 /// Traces are for reading: a few hundred elements in a few thousand cells.
 constexpr double most_traced_bytes = 1 << 24;
 constexpr std::size_t most_traced_elements = 1 << 16;
+
+/// Guards on both sides of an axis, and the neighbours of border cells, stay within 31 bits.
+constexpr std::int32_t most_cells = std::numeric_limits<std::int32_t>::max() - 2;
 
 template <int Dim>
 CellSystem cells_of(const ElementView& elements, const Options& options) {
@@ -33,6 +37,19 @@ CellSystem cells_of(const ElementView& elements, const Options& options) {
     for (std::size_t k = 0; k < elements.size(); ++k) system.cells[k][axis] = cells.axis(axis)[k];
   }
   return system;
+}
+
+void require_grid(const CellSystem& system) {
+  if (system.dimensions != 2 && system.dimensions != 3) {
+    throw Error(ErrorCode::wrong_usage,
+                "dimensions = " + std::to_string(system.dimensions) + "; give 2 or 3");
+  }
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(system.dimensions); ++axis) {
+    if (system.cell_count[axis] >= 1 && system.cell_count[axis] <= most_cells) continue;
+    throw Error(ErrorCode::wrong_usage, "cell_count[" + std::to_string(axis) +
+                                            "] = " + std::to_string(system.cell_count[axis]) +
+                                            "; give 1 to " + std::to_string(most_cells));
+  }
 }
 
 template <int Dim>
@@ -82,6 +99,7 @@ CellSystem integerise(const ElementView& elements, const Options& options) {
 
 void run(Algorithm algorithm, const CellSystem& system, Sink& sink) {
   const api::RegistryRow& row = api::row_of(algorithm);
+  require_grid(system);
   if (system.dimensions == 2) {
     run<2>(row, system, sink);
   } else {

@@ -6,13 +6,16 @@
 #include "api/order_pairs.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
+#include "base/callers_exception.hpp"
 #include "base/float_environment.hpp"
 #include "base/pair_sink.hpp"
 #include "base/stopwatch.hpp"
 #include "base/written.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,7 +87,7 @@ class VisitingSink final : public PairSink {
                       " contact pairs, the limit that was set; raise it");
     }
     count += found.size();
-    if (visitor_ != nullptr) (*visitor_)(found, 0);
+    if (visitor_ != nullptr) base::call_back([&] { (*visitor_)(found, 0); });
   }
 
   PairCount limit_;
@@ -161,7 +164,15 @@ Statistics run(const ElementView& elements, const Options& options, PairSink& si
   return statistics;
 }
 
-/// Runs `body`, turning what the standard library throws for lack of memory into an Error.
+[[noreturn]] void report_lack_of_memory(const DetectionContext& context) {
+  throw Error(ErrorCode::limit_exceeded,
+              "memory ran out with " + std::to_string(context.memory.held()) +
+                  " bytes held by the detection; take fewer elements, count the pairs without "
+                  "storing them, or free memory");
+}
+
+/// Runs `body`, turning what the standard library throws for lack of memory into an Error: a block
+/// that is not there, or one longer than any address.
 template <class Body>
 auto guarded(const ElementView& elements, const Options& options, Body&& body) {
   const base::FloatEnvironment environment;
@@ -169,11 +180,12 @@ auto guarded(const ElementView& elements, const Options& options, Body&& body) {
   DetectionContext context(api::memory_bound(options), options.progress);
   try {
     return body(context);
+  } catch (const base::CallersException& theirs) {
+    std::rethrow_exception(theirs.exception);
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::limit_exceeded,
-                "memory ran out with " + std::to_string(context.memory.held()) +
-                    " bytes held by the detection; take fewer elements, count the pairs without "
-                    "storing them, or free memory");
+    report_lack_of_memory(context);
+  } catch (const std::length_error&) {
+    report_lack_of_memory(context);
   }
 }
 

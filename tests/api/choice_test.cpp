@@ -1,0 +1,56 @@
+// What `automatic` chooses, and the reason it gives.
+
+#include "support/scene_view.hpp"
+
+#include <abut/detect.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace abut::testing {
+namespace {
+
+Statistics chosen_for(const char* name, std::size_t count) {
+  return count_contact_pairs(view_of(scenes::scene_named(name).make(count, 1)));
+}
+
+TEST(AutomaticChoice, FewElementsAreCheckedDirectly) {
+  for (const std::size_t count : {0, 1, 2, 64}) {
+    const Statistics statistics = chosen_for("dense", count);
+    EXPECT_EQ(statistics.algorithm, Algorithm::direct_check) << count;
+    EXPECT_NE(statistics.reason.find("64 elements"), std::string::npos) << statistics.reason;
+  }
+  EXPECT_NE(chosen_for("dense", 65).algorithm, Algorithm::direct_check);
+}
+
+TEST(AutomaticChoice, NbsForCompactSystems) {
+  for (const char* name : {"pack_1", "hexagonal_2d", "dense", "gas", "touching_fcc"}) {
+    const Statistics statistics = chosen_for(name, 2000);
+    EXPECT_EQ(statistics.algorithm, Algorithm::munjiza_nbs) << name;
+    EXPECT_FALSE(statistics.reason.empty());
+  }
+}
+
+TEST(AutomaticChoice, SortingWhereHeadsWouldDwarfTheLists) {
+  for (const char* name : {"sparse", "clusters", "two_far_clusters"}) {
+    const Statistics statistics = chosen_for(name, 500);
+    EXPECT_EQ(statistics.algorithm, Algorithm::sorting_array) << name;
+    EXPECT_NE(statistics.reason.find("more rows than elements"), std::string::npos)
+        << statistics.reason;
+  }
+}
+
+TEST(AutomaticChoice, AChoiceOfTheCallerIsKept) {
+  const auto scene = scenes::scene_named("dense").make(10, 1);
+  for (const AlgorithmInfo& row : algorithms()) {
+    Options options;
+    options.algorithm = row.algorithm;
+    const Statistics statistics = count_contact_pairs(view_of(scene), Domain::open(), options);
+    EXPECT_EQ(statistics.algorithm, row.algorithm);
+    EXPECT_EQ(statistics.reason, "asked for");
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

@@ -22,6 +22,7 @@ struct Statistics {
   std::uint64_t exact_decisions = 0;  ///< of those, undecided by the filter, settled exactly
   std::uint64_t list_insertions = 0;  ///< elements pushed on a list of a row, a cell or a layer
   std::uint64_t peak_bytes = 0;       ///< most bytes held at once in buffers of abut's own
+  std::uint64_t working_bytes = 0;    ///< the same without the pairs: elements, cells, heads, lists
 
   double gather_seconds = 0.0;  ///< reading and checking the caller's arrays
   double search_seconds = 0.0;  ///< mapping to cells, candidates, tests

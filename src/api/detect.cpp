@@ -31,7 +31,7 @@ using base::Stopwatch;
 class ListSink final : public PairSink {
  public:
   ListSink(PairCount limit, base::MemoryMeter& memory) : limit_(limit), memory_(memory) {}
-  ~ListSink() override { memory_.give_back(accounted_); }
+  ~ListSink() override { memory_.give_back_pairs(accounted_); }
 
   ListSink(const ListSink&) = delete;
   ListSink& operator=(const ListSink&) = delete;
@@ -55,14 +55,14 @@ class ListSink final : public PairSink {
     if (needed <= pairs.capacity()) return;
     const std::size_t capacity = std::max(needed, pairs.capacity() + pairs.capacity() / 2);
     const std::uint64_t bytes = capacity * sizeof(ContactPair);
-    memory_.take(bytes);
+    memory_.take_for_pairs(bytes);
     try {
       pairs.reserve(capacity);
     } catch (...) {
-      memory_.give_back(bytes);
+      memory_.give_back_pairs(bytes);
       throw;
     }
-    memory_.give_back(accounted_);
+    memory_.give_back_pairs(accounted_);
     accounted_ = bytes;
   }
 
@@ -161,6 +161,7 @@ Statistics run(const ElementView& elements, const Options& options, PairSink& si
   statistics.exact_decisions = context.exact_decisions;
   statistics.list_insertions = context.list_insertions;
   statistics.peak_bytes = context.memory.peak();
+  statistics.working_bytes = context.memory.working_peak();
   return statistics;
 }
 

@@ -20,6 +20,20 @@ void MemoryMeter::take(std::uint64_t bytes) {
   require(bytes, "a working array", "raise the memory bound or take fewer elements");
   held_ += bytes;
   peak_ = std::max(peak_, held_);
+  working_peak_ = std::max(working_peak_, held_ - pairs_held_);
+}
+
+void MemoryMeter::take_for_pairs(std::uint64_t bytes) {
+  require(bytes, "the list of contact pairs",
+          "raise the memory bound or count the pairs without storing them");
+  held_ += bytes;
+  pairs_held_ += bytes;
+  peak_ = std::max(peak_, held_);
+}
+
+void MemoryMeter::give_back_pairs(std::uint64_t bytes) noexcept {
+  held_ -= bytes;
+  pairs_held_ -= bytes;
 }
 
 }  // namespace abut::base

@@ -25,14 +25,21 @@ class MemoryMeter {
   void take(std::uint64_t bytes);
   void give_back(std::uint64_t bytes) noexcept { held_ -= bytes; }
 
+  /// The same for the list of pairs that is the result, which is not a working array.
+  void take_for_pairs(std::uint64_t bytes);
+  void give_back_pairs(std::uint64_t bytes) noexcept;
+
   [[nodiscard]] std::uint64_t held() const noexcept { return held_; }
   [[nodiscard]] std::uint64_t peak() const noexcept { return peak_; }
+  [[nodiscard]] std::uint64_t working_peak() const noexcept { return working_peak_; }
   [[nodiscard]] std::uint64_t bound() const noexcept { return bound_; }
 
  private:
   std::uint64_t bound_ = unbounded;
   std::uint64_t held_ = 0;
   std::uint64_t peak_ = 0;
+  std::uint64_t pairs_held_ = 0;
+  std::uint64_t working_peak_ = 0;
 };
 
 }  // namespace abut::base

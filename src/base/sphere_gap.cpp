@@ -39,7 +39,7 @@ double gap(const Sphere<Dim>& a, const Sphere<Dim>& b) noexcept {
 
   std::uint64_t exact_decisions = 0;
   const bool touch = within_reach(a, b, 0.0, exact_decisions);
-  if (touch) return std::min(computed, 0.0);
+  if (touch) return std::min(computed, 0.0) + 0.0;  // never -0.0
   return std::max(computed, std::numeric_limits<double>::denorm_min());
 }
 

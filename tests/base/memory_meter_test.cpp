@@ -51,6 +51,19 @@ TEST(MemoryMeter, HugeRequestsDoNotWrapAround) {
   EXPECT_EQ(meter.held(), 10u);
 }
 
+TEST(MemoryMeter, PairsCountTowardsTheBoundButAreNoWorkingArray) {
+  MemoryMeter meter(100);
+  meter.take(30);
+  meter.take_for_pairs(60);
+  EXPECT_EQ(meter.peak(), 90u);
+  EXPECT_EQ(meter.working_peak(), 30u);
+  EXPECT_THROW(meter.take_for_pairs(11), Error);
+  meter.take(10);
+  EXPECT_EQ(meter.working_peak(), 40u);
+  meter.give_back_pairs(60);
+  EXPECT_EQ(meter.held(), 40u);
+}
+
 TEST(MemoryMeter, TheSentenceNamesBytesBoundAndAdvice) {
   MemoryMeter meter(1000);
   meter.take(10);

@@ -116,6 +116,14 @@ TEST(SphereGapCases, PlainNumbers) {
   EXPECT_EQ(base::gap<3>({{1, 1, 1}, 0}, {{1, 1, 1}, 0}), 0.0);
 }
 
+TEST(SphereGapCases, NoGapIsNeverNegativeZero) {
+  // sqrt(3) - 2 smallest doubles: less than half of one below zero.
+  const base::Sphere<3> a{{0.0, 0.0, 0.0}, 0x1p-1074};
+  const base::Sphere<3> b{{0x1p-1074, 0x1p-1074, 0x1p-1074}, 0x1p-1074};
+  EXPECT_FALSE(std::signbit(base::gap(a, b)));
+  EXPECT_EQ(base::gap(a, b), 0.0);
+}
+
 TEST(SphereGapCases, AGapThatNoDoubleHoldsIsTheLargest) {
   constexpr double huge = std::numeric_limits<double>::max();
   EXPECT_EQ(base::gap<2>({{-huge, 0}, 0}, {{huge, 0}, 0}), huge);

@@ -102,22 +102,24 @@ def wrong_size(root, file, lines):
 
 
 def wrong_tree(root, sizes):
-    if sizes and statistics.median(sizes.values()) > MEDIAN_LINES:
-        yield f"the median source file has {statistics.median(sizes.values())} lines > {MEDIAN_LINES}"
+    median = statistics.median(sizes.values())
+    if median > MEDIAN_LINES:
+        yield f"the median source file has {median} lines > {MEDIAN_LINES}"
     registry = root / "src/api/registry.cpp"
     for name in re.findall(r"\{Algorithm::(\w+),", registry.read_text()):
         if not (root / f"docs/algorithms/{name}.md").is_file():
             yield f"docs/algorithms/{name}.md is missing: every algorithm has its page"
     formatter = shutil.which("clang-format-14")
     if formatter and (root / ".clang-format").is_file():
-        run = subprocess.run([formatter, "--dry-run", "-Werror", *sizes], capture_output=True, text=True)
+        command = [formatter, "--dry-run", "-Werror", *sizes]
+        run = subprocess.run(command, capture_output=True, text=True)
         yield from [line for line in run.stderr.splitlines() if "error:" in line]
 
 
 def check(root):
     """All faults of the tree, and its files beyond the soft limit."""
     files = [file for folder in SOURCE_FOLDERS for file in sorted((root / folder).rglob("*"))]
-    files += [file for folder in ("docs", "scripts", "cmake") for file in (root / folder).rglob("*")]
+    files += [file for name in ("docs", "scripts", "cmake") for file in (root / name).rglob("*")]
     files += [file for file in root.iterdir() if file.name[0] != "."]
     faults, sizes = [], {}
     for file in files:
@@ -129,7 +131,8 @@ def check(root):
             sizes[str(file)] = len(lines)
             found += wrong_size(root, file, lines)
         faults += [f"{file.relative_to(root)}:{number}: {fault}" for number, fault in found]
-    return faults + list(wrong_tree(root, sizes)), {k: n for k, n in sizes.items() if n > SOFT_LINES}
+    long_files = {file: lines for file, lines in sizes.items() if lines > SOFT_LINES}
+    return faults + list(wrong_tree(root, sizes)), long_files
 
 
 def main():

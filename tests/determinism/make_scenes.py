@@ -54,7 +54,8 @@ def touching_lattice():
 
 
 def mixed_radii(rng):
-    elements = [[rng.gauss(0, 2) for _ in range(3)] + [0.02 * 40 ** rng.random()] for _ in range(240)]
+    elements = [[rng.gauss(0, 2) for _ in range(3)] + [0.02 * 40 ** rng.random()]
+                for _ in range(240)]
     # a right triangle of 3 : 4 : 5 whose long side is the reach, margin 1/8 included
     for k in range(20):
         x = rng.randint(-64, 64) / 16
@@ -67,8 +68,8 @@ def scaled(elements, factor):
 
 
 def integers(rng, count, span, radius):
-    return [[float(rng.randint(0, span)), float(rng.randint(0, span)), float(rng.randint(1, radius))]
-            for _ in range(count)]
+    return [[float(rng.randint(lowest, highest))
+             for lowest, highest in ((0, span), (0, span), (1, radius))] for _ in range(count)]
 
 
 def write(folder, name, dimensions, precision, margin, elements):

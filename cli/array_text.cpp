@@ -152,8 +152,9 @@ std::string arrays_text(std::span<const RecordedArray> arrays, Numbering numberi
     } else if (is_drawn_as_matrix(array)) {
       text += matrix_text(array, numbering);
     } else if (is_grid(array) || array.values.size() > longest_list) {
-      text += wrapped(fmt::format("  {}: {}", label_of(array), entries_text(array, numbering)),
-                      text_width, 4) +
+      text += "  " +
+              wrapped(fmt::format("{}: {}", label_of(array), entries_text(array, numbering)),
+                      text_width - 2, 4) +
               '\n';
     } else {
       while (group < arrays.size() && share_an_index(array, arrays[group]) &&

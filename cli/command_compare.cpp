@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <unistd.h>
@@ -118,6 +119,14 @@ const Run* first_difference(const std::vector<Run>& runs, const Run& reference) 
   return found == runs.end() ? nullptr : &*found;
 }
 
+/// Names the algorithm, where the sentence does not begin with it.
+std::string refusal_line(const Run& run) {
+  const std::string_view name = name_of(run.algorithm);
+  const std::string named =
+      run.refusal.starts_with(name) ? run.refusal : fmt::format("{}: {}", name, run.refusal);
+  return "  " + wrapped(named, 98, 4) + '\n';
+}
+
 constexpr std::size_t digest_start = 7 + 12;  // "sha256:" and twelve digits
 
 std::string text_of(const io::Snapshot& snapshot, const std::vector<Run>& runs,
@@ -134,8 +143,7 @@ std::string text_of(const io::Snapshot& snapshot, const std::vector<Run>& runs,
                      grouped(statistics.contact_pairs), run.digest.substr(0, digest_start)});
     } else {
       table.add_row({std::string(name_of(run.algorithm)), "-", "-", "-", "-", "-"});
-      refusals +=
-          "  " + wrapped(fmt::format("{}: {}", name_of(run.algorithm), run.refusal), 98, 4) + '\n';
+      refusals += refusal_line(run);
     }
   }
   std::string text =

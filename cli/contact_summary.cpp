@@ -78,15 +78,20 @@ std::string coordination_text(const PairList& pairs, const Findings& found) {
 }
 
 std::string closest_text(const io::Snapshot& snapshot, const Findings& found) {
-  const auto [i, j] = found.closest;
-  std::string text =
-      fmt::format("{:.4g} between elements {} and {}", std::abs(found.smallest_gap), i, j);
-  if (!snapshot.ids.empty()) {
-    text += fmt::format(" (ids {} and {})", snapshot.ids[i], snapshot.ids[j]);
-  }
-  const double smaller = std::min(snapshot.radius[i], snapshot.radius[j]);
+  std::string text = fmt::format("{:.4g}", std::abs(found.smallest_gap));
+  const double smaller =
+      std::min(snapshot.radius[found.closest.first], snapshot.radius[found.closest.second]);
   if (found.smallest_gap < 0.0 && smaller > 0.0) {
     text += fmt::format(", {:.2f} % of the smaller radius", -100.0 * found.smallest_gap / smaller);
+  }
+  return text;
+}
+
+std::string closest_elements(const io::Snapshot& snapshot, const Findings& found) {
+  const auto [i, j] = found.closest;
+  std::string text = fmt::format("elements {} and {}", i, j);
+  if (!snapshot.ids.empty()) {
+    text += fmt::format(", ids {} and {}", snapshot.ids[i], snapshot.ids[j]);
   }
   return text;
 }
@@ -138,6 +143,7 @@ std::string contact_summary(const ContactsOptions& options, const io::Snapshot& 
     if (!pairs.empty()) {
       table.add_row({found.smallest_gap <= 0.0 ? "deepest overlap" : "smallest gap",
                      closest_text(snapshot, found)});
+      table.add_row({"  between", closest_elements(snapshot, found)});
     }
   }
   table.add_row(

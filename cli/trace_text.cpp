@@ -114,9 +114,11 @@ std::string trace_text(std::span<const RecordedStage> stages, Numbering numberin
                        const SearchChoice& searches) {
   const SortedView sorted(stages);
   std::set<Cell> shown;
+  std::size_t searches_done = 0;
   std::string text;
   for (const RecordedStage& stage : stages) {
     if (!stage.search_steps.empty()) {
+      ++searches_done;
       const bool wanted = searches.only.has_value()
                               ? stage.cell == *searches.only
                               : sorted.holds(stage.search_steps.back().kept_first, stage.cell);
@@ -130,6 +132,11 @@ std::string trace_text(std::span<const RecordedStage> stages, Numbering numberin
     if (stage.is_of_a_place() && !stage.candidates.empty()) {
       text += candidates_text(stage, numbering);
     }
+  }
+  if (searches_done > 0) {
+    text += fmt::format(
+        "\nbinary searches: {}; shown: {}\n", searches_done,
+        searches.only.has_value() ? "this one" : "those that find an element, each cell once");
   }
   return text;
 }

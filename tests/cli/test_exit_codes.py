@@ -1,0 +1,161 @@
+"""One row and more for each exit code of the design."""
+
+import os
+import signal
+import subprocess
+import time
+
+import pytest
+from conftest import DATA, DISCS, environment
+
+YADE = str(DATA / "yade_settled_5000.csv")
+
+
+@pytest.mark.parametrize("arguments", [
+    ["contacts", YADE], ["contacts", YADE, "--count"], ["info", YADE], ["algorithms"],
+    ["compare", YADE], ["--version"], ["--help"], ["generate", "--list"],
+    ["generate", "gas", "--count", "0"]])
+def test_0_done(abut, arguments):
+    assert abut(*arguments).returncode == 0
+
+
+@pytest.mark.parametrize("text", ["x,y,radius\n", "x,y,z,radius\n"])
+def test_0_empty_input(abut, text):
+    done = abut("contacts", "-", stdin=text)
+    assert done.returncode == 0 and "contact pairs  0" in done.stdout
+    assert abut("contacts", "-", "--count", stdin=text).stdout == "0\n"
+    assert abut("compare", "-", stdin=text).returncode == 0
+    assert abut("explain", "munjiza_nbs", "-", stdin=text).returncode == 0
+
+
+@pytest.mark.parametrize("arguments, told", [
+    ([], "name a command"),
+    (["--verbose"], "--version"),
+    (["contact", YADE], "contact"),
+    (["contacts"], "FILE"),
+    (["contacts", YADE, "--box", "1,1,1"], "--box"),
+    (["contacts", YADE, "--algorithm", "rows"], "munjiza_nbs"),
+    (["contacts", YADE, "--threads", "0"], "--threads 0"),
+    (["contacts", YADE, "--threads", "two"], "--threads two"),
+    (["contacts", YADE, "--order", "random"], "canonical or as_found"),
+    (["contacts", YADE, "--margin", "-1"], "--margin -1"),
+    (["contacts", YADE, "--margin", "nan"], "--margin nan"),
+    (["contacts", YADE, "--margin", "inf"], "--margin inf"),
+    (["contacts", YADE, "--margin", "1e999"], "--margin 1e999"),
+    (["contacts", YADE, "--margin", "0,5"], "--margin 0,5"),
+    (["contacts", YADE, "--margin"], "--margin"),
+    (["contacts", YADE, "--radius", "-1"], "--radius -1"),
+    (["contacts", YADE, "--frame", "last"], "--frame last"),
+    (["contacts", YADE, "--max-pairs", "-1"], "--max-pairs -1"),
+    (["contacts", YADE, "--max-memory", "0"], "--max-memory 0"),
+    (["contacts", YADE, "--max-memory", "1T"], "--max-memory 1T"),
+    (["contacts", YADE, "--max-memory", "99999999999G"], "--max-memory"),
+    (["contacts", YADE, "--count", "--digest"], "exclude"),
+    (["contacts", YADE, "--count", "--json"], "exclude"),
+    (["contacts", YADE, "--json", "--digest"], "exclude"),
+    (["contacts", YADE, "--ids"], "--output"),
+    (["contacts", YADE, "--format", "pdf"], "pdf"),
+    (["contacts", YADE, "-o", "x.pdf"], "pdf"),
+    (["contacts", YADE, "-o", YADE], "is read"),
+    (["contacts", YADE, "--periodic", "xy"], "not carried yet"),
+    (["contacts", YADE, "--progress", "loud"], "auto, bar, log or none"),
+    (["generate"], "--list"),
+    (["generate", "gas"], "--count"),
+    (["generate", "nothing", "--count", "5"], "dense"),
+    (["generate", "gas", "--count", "-5"], "--count -5"),
+    (["generate", "gas", "--count", "5", "--format", "pdf"], "pdf"),
+    (["compare", "gas"], "--count"),
+    (["compare", YADE, "--algorithms", "munjiza_nbs,fast"], "fast"),
+    (["compare", YADE, "--algorithms", "auto"], "auto"),
+    (["explain", "munjiza_nbs"], "--book"),
+    (["explain", "munjiza_nbs", YADE, "--book"], "--book"),
+    (["explain", "auto", "--book"], "auto"),
+])
+def test_2_wrong_usage(fails, tmp_path, arguments, told):
+    assert told in fails(2, *arguments, cwd=tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_3_unreadable(fails, tmp_path):
+    assert "nowhere.csv" in fails(3, "contacts", tmp_path / "nowhere.csv")
+    fails(3, "contacts", tmp_path)
+
+
+def test_4_limits(fails, abut, tmp_path):
+    out = tmp_path / "out.csv"
+    assert "10 contact pairs" in fails(4, "contacts", YADE, "--max-pairs", "10", "-o", out)
+    fails(4, "contacts", YADE, "--max-pairs", "10", "--count")
+    assert abut("contacts", YADE, "--max-pairs", "10658", "--count").stdout == "10658\n"
+    assert "10240 bytes" in fails(4, "contacts", YADE, "--max-memory", "10K")
+    sparse = abut("generate", "sparse", "--count", "1000").stdout
+    sentence = fails(4, "contacts", "-", "--algorithm", "screening_array", stdin=sparse)
+    assert "screening_array" in sentence and "bytes" in sentence and "sorting_array" in sentence
+    assert "1000000000000" in fails(4, "generate", "gas", "--count", "1000000000000")
+    fails(4, "explain", "munjiza_nbs", YADE)
+    assert not out.exists()
+
+
+def test_5_cannot_write(fails, abut, tmp_path):
+    fails(5, "contacts", YADE, "-o", "/dev/full")
+    fails(5, "contacts", YADE, "-o", tmp_path / "nowhere" / "out.csv")
+    fails(5, "generate", "gas", "--count", "9", "-o", tmp_path / "nowhere" / "out.csv")
+    with open("/dev/full", "wb") as full:
+        for command in (["contacts", YADE], ["contacts", YADE, "--count"],
+                        ["contacts", YADE, "-o", "-"], ["algorithms"], ["--help"],
+                        ["generate", "gas", "--count", "9"]):
+            done = abut(*command, stdout=full)
+            assert done.returncode == 5 and "standard output" in done.stderr
+
+
+def test_7_different_pairs(abut):
+    broken = environment(LD_PRELOAD=os.environ["WRONG_DIGEST"],
+                         ASAN_OPTIONS="verify_asan_link_order=0")
+    done = abut("compare", YADE, "--algorithms", "sorting_array,munjiza_nbs", env=broken)
+    assert done.returncode == 7
+    assert done.stderr.startswith("abut: sorting_array and munjiza_nbs found different pairs")
+    assert "all the same" not in done.stdout
+    json_form = abut("compare", YADE, "--json", env=broken)
+    assert json_form.returncode == 7 and '"equal": false' in json_form.stdout
+
+
+@pytest.mark.parametrize("kind", [signal.SIGINT, signal.SIGTERM])
+def test_130_interrupted(long_search, tmp_path, kind):
+    """In the midst of a search that would take minutes; the bar shows that it has begun."""
+    with subprocess.Popen(
+            [os.environ["ABUT"], *long_search, "-o", "out.csv", "--progress", "bar"],
+            cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE,
+            env=environment()) as process:
+        seen = b""
+        while b"search" not in seen:
+            seen += os.read(process.stderr.fileno(), 1000)
+        process.send_signal(kind)
+        out, rest = process.communicate(timeout=60)
+    assert process.returncode == 130 and out == b""
+    assert rest.endswith(b"\rabut: interrupted\n"), "the bar is gone before the sentence"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_130_while_reading_standard_input():
+    with subprocess.Popen([os.environ["ABUT"], "contacts", "-"], stdin=subprocess.PIPE,
+                          stderr=subprocess.PIPE, stdout=subprocess.PIPE,
+                          env=environment()) as process:
+        process.stdin.write(DISCS.encode())
+        process.stdin.flush()
+        while "pipe" not in waits_in(process.pid):
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert (process.returncode, errors) == (130, b"abut: interrupted\n")
+
+
+def waits_in(pid):
+    """What a process that sleeps waits for: descriptor 0 in system call read, as "pipe"."""
+    with open(f"/proc/{pid}/stat") as file:
+        state = file.read().rpartition(")")[2].split()[0]
+    return "pipe" if state == "S" and handles(pid, signal.SIGINT) else ""
+
+
+def handles(pid, kind):
+    with open(f"/proc/{pid}/status") as file:
+        caught = next(line for line in file if line.startswith("SigCgt"))
+    return int(caught.split()[1], 16) >> (kind - 1) & 1

@@ -1,0 +1,78 @@
+"""Texts that do not depend on the machine, as recorded in golden/."""
+
+import re
+
+import pytest
+from conftest import ALGORITHMS, DATA, DISCS, without_measurements
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_explain_book(abut, golden, algorithm):
+    done = abut("explain", algorithm, "--book")
+    assert (done.returncode, done.stderr) == (0, "")
+    golden(f"explain_{algorithm}_book", done.stdout)
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_explain_file(abut, golden, algorithm):
+    """Six spheres in three layers, numbered from 0."""
+    spheres = "x,y,z,radius\n0,0,0,1\n2.5,0,0,1\n2,2,2.5,1\n9,9,5,1\n0,0,1,1\n4,0,0,1\n"
+    done = abut("explain", algorithm, "-", stdin=spheres)
+    assert (done.returncode, done.stderr) == (0, "")
+    golden(f"explain_{algorithm}_file", done.stdout)
+
+
+@pytest.mark.parametrize(
+    "command", ["", "contacts", "info", "generate", "compare", "explain", "algorithms"])
+def test_help(abut, golden, command):
+    done = abut(*command.split(), "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith(f"abut {command}".strip()), "an example comes first"
+    golden(f"help_{command or 'abut'}", done.stdout)
+
+
+def test_algorithms(abut, golden):
+    golden("algorithms", abut("algorithms").stdout)
+
+
+def test_scenes(abut):
+    lines = abut("generate", "--list").stdout.splitlines()
+    assert any(line.split()[:2] == ["dense", "3D"] for line in lines)
+    assert all(re.match(r"\w+ +[23]D  \S", line) for line in lines)
+
+
+@pytest.mark.parametrize("name, arguments", [
+    ("csv", []), ("csv_margin", ["--margin", "1"]), ("json", ["--format", "json"])])
+def test_pairs_of_four_discs(abut, golden, name, arguments):
+    done = abut("contacts", "-", "-o", "-", "-q", *arguments, stdin=DISCS)
+    assert (done.returncode, done.stderr) == (0, "")
+    golden(f"discs_{name}", done.stdout)
+
+
+@pytest.mark.parametrize("name, arguments", [
+    ("discs", ["-"]),
+    ("discs_margin", ["-", "--margin", "1"]),
+    ("yade", ["yade_settled_5000.csv"]),
+    ("lammps", ["lammps_pour.dump", "--periodic", "none"]),
+    ("lammps_empty_frame", ["lammps_pour.dump", "--periodic", "none", "--frame", "0"])])
+def test_summary(abut, golden, name, arguments):
+    done = abut("contacts", *arguments, stdin=DISCS, cwd=DATA)
+    assert done.returncode == 0
+    golden(f"summary_{name}", without_measurements(done.stdout))
+
+
+@pytest.mark.parametrize("name", ["yade_settled_5000.csv", "lammps_pour.dump"])
+def test_info(abut, golden, name):
+    golden(f"info_{name}", abut("info", name, cwd=DATA).stdout)
+
+
+def test_compare(abut, golden):
+    text = without_measurements(abut("compare", "-", stdin=DISCS).stdout)
+    golden("compare_discs", re.sub(r"(?<=\S) {2,}", "  ", text))
+
+
+def test_version(abut):
+    header = (DATA.parents[1] / "include" / "abut" / "version.hpp").read_text()
+    numbers = re.findall(r"#define ABUT_VERSION_\w+ (\d+)", header)
+    assert abut("--version").stdout == f"abut {'.'.join(numbers)}\n"
+    assert abut("--version", "--verbose").stdout.startswith(f"abut {'.'.join(numbers)} (")

@@ -84,9 +84,10 @@ TEST(WriteContacts, FormatByNameElseBySuffix) {
   EXPECT_EQ(contact_format("", "-"), ContactFormat::csv);
   EXPECT_EQ(contact_format("json", "-"), ContactFormat::json);
   EXPECT_EQ(contact_format("vtp", "a.csv"), ContactFormat::vtp);
-  for (const auto& [name, path] : {std::pair{"", "a.xlsx"}, {"", "out"}, {"xlsx", "a.csv"}}) {
-    const std::string sentence =
-        sentence_of(ErrorCode::wrong_usage, [&] { static_cast<void>(contact_format(name, path)); });
+  for (const auto& asked : {std::pair{"", "a.xlsx"}, {"", "out"}, {"xlsx", "a.csv"}}) {
+    const std::string sentence = sentence_of(ErrorCode::wrong_usage, [&] {
+      static_cast<void>(contact_format(asked.first, asked.second));
+    });
     EXPECT_NE(sentence.find("csv, json and vtp"), std::string::npos) << sentence;
   }
 }

@@ -16,7 +16,7 @@ Statistics chosen_for(const char* name, std::size_t count) {
 }
 
 TEST(AutomaticChoice, FewElementsAreCheckedDirectly) {
-  for (const std::size_t count : {0, 1, 2, 64}) {
+  for (const std::size_t count : {0U, 1U, 2U, 64U}) {
     const Statistics statistics = chosen_for("dense", count);
     EXPECT_EQ(statistics.algorithm, Algorithm::direct_check) << count;
     EXPECT_NE(statistics.reason.find("64 elements"), std::string::npos) << statistics.reason;

@@ -170,7 +170,7 @@ TEST(ElementCounts, AllSmallNumbers) {
 
 /// Pairs are handed on in batches; lists that end just before, at and after the end of one.
 TEST(PairCounts, AroundFullBuffers) {
-  for (const std::size_t pairs : {1022, 1023, 1024, 1025, 2047, 2048, 2049}) {
+  for (const std::size_t pairs : {1022U, 1023U, 1024U, 1025U, 2047U, 2048U, 2049U}) {
     const scenes::Scene beads = scene_of(3, chain(pairs + 1, 1, 0, 0));
     for (const Algorithm algorithm : algorithms_for(3)) {
       const auto found =

@@ -39,7 +39,7 @@ std::uint64_t hash_of(const Scene& scene) {
 class EveryScene : public ::testing::TestWithParam<scenes::SceneInfo> {};
 
 TEST_P(EveryScene, HasExactlyTheElementsAskedFor) {
-  for (const std::size_t count : {0, 1, 2, 3, 5, 10, 63, 100, 1001}) {
+  for (const std::size_t count : {0U, 1U, 2U, 3U, 5U, 10U, 63U, 100U, 1001U}) {
     const Scene scene = GetParam().make(count, 3);
     EXPECT_EQ(scene.dimensions, GetParam().dimensions);
     EXPECT_EQ(scene.size(), count);

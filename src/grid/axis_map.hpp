@@ -27,18 +27,22 @@ class AxisMap {
   AxisMap(double scale, double cell_size, base::Array<Segment> segments)
       : scale_(scale),
         inverse_cell_size_(1.0 / cell_size),
-        first_(segments.front()),
+        first_start_(segments.front().start),
         segments_(std::move(segments)) {}
 
   [[nodiscard]] std::int32_t cell(double x) const noexcept {
     const double scaled = x * scale_;
-    const Segment segment = segments_.size() == 1 ? first_ : segment_of(scaled);
-    // No element lies before its segment: truncation is floor.
-    return segment.first_cell +
-           static_cast<std::int32_t>((scaled - segment.start) * inverse_cell_size_);
+    if (segments_.size() == 1) return cells_between(first_start_, scaled);
+    const Segment segment = segment_of(scaled);
+    return segment.first_cell + cells_between(segment.start, scaled);
   }
 
  private:
+  /// No element lies before its segment: truncation is floor.
+  [[nodiscard]] std::int32_t cells_between(double start, double scaled) const noexcept {
+    return static_cast<std::int32_t>((scaled - start) * inverse_cell_size_);
+  }
+
   [[nodiscard]] Segment segment_of(double scaled) const noexcept {
     const auto behind =
         std::upper_bound(segments_.begin() + 1, segments_.end(), scaled,
@@ -48,7 +52,7 @@ class AxisMap {
 
   double scale_;
   double inverse_cell_size_;
-  Segment first_;
+  double first_start_;
   base::Array<Segment> segments_;
 };
 

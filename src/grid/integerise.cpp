@@ -98,6 +98,30 @@ base::Array<Segment> collapse_gaps(std::span<const base::Sphere<Dim>> spheres, s
   return segments;
 }
 
+template <int Dim, class MapOf>
+std::array<AxisMap, Dim> maps_of_axes(MapOf map_of) {
+  if constexpr (Dim == 2) {
+    return {map_of(0), map_of(1)};
+  } else {
+    return {map_of(0), map_of(1), map_of(2)};
+  }
+}
+
+/// Axis after axis, in blocks that stay in the nearest cache.
+template <int Dim>
+void map_all(std::span<const base::Sphere<Dim>> spheres, const std::array<AxisMap, Dim>& maps,
+             CellCoordinates<Dim>& cells) {
+  constexpr std::size_t block_size = 512;
+  for (std::size_t begin = 0; begin < spheres.size(); begin += block_size) {
+    const std::size_t end = std::min(begin + block_size, spheres.size());
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      const AxisMap& map = maps[axis];
+      std::int32_t* const cell = cells.axis(axis).data();
+      for (std::size_t k = begin; k < end; ++k) cell[k] = map.cell(spheres[k].center[axis]);
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -110,19 +134,18 @@ CellCoordinates<Dim> integerise(std::span<const base::Sphere<Dim>> spheres,
   const double scale = largest_magnitude(bounds, margin) > largest_unscaled ? scale_down : 1.0;
   const double cell_size = choose_cell_size(bounds, margin, scale, spheres.size());
 
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
+  const auto map_of = [&](std::size_t axis) {
     const double start = bounds.lower[axis] * scale;
     const double extent_in_cells = (bounds.upper[axis] * scale - start) * (1.0 / cell_size);
     const bool one_segment = extent_in_cells <= most_cells_in_one_segment;
     auto segments = one_segment ? base::make_array<Segment>(context.memory, 1, Segment{start, 0})
                                 : collapse_gaps(spheres, axis, scale, cell_size, context);
-    const AxisMap map(scale, cell_size, std::move(segments));
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      cells.axis(axis)[k] = map.cell(spheres[k].center[axis]);
-    }
+    AxisMap map(scale, cell_size, std::move(segments));
     cells.cell_count[axis] = map.cell(bounds.upper[axis]) + 1;
     cells.uncollapsed_cell_count[axis] = std::floor(extent_in_cells) + 1.0;
-  }
+    return map;
+  };
+  map_all<Dim>(spheres, maps_of_axes<Dim>(map_of), cells);
   return cells;
 }
 

@@ -1,0 +1,84 @@
+"""Reads the tables that run_packs writes."""
+
+import csv
+import math
+import os
+
+ALGORITHMS = ["direct_check", "binary_tree", "screening_array", "sorting_array", "munjiza_nbs"]
+ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV"}
+LOOSE_PACKS = [2, 3, 4]
+
+
+def read(path):
+    """Header lines as a dictionary, rows with numbers where the text is one."""
+    header, lines = {}, []
+    with open(path, newline="") as file:
+        for line in file:
+            if line.startswith("#"):
+                key, value = line[1:].split(":", 1)
+                header[key.strip()] = value.strip()
+            else:
+                lines.append(line)
+    return header, [{k: number(v) for k, v in row.items()} for row in csv.DictReader(lines)]
+
+
+def number(text):
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
+
+
+class Packs:
+    def __init__(self, folder):
+        self.header, self.times = read(os.path.join(folder, "packs_times.csv"))
+        _, self.instructions = read(os.path.join(folder, "packs_instructions.csv"))
+
+    def select(self, rows=None, **wanted):
+        wanted.setdefault("numbering", "along")
+        rows = self.times if rows is None else rows
+        return [r for r in rows if all(r[k] == v for k, v in wanted.items())]
+
+    def one(self, **wanted):
+        """The only row there is, or None; a refused one counts as none."""
+        rows = [r for r in self.select(form=wanted.pop("form", "count"), **wanted)]
+        return rows[0] if rows and rows[0]["refusal"] == "" else None
+
+    def instructions_of(self, **wanted):
+        """Instructions for each element, or None."""
+        rows = self.select(self.instructions, **wanted)
+        return rows[0]["instructions"] / rows[0]["elements"] if rows else None
+
+    def sizes(self):
+        return sorted({r["elements"] for r in self.select(pack=1)})
+
+    def first_of_slope(self):
+        """Growth is judged from 10^4 elements on, where fixed costs are gone."""
+        return 10_000 if 10_000 in self.sizes() else self.sizes()[0]
+
+    def spacings(self, pack):
+        return sorted({r["spacing"] for r in self.select(pack=pack)})
+
+
+def book_integers(row):
+    """Integers for each element by the book's formulas, or None where it has only a bound."""
+    n = row["elements"]
+    return {
+        "direct_check": 0.0,
+        "screening_array": (row["cells_x"] * row["cells_y"] + n) / n,
+        "sorting_array": 3.0,
+        "munjiza_nbs": (2 * n + row["cells_y"] + 2 * row["cells_x"]) / n,
+    }.get(row["algorithm"])
+
+
+def slope(small, large):
+    """Exponent of the total time in N between two rows."""
+    total = [r["ns_minimum"] * r["elements"] for r in (small, large)]
+    return math.log(total[1] / total[0]) / math.log(large["elements"] / small["elements"])
+
+
+def growth_beyond_n_log_n(small, large):
+    """(value of large / value of small) / (log N large / log N small); pairs (N, value)."""
+    return (large[1] / small[1]) / (math.log(large[0]) / math.log(small[0]))

@@ -1,5 +1,6 @@
 """Counts the instructions of one detection (count form) of every case and every algorithm but
-direct_check, with valgrind's callgrind: a figure without noise. Up to 100,000 elements. CSV on stdout."""
+direct_check, with valgrind's callgrind: a figure without noise. Up to 100,000 elements.
+CSV on stdout."""
 
 import argparse
 import concurrent.futures

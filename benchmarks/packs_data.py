@@ -4,13 +4,14 @@ import csv
 import math
 import os
 
-ALGORITHMS = ["direct_check", "binary_tree", "screening_array", "sorting_array", "munjiza_nbs"]
 ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV"}
 LOOSE_PACKS = [2, 3, 4]
 
 
 def read(path):
     """Header lines as a dictionary, rows with numbers where the text is one."""
+    if not os.path.exists(path):
+        raise SystemExit(f"{path} is missing: run benchmarks/run_packs without skipping it")
     header, lines = {}, []
     with open(path, newline="") as file:
         for line in file:
@@ -34,6 +35,8 @@ def number(text):
 class Packs:
     def __init__(self, folder):
         self.header, self.times = read(os.path.join(folder, "packs_times.csv"))
+        # In the order of the registry, direct_check first.
+        self.algorithms = list(dict.fromkeys(row["algorithm"] for row in self.times))
         _, self.instructions = read(os.path.join(folder, "packs_instructions.csv"))
 
     def select(self, rows=None, **wanted):

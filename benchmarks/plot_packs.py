@@ -7,7 +7,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-from packs_data import ALGORITHMS, LOOSE_PACKS, ROMAN, book_integers  # noqa: E402
+from packs_data import LOOSE_PACKS, ROMAN, book_integers  # noqa: E402
 
 # Okabe and Ito's colours, told apart by everybody.
 STYLE = {
@@ -17,6 +17,7 @@ STYLE = {
     "sorting_array": ("#0072b2", "D"),
     "munjiza_nbs": ("#009e73", "o"),
 }
+OTHERS = ("#d55e00", "v")
 
 plt.rcParams.update(
     {
@@ -33,14 +34,14 @@ plt.rcParams.update(
 
 
 def line(axes, algorithm, xs, ys, **more):
-    color, marker = STYLE[algorithm]
+    color, marker = STYLE.get(algorithm, OTHERS)
     width = 2.2 if algorithm == "munjiza_nbs" else 1.3
     axes.plot(xs, ys, color=color, marker=marker, ms=4.5, lw=width, label=algorithm, **more)
 
 
 def series(packs, value, key, **wanted):
     """For each algorithm the points that were not refused."""
-    for algorithm in ALGORITHMS:
+    for algorithm in packs.algorithms:
         rows = packs.select(algorithm=algorithm, form="count", **wanted)
         rows = sorted((r for r in rows if r["refusal"] == ""), key=lambda r: r[key])
         if rows:
@@ -62,10 +63,10 @@ def plot_against_elements(packs, folder):
     figure, (time, memory) = plt.subplots(1, 2, figsize=(9, 3.6))
     for algorithm, xs, ys in series(packs, lambda r: r["ns_minimum"], "elements", pack=1):
         line(time, algorithm, xs, ys)
-    for algorithm in ALGORITHMS:
+    for algorithm in packs.algorithms:
         row = packs.one(pack=1, algorithm=algorithm, numbering="shuffled")
         if row:
-            color, marker = STYLE[algorithm]
+            color, marker = STYLE.get(algorithm, OTHERS)
             time.plot(row["elements"], row["ns_minimum"], marker, color=color, mfc="white", ms=6)
     time.plot([], [], "o", color="black", mfc="white", label="numbers shuffled")
     time.axhline(40, color="black", lw=0.8, ls=":")

@@ -10,7 +10,6 @@ import re
 
 import plot_packs
 from packs_data import (
-    ALGORITHMS,
     LOOSE_PACKS,
     ROMAN,
     Packs,
@@ -43,7 +42,7 @@ def times_by_elements(packs):
     cases = [(n, "along") for n in packs.sizes()] + [(packs.sizes()[-1], "shuffled")]
     head = ["pack I, N ="] + [f"{n:,}" + (" shuffled" if s == "shuffled" else "") for n, s in cases]
     rows = []
-    for algorithm in ALGORITHMS:
+    for algorithm in packs.algorithms:
         found = [packs.one(pack=1, algorithm=algorithm, elements=n, numbering=s) for n, s in cases]
         rows.append([f"`{algorithm}`"] + [nanoseconds(r) for r in found])
     return table(head, rows)
@@ -54,7 +53,7 @@ def times_by_spacing(packs):
     head = ["S/D ="] + [f"{s}" for s in spacings]
     rows = []
     for pack in LOOSE_PACKS:
-        for algorithm in ALGORITHMS:
+        for algorithm in packs.algorithms:
             found = [packs.one(pack=pack, algorithm=algorithm, spacing=s) for s in spacings]
             values = [plain(r and r["ns_minimum"]) for r in found]
             rows.append([f"{ROMAN[pack]} `{algorithm}`"] + values)
@@ -66,7 +65,7 @@ def forms_and_phases(packs):
     head = ["pack I, N = " + f"{n:,}", "count", "list as found", "list canonical"]
     head += ["gather", "search", "order", "tests", "exact"]
     rows = []
-    for algorithm in ALGORITHMS[1:]:
+    for algorithm in packs.algorithms[1:]:
         forms = [packs.one(pack=1, elements=n, algorithm=algorithm, form=f) for f in
                  ("count", "as_found", "canonical")]
         last = forms[-1]
@@ -85,7 +84,7 @@ def memory(packs):
     cases += [(f"{ROMAN[p]}, S/D = 200", {"pack": p, "spacing": 200}) for p in LOOSE_PACKS]
     head = ["integers for each element (bytes held)"] + [name for name, _ in cases]
     rows = []
-    for algorithm in ALGORITHMS:
+    for algorithm in packs.algorithms:
         cells = []
         for _, wanted in cases:
             found = packs.select(algorithm=algorithm, form="count", **wanted)
@@ -104,7 +103,7 @@ def memory(packs):
 def instructions_by_elements(packs):
     sizes = packs.sizes()[:-1]
     rows = []
-    for algorithm in ALGORITHMS[1:]:
+    for algorithm in packs.algorithms[1:]:
         counted = [packs.instructions_of(pack=1, elements=n, algorithm=algorithm) for n in sizes]
         rows.append([f"`{algorithm}`"] + [plain(c, 0) for c in counted])
     return table(["pack I, N ="] + [f"{n:,}" for n in sizes], rows)
@@ -149,7 +148,7 @@ def claim_of_packing(packs):
 
 
 def claim_of_n_log_n(packs, small, large):
-    for algorithm in ALGORITHMS[1:]:
+    for algorithm in packs.algorithms[1:]:
         rows = [packs.one(pack=1, elements=n, algorithm=algorithm) for n in (small, large)]
         time = growth_beyond_n_log_n(*((r["elements"], r["ns_minimum"]) for r in rows))
         counts = [(n, packs.instructions_of(pack=1, elements=n, algorithm=algorithm))

@@ -139,7 +139,7 @@ std::string text_of(const io::Snapshot& snapshot, const std::vector<Run>& runs,
     if (run.has_result()) {
       const Statistics& statistics = run.statistics;
       table.add_row({std::string(name_of(run.algorithm)), duration(run.seconds()),
-                     byte_size(statistics.peak_bytes), grouped(statistics.candidate_tests),
+                     byte_size(statistics.working_bytes), grouped(statistics.candidate_tests),
                      grouped(statistics.contact_pairs), run.digest.substr(0, digest_start)});
     } else {
       table.add_row({std::string(name_of(run.algorithm)), "-", "-", "-", "-", "-"});
@@ -161,10 +161,11 @@ std::string json_of(const Run& run) {
                        json_string(name_of(run.algorithm)), json_string(run.refusal));
   }
   return fmt::format(
-      "{{\"algorithm\": {}, \"seconds\": {}, \"peak_bytes\": {}, \"candidate_tests\": {}, "
-      "\"contact_pairs\": {}, \"digest\": {}}}",
+      "{{\"algorithm\": {}, \"seconds\": {}, \"peak_bytes\": {}, \"working_bytes\": {}, "
+      "\"candidate_tests\": {}, \"contact_pairs\": {}, \"digest\": {}}}",
       json_string(name_of(run.algorithm)), json_number(run.seconds()), run.statistics.peak_bytes,
-      run.statistics.candidate_tests, run.statistics.contact_pairs, json_string(run.digest));
+      run.statistics.working_bytes, run.statistics.candidate_tests, run.statistics.contact_pairs,
+      json_string(run.digest));
 }
 
 std::string json_of(const io::Snapshot& snapshot, const std::vector<Run>& runs,

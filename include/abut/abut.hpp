@@ -6,6 +6,7 @@
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/error.hpp>
+#include <abut/export.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
 #include <abut/pair_list.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <abut/export.hpp>
+
 namespace abut {
 
 /// The space that the elements live in. Open: unbounded on every axis; the grid follows the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <abut/algorithm.hpp>
+#include <abut/export.hpp>
 #include <abut/pair.hpp>
 #include <abut/progress.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <abut/export.hpp>
 #include <abut/pair.hpp>
 #include <abut/statistics.hpp>
 

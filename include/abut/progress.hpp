@@ -1,5 +1,7 @@
 #pragma once
 
+#include <abut/export.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <string_view>

@@ -53,7 +53,6 @@ FormatNumber format_named(const std::string& name) {
 
 /// By the first line that is not blank: a section of a dump, a lone count, else a header.
 FormatNumber format_by_content(LineReader& reader) {
-  if (!reader.skip_blank_lines()) reader.fail("is empty; there are no elements in it");
   const std::vector<std::string> fields = split(*reader.peek(), Separator::blanks);
   if (fields[0] == "ITEM:") return lammps_dump;
   return fields.size() == 1 && parse_integer(fields[0]) ? xyz : csv;
@@ -75,10 +74,21 @@ void validate(const ReadOptions& options) {
   if (!options.format.empty()) static_cast<void>(format_named(options.format));
 }
 
+/// An input without a line is an empty system, as a frame without atoms is.
+Snapshot read_nothing(const LineReader& reader, const ReadOptions& options) {
+  if (options.frame.value_or(-1) != -1 && *options.frame != 0) {
+    reader.fail(fmt::format("is empty; it has no frame {}", *options.frame));
+  }
+  return {};
+}
+
 Snapshot read(const std::string& path, const ReadOptions& options) {
   LineReader reader(path, options.progress);
-  const FormatNumber format = choose_format(reader, path, options);
-  Snapshot snapshot = readers[format](reader, options);
+  const bool empty = !reader.skip_blank_lines();
+  const FormatNumber format = empty && options.format.empty()
+                                  ? format_with_suffix(suffix_of(path)).value_or(csv)
+                                  : choose_format(reader, path, options);
+  Snapshot snapshot = empty ? read_nothing(reader, options) : readers[format](reader, options);
   snapshot.source = reader.name();
   snapshot.format = formats[format].name;
   // LAMMPS and others call the missing axis of a plane periodic.

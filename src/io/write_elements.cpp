@@ -19,17 +19,17 @@ namespace {
 enum class ElementFormat { csv, lammps_dump, xyz };
 
 ElementFormat element_format(std::string_view name, std::string_view path) {
-  const std::string suffix = suffix_of(path);
+  const std::string suffix = path == "-" ? "" : suffix_of(path);
   const std::string wanted = name.empty() ? suffix : fmt::format(".{}", name);
   if (wanted == ".lammps_dump" || has_word(".dump .lammpstrj .lammps", wanted)) {
     return ElementFormat::lammps_dump;
   }
   if (has_word(".xyz .extxyz", wanted)) return ElementFormat::xyz;
-  if (name.empty() || name == "csv") return ElementFormat::csv;
+  if (wanted.empty() || has_word(".csv .txt", wanted)) return ElementFormat::csv;
   throw Error(ErrorCode::wrong_usage,
               fmt::format("elements cannot be written as {}; the formats are csv, lammps_dump and "
                           "xyz",
-                          quoted(name)));
+                          quoted(std::string_view(wanted).substr(1))));
 }
 
 /// The columns of the elements in the order in which every format here writes them.

@@ -8,7 +8,7 @@
 namespace abut::io {
 
 /// Writes elements so that `read_snapshot` gives the same bits back: CSV (`x,y[,z],radius`),
-/// LAMMPS text dump or extended XYZ, by name or suffix ("-" and unknown: CSV).
+/// LAMMPS text dump or extended XYZ, by name or suffix ("-" and no suffix: CSV).
 /// A snapshot has no box: the dump gets the one around the centres, and no axis is periodic.
 /// Throws Error{output_failed}, Error{wrong_usage}, and Error{invalid_input} for numbers that are
 /// not finite.

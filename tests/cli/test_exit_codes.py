@@ -19,7 +19,7 @@ def test_0_done(abut, arguments):
     assert abut(*arguments).returncode == 0
 
 
-@pytest.mark.parametrize("text", ["x,y,radius\n", "x,y,z,radius\n"])
+@pytest.mark.parametrize("text", ["", "\n", "x,y,radius\n", "x,y,z,radius\n"])
 def test_0_empty_input(abut, text):
     done = abut("contacts", "-", stdin=text)
     assert done.returncode == 0 and "contact pairs  0" in done.stdout

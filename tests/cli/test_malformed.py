@@ -16,8 +16,6 @@ ITEM: ATOMS id x y z radius
 """
 
 CASES = {
-    "nothing at all": ("", ""),
-    "only blank lines": ("\n\n \n", ""),
     "no header": ("1,2,3\n4,5,6\n", ""),
     "no y": ("x,z,radius\n1,2,3\n", "y"),
     "no radius": ("x,y\n1,2\n", "--radius|radius"),

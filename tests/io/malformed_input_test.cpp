@@ -31,8 +31,7 @@ std::string csv(const std::string& row) {
 }
 
 const Malformed malformed_csv[] = {
-    {"empty", ".csv", "", 0, {"is empty", "x,y,z,radius"}},
-    {"blank", ".csv", "\n \n#\n", 0, {"is empty"}},
+    {"only comments", ".csv", "\n \n#\n", 0, {"is empty", "x,y,z,radius"}},
     {"no header", ".csv", "1,2,3\n4,5,6\n", 1, {"header", "'1' is a number", "x,y,z,radius"}},
     {"no x", ".csv", "a,y,radius\n", 1, {"column x is missing", "'a' 'y' 'radius'"}},
     {"no y", ".csv", "# c\nx,z,radius\n", 2, {"column y is missing"}},
@@ -70,8 +69,6 @@ const Malformed malformed_csv[] = {
 };
 
 const Malformed malformed_dump[] = {
-    {"empty", ".dump", "", 0, {"is empty"}},
-    {"blank", ".dump", "\n\n", 0, {"is empty"}},
     {"no section", ".dump", "x,y,radius\n", 1, {"'x,y,radius' is not a section"}},
     {"other section", ".dump", "ITEM: TIMESTEP\n0\nITEM: ENTRIES a\n", 3, {"'ITEM: ENTRIES a'"}},
     {"ends in the header", ".dump", "ITEM: TIMESTEP\n0\n", 0, {"cut off"}},
@@ -134,7 +131,6 @@ const Malformed malformed_dump[] = {
 };
 
 const Malformed malformed_xyz[] = {
-    {"empty", ".xyz", "", 0, {"is empty"}},
     {"no count", ".xyz", "C 0 0 0 1\n", 1, {"number of its elements"}},
     {"count a word", ".xyz", "one\nc\nC 0 0 0 1\n", 1, {"'one'", "whole number"}},
     {"negative count", ".xyz", "-3\nc\n", 1, {"'-3'"}},

@@ -41,6 +41,18 @@ TEST(ReadSnapshot, RadiusForAllMustBeARadius) {
   }
 }
 
+TEST(ReadSnapshot, AnInputWithoutALineIsAnEmptySystem) {
+  for (const char* name : {"a.csv", "a.dump", "a.xyz", "a"}) {
+    for (const char* text : {"", "\n\n"}) {
+      EXPECT_EQ(read_text(name, text).size(), 0u) << name;
+      EXPECT_EQ(read_text(name, text, at_frame(0)).size(), 0u) << name;
+      sentence_of(ErrorCode::invalid_input,
+                  [&] { static_cast<void>(read_text(name, text, at_frame(1))); });
+    }
+  }
+  EXPECT_EQ(read_text("a.dump", "").format, "lammps_dump");
+}
+
 TEST(ReadSnapshot, FramesThatAreNotThere) {
   const std::string_view two = "0\n\n0\n\n";
   for (const std::int64_t frame : {std::int64_t{2}, std::int64_t{-3}, INT64_MIN, INT64_MAX}) {

@@ -54,7 +54,7 @@ void expect_same(const Snapshot& read, const Snapshot& written) {
 
 TEST(WriteElements, ReadingGivesTheSameBits) {
   const Scratch scratch;
-  for (const char* name : {"a.csv", "a.dump", "a.lammpstrj", "a.xyz", "a.extxyz", "a.unknown"}) {
+  for (const char* name : {"a.csv", "a.dump", "a.lammpstrj", "a.xyz", "a.extxyz", "a"}) {
     for (const int dimensions : {2, 3}) {
       for (const bool ids : {false, true}) {
         SCOPED_TRACE(std::string(name) + std::to_string(dimensions) + (ids ? " ids" : ""));
@@ -64,6 +64,14 @@ TEST(WriteElements, ReadingGivesTheSameBits) {
       }
     }
   }
+}
+
+TEST(WriteElements, AnUnknownSuffixIsRefused) {
+  const Scratch scratch;
+  const std::string sentence = sentence_of(ErrorCode::wrong_usage, [&] {
+    write_elements(scratch.path("a.pdf"), "", awkward(3, false));
+  });
+  EXPECT_NE(sentence.find("'pdf'"), std::string::npos) << sentence;
 }
 
 TEST(WriteElements, NoElements) {

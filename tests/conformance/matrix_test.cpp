@@ -26,8 +26,8 @@ constexpr std::array<std::uint64_t, 2> seeds{1, 20040101};
 constexpr std::array<std::string_view, 3> wide_scenes{"sparse", "clusters", "two_far_clusters"};
 
 /// Scenes made to be undecidable in floating point.
-constexpr std::array<std::string_view, 5> borderline_scenes{"pack_1", "pack_4", "at_reach_2d",
-                                                            "touching_cubic", "touching_fcc"};
+constexpr std::array<std::string_view, 6> borderline_scenes{
+    "pack_1", "pack_4", "at_reach_2d", "at_reach", "touching_cubic", "touching_fcc"};
 
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& names, std::string_view name) {

@@ -3,22 +3,22 @@
 
 #include "api/choose_algorithm.hpp"
 #include "api/gathered_elements.hpp"
+#include "api/list_sink.hpp"
 #include "api/order_pairs.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
+#include "api/visiting_sink.hpp"
 #include "base/callers_exception.hpp"
 #include "base/float_environment.hpp"
 #include "base/pair_sink.hpp"
 #include "base/stopwatch.hpp"
 #include "base/written.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace abut {
 namespace {
@@ -26,73 +26,6 @@ namespace {
 using base::DetectionContext;
 using base::PairSink;
 using base::Stopwatch;
-
-/// Stores pairs, up to the limit and the memory bound.
-class ListSink final : public PairSink {
- public:
-  ListSink(PairCount limit, base::MemoryMeter& memory) : limit_(limit), memory_(memory) {}
-  ~ListSink() override { memory_.give_back_pairs(accounted_); }
-
-  ListSink(const ListSink&) = delete;
-  ListSink& operator=(const ListSink&) = delete;
-
-  std::vector<ContactPair> pairs;
-
- private:
-  void receive(std::span<const ContactPair> found) override {
-    if (found.size() > limit_ - pairs.size()) {
-      throw Error(ErrorCode::limit_exceeded,
-                  "there are more than " + std::to_string(limit_) +
-                      " contact pairs, the limit that was set; raise it, or count the pairs "
-                      "without storing them");
-    }
-    account(pairs.size() + found.size());
-    pairs.insert(pairs.end(), found.begin(), found.end());
-  }
-
-  /// Grows by half, so that old and new storage together stay below 2.5 times the pairs.
-  void account(std::size_t needed) {
-    if (needed <= pairs.capacity()) return;
-    const std::size_t capacity = std::max(needed, pairs.capacity() + pairs.capacity() / 2);
-    const std::uint64_t bytes = capacity * sizeof(ContactPair);
-    memory_.take_for_pairs(bytes);
-    try {
-      pairs.reserve(capacity);
-    } catch (...) {
-      memory_.give_back_pairs(bytes);
-      throw;
-    }
-    memory_.give_back_pairs(accounted_);
-    accounted_ = bytes;
-  }
-
-  PairCount limit_;
-  base::MemoryMeter& memory_;
-  std::uint64_t accounted_ = 0;
-};
-
-/// Hands pairs to the caller's visitor, or only counts them.
-class VisitingSink final : public PairSink {
- public:
-  VisitingSink(PairCount limit, const PairBatchVisitor* visitor)
-      : limit_(limit), visitor_(visitor) {}
-
-  PairCount count = 0;
-
- private:
-  void receive(std::span<const ContactPair> found) override {
-    if (found.size() > limit_ - count) {
-      throw Error(ErrorCode::limit_exceeded,
-                  "there are more than " + std::to_string(limit_) +
-                      " contact pairs, the limit that was set; raise it");
-    }
-    count += found.size();
-    if (visitor_ != nullptr) base::call_back([&] { (*visitor_)(found, 0); });
-  }
-
-  PairCount limit_;
-  const PairBatchVisitor* visitor_;
-};
 
 /// Whether the arrays that follow the domain fit; checked before any of them is allocated.
 template <int Dim>
@@ -194,7 +127,7 @@ auto guarded(const ElementView& elements, const Options& options, Body&& body) {
 
 PairList find_contact_pairs(const ElementView& elements, const Domain&, const Options& options) {
   return guarded(elements, options, [&](DetectionContext& context) {
-    ListSink sink(options.max_pairs, context.memory);
+    api::ListSink sink(options.max_pairs, context.memory);
     Statistics statistics = run(elements, options, sink, context);
     statistics.contact_pairs = sink.pairs.size();
     if (options.order == Order::canonical) {
@@ -211,7 +144,7 @@ PairList find_contact_pairs(const ElementView& elements, const Domain&, const Op
 Statistics for_each_batch(const ElementView& elements, const Domain&, const Options& options,
                           const PairBatchVisitor& visitor) {
   return guarded(elements, options, [&](DetectionContext& context) {
-    VisitingSink sink(options.max_pairs, visitor ? &visitor : nullptr);
+    api::VisitingSink sink(options.max_pairs, visitor ? &visitor : nullptr);
     Statistics statistics = run(elements, options, sink, context);
     statistics.contact_pairs = sink.count;
     return statistics;

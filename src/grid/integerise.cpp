@@ -71,8 +71,7 @@ double cell_of(const Segment& segment, double scaled, double cell_size) {
 void require_cell_fits(double cell) {
   if (cell <= last_cell) return;
   throw Error(ErrorCode::limit_exceeded,
-              "the elements occupy more than 2147483646 cells along one axis; direct_check needs "
-              "no cells");
+              "the elements occupy more than 2147483646 cells along one axis; split the system");
 }
 
 /// One segment a cluster: coordinates sorted, split where the gap exceeds a cell.

@@ -22,7 +22,7 @@ void catch_interrupts() {
     // Without SA_RESTART: a read or write that blocks returns, and the flag is seen.
     struct sigaction action {};
     action.sa_handler = note_interrupt;
-    action.sa_flags = SA_RESETHAND;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
   }

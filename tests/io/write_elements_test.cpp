@@ -2,9 +2,10 @@
 
 #include "scratch.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -40,7 +41,8 @@ Snapshot awkward(int dimensions, bool ids) {
 }
 
 bool same_bits(const Numbers& a, const Numbers& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  return std::ranges::equal(a, b, {}, bits, bits);
 }
 
 void expect_same(const Snapshot& read, const Snapshot& written) {

@@ -45,7 +45,9 @@ void shuffle(Scene& scene, std::uint64_t seed);
 
 [[nodiscard]] Scene make_bidisperse(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_log_uniform(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_log_uniform_1000(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_graded(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_graded_1000(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_one_giant(std::size_t count, std::uint64_t seed);
 
 [[nodiscard]] Scene make_touching_cubic(std::size_t count, std::uint64_t seed);

@@ -28,6 +28,20 @@ Scene filled_cube(std::size_t count, std::uint64_t seed, Draw draw) {
   return scene;
 }
 
+Scene log_uniform(std::size_t count, std::uint64_t seed, double largest) {
+  return filled_cube(count, seed, [largest](Random& random) {
+    return fractional_power(largest, random.uniform());
+  });
+}
+
+/// Number density as r^-4 on 1..R, `smallest_share` being R^-3: the same solid volume in every
+/// decade. The distribution (1 - r^-3) / (1 - R^-3), inverted.
+Scene graded(std::size_t count, std::uint64_t seed, double smallest_share) {
+  return filled_cube(count, seed, [smallest_share](Random& random) {
+    return 1.0 / cube_root(1.0 - random.uniform() * (1.0 - smallest_share));
+  });
+}
+
 }  // namespace
 
 Scene make_bidisperse(std::size_t count, std::uint64_t seed) {
@@ -36,16 +50,19 @@ Scene make_bidisperse(std::size_t count, std::uint64_t seed) {
 }
 
 Scene make_log_uniform(std::size_t count, std::uint64_t seed) {
-  return filled_cube(count, seed,
-                     [](Random& random) { return fractional_power(100.0, random.uniform()); });
+  return log_uniform(count, seed, 100.0);
 }
 
-/// Number density as r^-4 on 1..100: the same solid volume in every decade. The distribution
-/// (1 - r^-3) / (1 - 100^-3), inverted.
+Scene make_log_uniform_1000(std::size_t count, std::uint64_t seed) {
+  return log_uniform(count, seed, 1000.0);
+}
+
 Scene make_graded(std::size_t count, std::uint64_t seed) {
-  return filled_cube(count, seed, [](Random& random) {
-    return 1.0 / cube_root(1.0 - random.uniform() * (1.0 - 1e-6));
-  });
+  return graded(count, seed, 1e-6);
+}
+
+Scene make_graded_1000(std::size_t count, std::uint64_t seed) {
+  return graded(count, seed, 1e-9);
 }
 
 /// The last element is as large as the gas of small ones and dips into one side of it.

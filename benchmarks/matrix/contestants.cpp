@@ -1,0 +1,40 @@
+// The table of contestants. Its rows are written by CMake: benchmarks/CMakeLists.txt names each
+// contestant once, and finds its library.
+
+#include "benchmarks/matrix/contestants.hpp"
+
+#include <iterator>
+
+namespace abut::benchmarks {
+
+#define ABUT_CONTESTANT(name) std::vector<Entry> enter_##name();
+#include <contestants_found.inl>
+#undef ABUT_CONTESTANT
+
+std::vector<Entry> all_contestants() {
+  std::vector<Entry> all;
+  const auto add = [&all](std::vector<Entry> entries) {
+    std::move(entries.begin(), entries.end(), std::back_inserter(all));
+  };
+#define ABUT_CONTESTANT(name) add(enter_##name());
+#include <contestants_found.inl>
+#undef ABUT_CONTESTANT
+  return all;
+}
+
+std::string_view name_of(Task task) {
+  switch (task) {
+    case Task::list:
+      return "list";
+    case Task::canonical:
+      return "canonical";
+    case Task::count:
+      return "count";
+    case Task::visit:
+      return "visit";
+    default:
+      return "copy";
+  }
+}
+
+}  // namespace abut::benchmarks

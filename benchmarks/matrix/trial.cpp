@@ -1,0 +1,179 @@
+#include "benchmarks/matrix/trial.hpp"
+
+#include "benchmarks/matrix/apart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <new>
+#include <system_error>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace abut::benchmarks {
+namespace {
+
+using scenes::Scene;
+
+/// What the process of a trial hands back; lies in shared memory.
+struct Report {
+  Verdict verdict = Verdict::crashed;
+  Seconds first;
+  std::uint64_t pairs = 0;
+  Difference difference;
+  std::uint64_t candidate_tests = 0;
+  std::uint64_t peak_bytes = 0;
+  std::array<char, 500> note{};
+  std::array<char, 500> reason{};
+};
+
+template <std::size_t Size>
+void set(std::array<char, Size>& to, const std::string& text) {
+  const std::size_t length = std::min(text.size(), Size - 1);
+  std::copy_n(text.data(), length, to.data());
+  to[length] = '\0';
+}
+
+/// Memory that a forked process shares with this one.
+class SharedReport {
+ public:
+  SharedReport()
+      : memory_(mmap(nullptr, sizeof(Report), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
+                     -1, 0)) {
+    if (memory_ == MAP_FAILED) throw std::bad_alloc();
+    new (memory_) Report();
+  }
+  SharedReport(const SharedReport&) = delete;
+  SharedReport& operator=(const SharedReport&) = delete;
+  ~SharedReport() { munmap(memory_, sizeof(Report)); }
+
+  Report& operator*() const { return *static_cast<Report*>(memory_); }
+
+ private:
+  void* memory_;
+};
+
+double now(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+void write_all(int file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(file, bytes.data(), bytes.size());
+    if (written < 0) throw std::system_error(errno, std::generic_category(), "write");
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+/// In the process of its own.
+void attempt(const Entry& entry, const Scene& scene, const Reference* reference, int file,
+             unsigned time_limit, Report& report) {
+  limit_memory();
+  const std::unique_ptr<Contestant> contestant = entry.make();
+  contestant->prepare(scene);
+  Answer answer;
+  start_clock(time_limit);
+  report.first = timed_run(*contestant, scene, answer);
+  stop_clock();
+  report.pairs = std::max<std::uint64_t>(answer.count, answer.pairs.size());
+  const Counters counters = contestant->counters();
+  report.candidate_tests = counters.candidate_tests;
+  report.peak_bytes = counters.peak_bytes;
+  set(report.note, counters.note);
+  if (reference == nullptr) {
+    const std::vector<ContactPair> sorted = ascending(answer.pairs);
+    write_all(file, std::as_bytes(std::span(sorted)));
+    report.verdict = Verdict::exact;
+  } else if (reference->name.empty() && entry.task != Task::copy) {
+    report.verdict = Verdict::unchecked;
+  } else {
+    report.difference = check(entry.task, answer, reference->pairs);
+    report.verdict = report.difference.none() ? Verdict::exact : Verdict::wrong;
+  }
+}
+
+Trial trial_of(const Report& report, const Apart& apart) {
+  Trial trial;
+  trial.verdict = report.verdict;
+  trial.reason = report.reason.data();
+  trial.first = report.first;
+  trial.pairs = report.pairs;
+  trial.difference = report.difference;
+  trial.counters = {report.candidate_tests, report.peak_bytes, report.note.data()};
+  if (apart.ending != Ending::finished) {
+    trial.verdict = apart.ending == Ending::too_slow ? Verdict::too_slow : Verdict::crashed;
+    trial.reason = apart.reason;
+  }
+  return trial;
+}
+
+Trial try_into(const Entry& entry, const Scene& scene, const Reference* reference, int file,
+               unsigned time_limit) {
+  if (entry.most_elements > 0 && scene.size() > entry.most_elements) {
+    Trial trial;
+    trial.reason = entry.reason_of_limit;
+    return trial;
+  }
+  const SharedReport report;
+  const Apart apart = run_apart([&] {
+    try {
+      attempt(entry, scene, reference, file, time_limit, *report);
+    } catch (const std::bad_alloc&) {
+      (*report).verdict = Verdict::refused;
+      set((*report).reason, "needs more memory than there is");
+    } catch (const std::exception& error) {
+      (*report).verdict = Verdict::refused;
+      set((*report).reason, error.what());
+    }
+  });
+  return trial_of(*report, apart);
+}
+
+std::span<const ContactPair> pairs_in(int file) {
+  const off_t bytes = lseek(file, 0, SEEK_END);
+  if (bytes <= 0) return {};
+  const auto size = static_cast<std::size_t>(bytes);
+  void* memory = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return {static_cast<const ContactPair*>(memory), size / sizeof(ContactPair)};
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  constexpr std::array<std::string_view, 7> names{"exact",   "wrong",     "refused", "too_slow",
+                                                  "crashed", "unchecked", "left_out"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+Seconds timed_run(Contestant& contestant, const Scene& scene, Answer& answer) {
+  const double wall = now(CLOCK_MONOTONIC);
+  const double cpu = now(CLOCK_THREAD_CPUTIME_ID);
+  answer = contestant.run(scene);
+  const Seconds seen{now(CLOCK_MONOTONIC) - wall, now(CLOCK_THREAD_CPUTIME_ID) - cpu};
+  return contestant.own_clock().value_or(seen);
+}
+
+Trial try_apart(const Entry& entry, const Scene& scene, const Reference& reference,
+                unsigned time_limit) {
+  return try_into(entry, scene, &reference, -1, time_limit);
+}
+
+Trial try_as_reference(const Entry& entry, const Scene& scene, Reference& reference,
+                       unsigned time_limit) {
+  const int file = memfd_create("pairs", 0);
+  if (file < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
+  const Trial trial = try_into(entry, scene, nullptr, file, time_limit);
+  if (trial.verdict == Verdict::exact) reference = {entry.name, pairs_in(file)};
+  close(file);
+  return trial;
+}
+
+}  // namespace abut::benchmarks

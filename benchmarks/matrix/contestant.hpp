@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace abut::benchmarks {
@@ -78,7 +79,14 @@ struct Entry {
   std::function<std::unique_ptr<Contestant>()> make;
 };
 
-/// Packaged libraries meet scenes of up to 10^6 elements; beyond, a run would take too long.
-inline constexpr std::size_t most_elements_of_packages = 1'000'000;
+/// Other people's libraries meet scenes of up to 10^6 elements.
+[[nodiscard]] inline Entry package_entry(std::string name, std::string description) {
+  Entry entry;
+  entry.name = std::move(name);
+  entry.description = std::move(description);
+  entry.most_elements = 1'000'000;
+  entry.reason_of_limit = "packaged libraries are measured up to 10^6 elements";
+  return entry;
+}
 
 }  // namespace abut::benchmarks

@@ -16,33 +16,54 @@ target_include_directories(matrix PRIVATE "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRE
 
 # Contestants run where they are built, with all that this processor can do.
 check_cxx_compiler_flag(-march=native ABUT_HAS_MARCH_NATIVE)
-if(ABUT_HAS_MARCH_NATIVE)
-  target_compile_options(matrix PRIVATE -march=native)
-endif()
 
 set(contestants_found "")
 
-# contestant(NAME [WHEN condition] [LINK targets...])
+# contestant(NAME [PORTABLE] [WHEN condition] [LINK targets...] [INCLUDE folders...])
+# PORTABLE: its library was compiled for any processor, and the layout of its types depends on that.
+# Objects of their own, so that nobody gets the settings of another one's library.
 function(contestant name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "WHEN" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "PORTABLE" "WHEN" "LINK;INCLUDE")
   if(DEFINED arg_WHEN AND NOT ${arg_WHEN})
     message(STATUS "Benchmark contestant ${name}: not installed, left out")
     return()
   endif()
   message(STATUS "Benchmark contestant ${name}: found")
-  target_sources(matrix PRIVATE matrix/contestants/${name}.cpp)
-  target_link_libraries(matrix PRIVATE ${arg_LINK})
+  set(objects contestant_${name})
+  add_library(${objects} OBJECT matrix/contestants/${name}.cpp)
+  target_link_libraries(${objects} PRIVATE abut abut_scenes abut_settings ${arg_LINK})
+  target_include_directories(${objects} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_include_directories(${objects} SYSTEM PRIVATE ${arg_INCLUDE})
+  if(ABUT_HAS_MARCH_NATIVE AND NOT arg_PORTABLE)
+    target_compile_options(${objects} PRIVATE -march=native)
+  endif()
+  target_link_libraries(matrix PRIVATE ${objects})
   set(contestants_found "${contestants_found}ABUT_CONTESTANT(${name})\n" PARENT_SCOPE)
 endfunction()
+
+find_package(CGAL QUIET)
+find_package(nanoflann QUIET)
+find_package(embree 3 QUIET)
+find_package(Boost 1.74 QUIET)
+find_package(Bullet QUIET MODULE)
+find_package(Eigen3 QUIET CONFIG)  # which fcl wants, and CGAL's own module hides
+find_package(fcl QUIET)
 
 contestant(copy)
 contestant(plain_grid)
 contestant(abut)
+contestant(cgal_box WHEN CGAL_FOUND LINK CGAL::CGAL)
+contestant(nanoflann WHEN nanoflann_FOUND LINK nanoflann::nanoflann)
+contestant(embree WHEN embree_FOUND LINK embree)
+contestant(boost_rtree WHEN Boost_FOUND LINK Boost::headers)
+contestant(bullet_dbvt WHEN BULLET_FOUND INCLUDE ${BULLET_INCLUDE_DIRS}
+  LINK ${BULLET_COLLISION_LIBRARY} ${BULLET_MATH_LIBRARY})
+contestant(fcl PORTABLE WHEN fcl_FOUND LINK fcl)
 
 file(CONFIGURE OUTPUT contestants_found.inl CONTENT "${contestants_found}" @ONLY)
 
 if(ABUT_BUILD_TESTS)
-  # So that it cannot rot: whether the answers of all contestants found are right; nothing is timed.
+  # So that they cannot rot: whether the answers of all contestants found are right; nothing is timed.
   add_test(NAME benchmarks.matrix COMMAND matrix --counts 0,1,2000 --repetitions 0 --threads 1)
   set_tests_properties(benchmarks.matrix PROPERTIES LABELS full TIMEOUT 300)
 endif()

@@ -9,6 +9,7 @@ add_executable(matrix
   matrix/check.cpp
   matrix/contestants.cpp
   matrix/pinning.cpp
+  matrix/plan.cpp
   matrix/table.cpp
   matrix/trial.cpp)
 target_link_libraries(matrix PRIVATE abut abut_scenes abut_settings CLI11::CLI11)
@@ -75,9 +76,3 @@ contestant(scipy_ckdtree WHEN SCIPY_FOUND DEFINE "ABUT_PYTHON=\"${ABUT_PYTHON}\"
 contestant(fcl PORTABLE WHEN fcl_FOUND LINK fcl)
 
 file(CONFIGURE OUTPUT contestants_found.inl CONTENT "${contestants_found}" @ONLY)
-
-if(ABUT_BUILD_TESTS)
-  # So that they cannot rot: whether the answers of all contestants found are right; nothing is timed.
-  add_test(NAME benchmarks.matrix COMMAND matrix --counts 0,1,2000 --repetitions 0 --threads 1)
-  set_tests_properties(benchmarks.matrix PROPERTIES LABELS full TIMEOUT 300)
-endif()

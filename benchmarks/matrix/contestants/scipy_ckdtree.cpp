@@ -45,6 +45,7 @@ class MemoryFile {
 
 template <class T>
 void write_array(std::FILE* file, const T* values, std::size_t count) {
+  if (count == 0) return;
   if (std::fwrite(values, sizeof(T), count, file) != count) fail("fwrite");
 }
 
@@ -137,7 +138,8 @@ class ScipyCkdtree final : public Contestant {
     static_cast<void>(python_.ask("pairs " + found_.path()));
     std::FILE* const file = std::fopen(found_.path().c_str(), "rb");
     if (file == nullptr) fail("fopen");
-    const std::size_t read = std::fread(pairs_.data(), sizeof(ContactPair), count, file);
+    const std::size_t read =
+        count == 0 ? 0 : std::fread(pairs_.data(), sizeof(ContactPair), count, file);
     std::fclose(file);
     if (read != count) throw std::runtime_error("Python wrote too few pairs");
   }

@@ -127,6 +127,7 @@ BookExample book_example(Algorithm algorithm) {
       return sorting_array_example();
     case Algorithm::munjiza_nbs:
       return munjiza_nbs_example();
+    case Algorithm::rows:
     case Algorithm::automatic:
       break;
   }

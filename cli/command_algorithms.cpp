@@ -30,7 +30,8 @@ std::string text_of_all() {
   memory.add_row({"algorithm", "memory in integers"});
   for (const AlgorithmInfo& info : algorithms()) {
     table.add_row({std::string(info.name), std::string(info.time), carries(info),
-                   std::string(info.book_pages), std::string(info.idea)});
+                   info.book_pages.empty() ? "-" : std::string(info.book_pages),
+                   std::string(info.idea)});
     memory.add_row({std::string(info.name), std::string(info.memory)});
   }
   return table.text() + '\n' + memory.text() +

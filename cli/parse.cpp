@@ -176,6 +176,9 @@ void add_detection(CLI::App& app, Options& detection) {
               detection.threads = number<int>("--threads", text, wanted);
               if (detection.threads < 1) reject("--threads", text, wanted);
             });
+  add_value(app, "--simd", "LEVEL",
+            "instruction set of rows: auto, the default, scalar, sse4, avx2, avx512 or neon",
+            [&detection](const std::string& text) { detection.simd = simd_named(text); });
   add_value(app, "--order", "canonical|as_found",
             "pairs ascending by (i, j), the default, or as the algorithm meets them",
             [&detection](const std::string& text) {

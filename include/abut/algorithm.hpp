@@ -9,12 +9,13 @@ namespace abut {
 
 /// The ways to find the contact pairs. All give the same pairs; they differ in time and memory.
 enum class Algorithm {
-  automatic,  ///< named "auto": chosen from the number of elements and the grid
+  automatic,  ///< named "auto": chosen from the number of elements
   direct_check,
   binary_tree,
   screening_array,
   sorting_array,
   munjiza_nbs,
+  rows,  ///< the production engine
 };
 
 /// What a user must know to choose an algorithm. Constant; one row per algorithm.
@@ -27,7 +28,8 @@ struct AlgorithmInfo {
   std::string_view book_pages;  ///< Munjiza, The Combined Finite-Discrete Element Method, 2004
   int min_dimensions;
   int max_dimensions;
-  bool periodic;  ///< whether it carries periodic domains
+  bool periodic;   ///< whether it carries periodic domains
+  bool traceable;  ///< whether trace::run shows its arrays
 };
 
 /// All algorithms that can be asked for by name, in the order of the book. `automatic` is not one.

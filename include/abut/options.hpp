@@ -4,6 +4,7 @@
 #include <abut/export.hpp>
 #include <abut/pair.hpp>
 #include <abut/progress.hpp>
+#include <abut/simd.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -38,8 +39,13 @@ struct Options {
   /// Error{limit_exceeded} names the bytes needed.
   std::uint64_t max_bytes = automatic_memory_bound;
 
-  /// Number of threads, 0 for the default. The algorithms of the book use one whatever it says.
+  /// Number of threads, 0 for what OpenMP takes by default. The algorithms of the book use one
+  /// whatever it says. Any number gives the same bytes.
   int threads = 0;
+
+  /// Instruction set of the kernels of `rows`. One that this processor lacks throws
+  /// Error{unavailable}.
+  Simd simd = Simd::automatic;
 
   ProgressHook progress = {};
 };

@@ -4,17 +4,59 @@
 #include <abut/pair.hpp>
 #include <abut/statistics.hpp>
 
+#include <cstddef>
+#include <new>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace abut {
 
+namespace detail {
+
+/// Blocks that the system backs with large pages where it grants them. Throws std::bad_alloc.
+[[nodiscard]] ABUT_API void* allocate_pages(std::size_t bytes);
+ABUT_API void free_pages(void* block) noexcept;
+
+/// Large pages, and no zeros written where pairs are written next.
+template <class T>
+struct PageAllocator {
+  using value_type = T;
+
+  PageAllocator() = default;
+  template <class U>
+  PageAllocator(const PageAllocator<U>&) noexcept {}
+
+  [[nodiscard]] T* allocate(std::size_t count) {
+    if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
+    return static_cast<T*>(allocate_pages(count * sizeof(T)));
+  }
+  void deallocate(T* first, std::size_t) noexcept { free_pages(first); }
+
+  template <class U>
+  void construct(U* place) noexcept {
+    static_assert(std::is_trivially_copyable_v<U>);
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Values>
+  void construct(U* place, Values&&... values) {
+    ::new (static_cast<void*>(place)) U{std::forward<Values>(values)...};
+  }
+
+  friend bool operator==(const PageAllocator&, const PageAllocator&) noexcept { return true; }
+};
+
+}  // namespace detail
+
+/// Pairs in a row.
+using PairArray = std::vector<ContactPair, detail::PageAllocator<ContactPair>>;
+
 /// The contact pairs of one detection, each once, in the order that was asked for.
 class PairList {
  public:
   PairList() = default;
-  PairList(std::vector<ContactPair> pairs, Statistics statistics)
+  PairList(PairArray pairs, Statistics statistics)
       : pairs_(std::move(pairs)), statistics_(std::move(statistics)) {}
 
   [[nodiscard]] PairCount size() const noexcept { return pairs_.size(); }
@@ -27,7 +69,9 @@ class PairList {
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
 
  private:
-  std::vector<ContactPair> pairs_;
+  friend class Detector;
+
+  PairArray pairs_;
   Statistics statistics_;
 };
 

@@ -3,6 +3,7 @@
 #include <abut/algorithm.hpp>
 #include <abut/export.hpp>
 #include <abut/pair.hpp>
+#include <abut/simd.hpp>
 
 #include <cstdint>
 #include <string>
@@ -14,6 +15,7 @@ struct Statistics {
   Algorithm algorithm = Algorithm::automatic;  ///< the one that ran
   std::string reason;                          ///< why it was chosen
   int threads = 1;                             ///< threads used
+  Simd simd = Simd::scalar;                    ///< instruction set of the kernels
 
   std::uint64_t elements = 0;
   int dimensions = 0;

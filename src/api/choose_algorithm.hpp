@@ -2,6 +2,7 @@
 
 #include "api/registry.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace abut::api {
@@ -11,9 +12,8 @@ struct Choice {
   std::string reason;
 };
 
-/// Few elements: direct check. Otherwise Munjiza-NBS, unless its heads, which follow the extent of
-/// the domain, would dwarf its lists: then the sorting array, which needs none.
-template <int Dim>
-[[nodiscard]] Choice choose_algorithm(const grid::CellCoordinates<Dim>& cells);
+/// Few elements: direct check. Otherwise rows, whose time and memory follow the elements whatever
+/// the domain, the packing and the sizes; it divides by size itself.
+[[nodiscard]] Choice choose_algorithm(std::size_t element_count);
 
 }  // namespace abut::api

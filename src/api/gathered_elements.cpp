@@ -65,46 +65,32 @@ bool valid(const base::Sphere<Dim>& sphere) {
   return finite;
 }
 
-template <int Dim>
-void widen(grid::Bounds<Dim>& bounds, const base::Sphere<Dim>& sphere) {
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    bounds.lower[axis] = std::min(bounds.lower[axis], sphere.center[axis]);
-    bounds.upper[axis] = std::max(bounds.upper[axis], sphere.center[axis]);
-  }
-  if (sphere.radius > bounds.second_largest_radius) {
-    bounds.second_largest_radius = std::min(sphere.radius, bounds.largest_radius);
-    bounds.largest_radius = std::max(sphere.radius, bounds.largest_radius);
-  }
-}
-
 template <int Dim, Real T>
-void read_all(const ElementView& elements, GatheredElements<Dim>& gathered,
-              base::DetectionContext& context) {
-  const base::Sphere<Dim> first = read<Dim, T>(elements, 0);
-  std::copy_n(first.center, Dim, gathered.bounds.lower.begin());
-  std::copy_n(first.center, Dim, gathered.bounds.upper.begin());
+grid::Bounds<Dim> read_all(const ElementView& elements, std::span<base::Sphere<Dim>> spheres,
+                           base::DetectionContext& context) {
+  grid::Bounds<Dim> bounds;
   for (std::size_t k = 0; k < elements.size(); ++k) {
     context.progress.at(k);
     const base::Sphere<Dim> sphere = read<Dim, T>(elements, k);
     if (!valid(sphere)) reject(k, sphere);
-    widen(gathered.bounds, sphere);
-    gathered.spheres[k] = sphere;
+    bounds.include_center(sphere);
+    bounds.include_radius(sphere.radius);
+    spheres[k] = sphere;
   }
+  return bounds;
 }
 
 }  // namespace
 
 template <int Dim>
-GatheredElements<Dim> gather(const ElementView& elements, base::DetectionContext& context) {
-  GatheredElements<Dim> gathered{
-      base::make_array_for_overwrite<base::Sphere<Dim>>(context.memory, elements.size()), {}};
-  if (elements.size() == 0) return gathered;
-  if (elements.precision() == Precision::float32) {
-    read_all<Dim, float>(elements, gathered, context);
-  } else {
-    read_all<Dim, double>(elements, gathered, context);
-  }
-  return gathered;
+grid::Bounds<Dim> gather(const ElementView& elements, base::Array<base::Sphere<Dim>>& spheres,
+                         base::DetectionContext& context) {
+  if (spheres.capacity() < elements.size()) spheres.clear();
+  spheres.resize(elements.size());
+  if (elements.size() == 0) return {.lower = {}, .upper = {}, .smallest_radius = 0.0};
+  return elements.precision() == Precision::float32
+             ? read_all<Dim, float>(elements, spheres, context)
+             : read_all<Dim, double>(elements, spheres, context);
 }
 
 template <int Dim>
@@ -113,8 +99,10 @@ base::Sphere<Dim> element_at(const ElementView& elements, std::size_t number) {
                                                     : read<Dim, double>(elements, number);
 }
 
-template GatheredElements<2> gather(const ElementView&, base::DetectionContext&);
-template GatheredElements<3> gather(const ElementView&, base::DetectionContext&);
+template grid::Bounds<2> gather(const ElementView&, base::Array<base::Sphere<2>>&,
+                                base::DetectionContext&);
+template grid::Bounds<3> gather(const ElementView&, base::Array<base::Sphere<3>>&,
+                                base::DetectionContext&);
 template base::Sphere<2> element_at(const ElementView&, std::size_t);
 template base::Sphere<3> element_at(const ElementView&, std::size_t);
 

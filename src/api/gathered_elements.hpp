@@ -3,7 +3,7 @@
 #include "base/array.hpp"
 #include "base/detection_context.hpp"
 #include "base/sphere_predicate.hpp"
-#include "grid/integerise.hpp"
+#include "grid/bounds.hpp"
 
 #include <abut/element_view.hpp>
 
@@ -11,18 +11,13 @@
 
 namespace abut::api {
 
-/// The caller's elements as the algorithms read them: one packed record each, in double.
+/// Packs the caller's elements as the algorithms read them, one record each, in double; returns
+/// their bounds. Reads every number once: converts (exactly), checks. Throws Error{invalid_input}
+/// naming the first bad element, its field and the value.
 template <int Dim>
-struct GatheredElements {
-  base::Array<base::Sphere<Dim>> spheres;
-  grid::Bounds<Dim> bounds;
-};
-
-/// Reads every number once: converts (exactly), checks, finds the bounds. Throws
-/// Error{invalid_input} naming the first bad element, its field and the value.
-template <int Dim>
-[[nodiscard]] GatheredElements<Dim> gather(const ElementView& elements,
-                                           base::DetectionContext& context);
+[[nodiscard]] grid::Bounds<Dim> gather(const ElementView& elements,
+                                       base::Array<base::Sphere<Dim>>& spheres,
+                                       base::DetectionContext& context);
 
 /// One element, unchecked.
 template <int Dim>

@@ -5,13 +5,19 @@
 #include <abut/pair.hpp>
 
 #include <cstddef>
-#include <vector>
+#include <span>
 
 namespace abut::api {
 
-/// Sorts by (first, second): a counting sort by the first element, then each element's few
-/// partners. Linear in elements + pairs while elements have few partners each.
-void order_canonically(std::vector<ContactPair>& pairs, std::size_t element_count,
-                       base::MemoryMeter& memory);
+/// Pairs as they were found, in pieces.
+using PairPieces = std::span<const std::span<const ContactPair>>;
+
+/// Writes the pairs one after the other; `target` has room for all.
+void join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers);
+
+/// Writes the pairs sorted by (first, second): a counting sort by the first element, then each
+/// element's few partners. Linear in elements + pairs while elements have few partners each.
+void order_canonically(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
+                       base::MemoryMeter& memory, std::size_t workers);
 
 }  // namespace abut::api

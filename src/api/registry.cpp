@@ -15,52 +15,81 @@ namespace {
 
 using namespace reference;
 
-template <int Dim, class Test>
-void direct(const grid::CellCoordinates<Dim>& cells, Test& test, base::DetectionContext& context) {
-  direct_check(cells.element_count(), test, context);
+template <int Dim>
+void direct_check_elements(const System<Dim>& system, base::PairSink& sink,
+                           base::DetectionContext& context) {
+  sink.expect_workers(1);
+  base::PairWriter pairs(sink);
+  ContactTest<Dim> test(system.spheres, system.settings.margin, pairs, context);
+  direct_check(system.spheres.size(), test, context);
+  pairs.finish();
 }
 
-constexpr std::array<RegistryRow, 5> table{{
+template <int Dim>
+void trace_direct_check(const grid::CellCoordinates<Dim>& cells, CandidateRecorder& recorder,
+                        base::DetectionContext& context) {
+  direct_check(cells.element_count(), recorder, context);
+}
+
+template <int Dim>
+void rows(const System<Dim>& system, base::PairSink& sink, base::DetectionContext& context) {
+  engine::rows(system.spheres, system.bounds, system.settings, system.workspace, sink, context);
+}
+
+template <int Dim>
+constexpr Runs<Dim> direct_check_runs{.on_elements = direct_check_elements<Dim>,
+                                      .trace = trace_direct_check<Dim>};
+
+template <int Dim>
+constexpr Runs<Dim> binary_tree_runs{.on_cells = binary_tree<Dim, ContactTest<Dim>>,
+                                     .trace = binary_tree<Dim, CandidateRecorder>};
+
+template <int Dim>
+constexpr Runs<Dim> screening_array_runs{.on_cells = screening_array<Dim, ContactTest<Dim>>,
+                                         .trace = screening_array<Dim, CandidateRecorder>,
+                                         .grid_bytes = screening_array_bytes<Dim>};
+
+template <int Dim>
+constexpr Runs<Dim> sorting_array_runs{.on_cells = sorting_array<Dim, ContactTest<Dim>>,
+                                       .trace = sorting_array<Dim, CandidateRecorder>};
+
+constexpr Runs<2> munjiza_nbs_2d_runs{.on_cells = munjiza_nbs_2d<ContactTest<2>>,
+                                      .trace = munjiza_nbs_2d<CandidateRecorder>,
+                                      .grid_bytes = munjiza_nbs_bytes<2>};
+
+constexpr Runs<3> munjiza_nbs_3d_runs{.on_cells = munjiza_nbs_3d<ContactTest<3>>,
+                                      .trace = munjiza_nbs_3d<CandidateRecorder>,
+                                      .grid_bytes = munjiza_nbs_bytes<3>};
+
+template <int Dim>
+constexpr Runs<Dim> rows_runs{.on_elements = rows<Dim>};
+
+constexpr std::array<RegistryRow, 6> table{{
     {{Algorithm::direct_check, "direct_check", "every element against every other", "N^2", "0",
-      "77-80", 2, 3, false},
-     direct<2, ContactTest<2>>,
-     direct<3, ContactTest<3>>,
-     direct<2, CandidateRecorder>,
-     direct<3, CandidateRecorder>,
-     nullptr,
-     nullptr},
+      "77-80", 2, 3, false, true},
+     direct_check_runs<2>,
+     direct_check_runs<3>},
     {{Algorithm::binary_tree, "binary_tree", "occupied cells as leaves of a tree of halvings",
-      "N log N", "at most 2 N b + 2 N (b levels)", "81-87", 2, 3, false},
-     binary_tree<2, ContactTest<2>>,
-     binary_tree<3, ContactTest<3>>,
-     binary_tree<2, CandidateRecorder>,
-     binary_tree<3, CandidateRecorder>,
-     nullptr,
-     nullptr},
+      "N log N", "at most 2 N b + 2 N (b levels)", "81-87", 2, 3, false, true},
+     binary_tree_runs<2>,
+     binary_tree_runs<3>},
     {{Algorithm::screening_array, "screening_array", "one list for each cell, empty or not",
-      "N + cells", "cells + N", "89-94", 2, 3, false},
-     screening_array<2, ContactTest<2>>,
-     screening_array<3, ContactTest<3>>,
-     screening_array<2, CandidateRecorder>,
-     screening_array<3, CandidateRecorder>,
-     screening_array_bytes<2>,
-     screening_array_bytes<3>},
+      "N + cells", "cells + N", "89-94", 2, 3, false, true},
+     screening_array_runs<2>,
+     screening_array_runs<3>},
     {{Algorithm::sorting_array, "sorting_array", "elements sorted by cell, cells found by halving",
-      "N log N", "3 N in 2D, 4 N in 3D", "94-102, 120", 2, 3, false},
-     sorting_array<2, ContactTest<2>>,
-     sorting_array<3, ContactTest<3>>,
-     sorting_array<2, CandidateRecorder>,
-     sorting_array<3, CandidateRecorder>,
-     nullptr,
-     nullptr},
+      "N log N", "3 N in 2D, 4 N in 3D", "94-102, 120", 2, 3, false, true},
+     sorting_array_runs<2>,
+     sorting_array_runs<3>},
     {{Algorithm::munjiza_nbs, "munjiza_nbs", "lists of rows, then of the cells of two rows only",
-      "N", "2 N + n_y + 2 n_x in 2D, 3 N + n_z + 2 n_y + 2 n_x in 3D", "102-127", 2, 3, false},
-     munjiza_nbs_2d<ContactTest<2>>,
-     munjiza_nbs_3d<ContactTest<3>>,
-     munjiza_nbs_2d<CandidateRecorder>,
-     munjiza_nbs_3d<CandidateRecorder>,
-     munjiza_nbs_bytes<2>,
-     munjiza_nbs_bytes<3>},
+      "N", "2 N + n_y + 2 n_x in 2D, 3 N + n_z + 2 n_y + 2 n_x in 3D", "102-127", 2, 3, false,
+      true},
+     munjiza_nbs_2d_runs,
+     munjiza_nbs_3d_runs},
+    {{Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N", "at most 15 N", "", 2, 3,
+      false, false},
+     rows_runs<2>,
+     rows_runs<3>},
 }};
 
 constexpr auto infos = [] {

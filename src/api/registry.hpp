@@ -1,6 +1,9 @@
 #pragma once
 
 #include "base/detection_context.hpp"
+#include "base/pair_sink.hpp"
+#include "engine/rows.hpp"
+#include "grid/bounds.hpp"
 #include "grid/cell_coordinates.hpp"
 #include "reference/contact_test.hpp"
 
@@ -10,21 +13,42 @@
 
 namespace abut::api {
 
-/// One algorithm: what users read about it, and how it is run on the cells of the elements.
+/// What an algorithm that looks at the elements themselves is given.
+template <int Dim>
+struct System {
+  std::span<const base::Sphere<Dim>> spheres;
+  const grid::Bounds<Dim>& bounds;
+  const engine::RowsSettings& settings;
+  engine::Workspace<Dim>& workspace;
+};
+
+/// How an algorithm runs in one number of dimensions: on the elements, or on their cells.
+template <int Dim>
+struct Runs {
+  void (*on_elements)(const System<Dim>&, base::PairSink&, base::DetectionContext&) = nullptr;
+
+  using Cells = grid::CellCoordinates<Dim>;
+  void (*on_cells)(const Cells&, reference::ContactTest<Dim>&, base::DetectionContext&) = nullptr;
+  void (*trace)(const Cells&, reference::CandidateRecorder&, base::DetectionContext&) = nullptr;
+
+  /// Bytes of the arrays that follow the domain rather than the elements; none without it.
+  double (*grid_bytes)(const Cells&) = nullptr;
+};
+
+/// One algorithm: what users read about it, and how it is run.
 struct RegistryRow {
   AlgorithmInfo info;
+  Runs<2> in_2d;
+  Runs<3> in_3d;
 
-  template <int Dim, class Test>
-  using Run = void (*)(const grid::CellCoordinates<Dim>&, Test&, base::DetectionContext&);
-
-  Run<2, reference::ContactTest<2>> detect_2d;
-  Run<3, reference::ContactTest<3>> detect_3d;
-  Run<2, reference::CandidateRecorder> trace_2d;
-  Run<3, reference::CandidateRecorder> trace_3d;
-
-  /// Bytes of the arrays that follow the domain rather than the elements; 0 if there are none.
-  double (*grid_bytes_2d)(const grid::CellCoordinates<2>&);
-  double (*grid_bytes_3d)(const grid::CellCoordinates<3>&);
+  template <int Dim>
+  [[nodiscard]] const Runs<Dim>& runs() const noexcept {
+    if constexpr (Dim == 2) {
+      return in_2d;
+    } else {
+      return in_3d;
+    }
+  }
 };
 
 [[nodiscard]] std::span<const RegistryRow> registry();
@@ -34,11 +58,8 @@ struct RegistryRow {
 
 template <int Dim>
 [[nodiscard]] double grid_bytes(const RegistryRow& row, const grid::CellCoordinates<Dim>& cells) {
-  if constexpr (Dim == 2) {
-    return row.grid_bytes_2d == nullptr ? 0.0 : row.grid_bytes_2d(cells);
-  } else {
-    return row.grid_bytes_3d == nullptr ? 0.0 : row.grid_bytes_3d(cells);
-  }
+  const auto bytes = row.runs<Dim>().grid_bytes;
+  return bytes == nullptr ? 0.0 : bytes(cells);
 }
 
 }  // namespace abut::api

@@ -5,6 +5,7 @@
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
 #include "base/float_environment.hpp"
+#include "grid/integerise.hpp"
 #include "reference/partition_sort.hpp"
 
 #include <algorithm>
@@ -26,9 +27,9 @@ constexpr std::int32_t most_cells = std::numeric_limits<std::int32_t>::max() - 2
 template <int Dim>
 CellSystem cells_of(const ElementView& elements, const Options& options) {
   DetectionContext context;
-  const auto gathered = api::gather<Dim>(elements, context);
-  const auto cells =
-      grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
+  auto spheres = base::make_array_for_overwrite<base::Sphere<Dim>>(context.memory, 0);
+  const grid::Bounds<Dim> bounds = api::gather<Dim>(elements, spheres, context);
+  const auto cells = grid::integerise<Dim>(spheres, bounds, options.margin, context);
   CellSystem system;
   system.dimensions = Dim;
   system.cells.resize(elements.size());
@@ -79,11 +80,7 @@ void run(const api::RegistryRow& row, const CellSystem& system, Sink& sink) {
                     "to read; trace at most 65536 elements and 16 MiB of arrays");
   }
   reference::CandidateRecorder recorder(sink);
-  if constexpr (Dim == 2) {
-    row.trace_2d(cells, recorder, context);
-  } else {
-    row.trace_3d(cells, recorder, context);
-  }
+  row.runs<Dim>().trace(cells, recorder, context);
 }
 
 }  // namespace
@@ -99,6 +96,11 @@ CellSystem integerise(const ElementView& elements, const Options& options) {
 
 void run(Algorithm algorithm, const CellSystem& system, Sink& sink) {
   const api::RegistryRow& row = api::row_of(algorithm);
+  if (!row.info.traceable) {
+    throw Error(ErrorCode::wrong_usage,
+                std::string(row.info.name) +
+                    " has no arrays to show; its page in docs/algorithms tells how it works");
+  }
   require_grid(system);
   if (system.dimensions == 2) {
     run<2>(row, system, sink);

@@ -17,8 +17,13 @@ namespace {
 constexpr std::uint64_t gibibyte = std::uint64_t{1} << 30;
 constexpr std::uint64_t bytes_per_element = 2048;
 
-/// The book's lists hold element numbers and -1 in 32 bits.
-constexpr std::uint64_t most_elements = std::numeric_limits<std::int32_t>::max() - 1;
+/// The book's lists hold element numbers and -1 in 32 bits with a sign; rows holds numbers and
+/// their count in 32 bits without one.
+std::uint64_t most_elements(Algorithm algorithm) {
+  return algorithm == Algorithm::rows || algorithm == Algorithm::automatic
+             ? std::numeric_limits<std::uint32_t>::max() - 1
+             : std::numeric_limits<std::int32_t>::max() - 1;
+}
 
 std::uint64_t machine_memory() {
   const long pages = sysconf(_SC_PHYS_PAGES);
@@ -38,10 +43,12 @@ void validate(const Options& options, const ElementView& elements) {
     throw Error(ErrorCode::wrong_usage, "threads = " + std::to_string(options.threads) +
                                             "; give a positive number, or 0 for the default");
   }
-  if (elements.size() > most_elements) {
-    throw Error(ErrorCode::limit_exceeded,
-                std::to_string(elements.size()) + " elements; the algorithms number at most " +
-                    std::to_string(most_elements) + ": split the system");
+  const std::uint64_t most = most_elements(options.algorithm);
+  if (elements.size() > most) {
+    throw Error(ErrorCode::limit_exceeded, std::to_string(elements.size()) + " elements; " +
+                                               std::string(name_of(options.algorithm)) +
+                                               " numbers at most " + std::to_string(most) +
+                                               ": split the system");
   }
 }
 

@@ -7,8 +7,12 @@
 #include <abut/error.hpp>
 #include <abut/pair.hpp>
 
+#include <array>
+#include <atomic>
+#include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace abut::api {
 
@@ -18,21 +22,33 @@ class VisitingSink final : public base::PairSink {
   VisitingSink(PairCount limit, const PairBatchVisitor* visitor)
       : limit_(limit), visitor_(visitor) {}
 
-  PairCount count = 0;
+  [[nodiscard]] PairCount count() const noexcept { return count_; }
 
- private:
-  void receive(std::span<const ContactPair> found) override {
-    if (found.size() > limit_ - count) {
+  void expect_workers(std::size_t count) override {
+    while (rooms_.size() < count) rooms_.push_back(std::make_unique<Room>());
+  }
+
+  [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override { return *rooms_[worker]; }
+
+  void commit(std::size_t count, const base::Origin& origin) override {
+    if ((count_ += count) > limit_) {
       throw Error(ErrorCode::limit_exceeded,
                   "there are more than " + std::to_string(limit_) +
                       " contact pairs, the limit that was set; raise it");
     }
-    count += found.size();
-    if (visitor_ != nullptr) base::call_back([&] { (*visitor_)(found, 0); });
+    if (visitor_ == nullptr) return;
+    const auto found = std::span<const ContactPair>(*rooms_[origin.worker]).first(count);
+    base::call_back([&] { (*visitor_)(found, static_cast<WorkerNumber>(origin.worker)); });
   }
+
+ private:
+  /// 16 KiB, so that it stays in the first cache.
+  using Room = std::array<ContactPair, 2048>;
 
   PairCount limit_;
   const PairBatchVisitor* visitor_;
+  std::vector<std::unique_ptr<Room>> rooms_;
+  std::atomic<PairCount> count_ = 0;
 };
 
 }  // namespace abut::api

@@ -11,8 +11,12 @@ namespace abut::base {
 
 /// What every stage of a detection shares: the memory bound, the way to the caller's hook, the
 /// counters, and, for `explain`, the sink that looks inside.
-struct DetectionContext {
-  MemoryMeter memory;
+class DetectionContext {
+ private:
+  MemoryMeter own_meter_;
+
+ public:
+  MemoryMeter& memory;
   ProgressReporter progress;
   trace::Sink* trace = nullptr;
 
@@ -20,9 +24,11 @@ struct DetectionContext {
   std::uint64_t exact_decisions = 0;
   std::uint64_t list_insertions = 0;
 
-  DetectionContext() = default;
+  DetectionContext() : memory(own_meter_) {}
   DetectionContext(std::uint64_t memory_bound, const ProgressHook& hook)
-      : memory(memory_bound), progress(hook) {}
+      : own_meter_(memory_bound), memory(own_meter_), progress(hook) {}
+  /// For a detection whose arrays stay when it is done.
+  DetectionContext(MemoryMeter& meter, const ProgressHook& hook) : memory(meter), progress(hook) {}
 };
 
 }  // namespace abut::base

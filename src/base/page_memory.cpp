@@ -1,5 +1,7 @@
 #include "base/page_memory.hpp"
 
+#include <abut/pair_list.hpp>
+
 #include <cstdlib>
 #include <new>
 
@@ -38,3 +40,15 @@ void free_pages(void* block) noexcept {
 }
 
 }  // namespace abut::base
+
+namespace abut::detail {
+
+void* allocate_pages(std::size_t bytes) {
+  return base::allocate_pages(bytes);
+}
+
+void free_pages(void* block) noexcept {
+  base::free_pages(block);
+}
+
+}  // namespace abut::detail

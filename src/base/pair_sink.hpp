@@ -2,38 +2,65 @@
 
 #include <abut/pair.hpp>
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace abut::base {
 
-/// Where found pairs go: a small buffer that is handed on when it is full. `finish` hands on the
-/// rest; pairs still in the buffer when a detection fails are dropped with it.
+/// Who found pairs, and when a single worker would have: what a search delivers unit by unit, in
+/// ascending order, is the `as_found` order whatever the number of workers.
+struct Origin {
+  std::size_t worker = 0;
+  std::uint64_t unit = 0;
+};
+
+/// Where found pairs go. A worker writes into room of its own and commits what it wrote; workers do
+/// so at the same time. Pairs that were not committed when a detection fails are dropped with it.
 class PairSink {
  public:
   virtual ~PairSink() = default;
 
-  void push(ContactPair pair) {
-    buffer_[filled_++] = pair;
-    if (filled_ == buffer_.size()) finish();
-  }
+  /// Least size of a room.
+  static constexpr std::size_t smallest_room = 512;
 
-  void finish() {
-    const std::size_t count = filled_;
-    filled_ = 0;
-    if (count > 0) receive(std::span(buffer_).first(count));
-  }
+  /// Called once before anything else.
+  virtual void expect_workers(std::size_t count) = 0;
+
+  /// Room for pairs, this worker's own until it commits.
+  [[nodiscard]] virtual std::span<ContactPair> room(std::size_t worker) = 0;
+
+  /// The first `count` pairs of the worker's room are found; it must ask for room anew.
+  virtual void commit(std::size_t count, const Origin& origin) = 0;
 
  protected:
   PairSink() = default;
   PairSink(const PairSink&) = default;
   PairSink& operator=(const PairSink&) = default;
+};
+
+/// A single worker's pen.
+class PairWriter {
+ public:
+  explicit PairWriter(PairSink& sink) : sink_(sink), room_(sink.room(0)) {}
+
+  void push(ContactPair pair) {
+    room_[filled_++] = pair;
+    if (filled_ < room_.size()) return;
+    finish();
+    room_ = sink_.room(0);
+  }
+
+  /// Commits the rest; nothing is pushed after it.
+  void finish() {
+    const std::size_t count = filled_;
+    filled_ = 0;
+    if (count > 0) sink_.commit(count, {});
+  }
 
  private:
-  virtual void receive(std::span<const ContactPair> pairs) = 0;
-
-  std::array<ContactPair, 1024> buffer_;
+  PairSink& sink_;
+  std::span<ContactPair> room_;
   std::size_t filled_ = 0;
 };
 

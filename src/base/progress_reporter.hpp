@@ -25,6 +25,12 @@ class ProgressReporter {
     poll();
   }
 
+  /// The same, asked at once.
+  void report(std::uint64_t done) {
+    now_.done = done < now_.total ? done : now_.total;
+    poll();
+  }
+
   /// For long stretches inside one element: asks whether to go on.
   void poll() {
     if (hook_ != nullptr) ask();

@@ -2,21 +2,12 @@
 
 #include "base/detection_context.hpp"
 #include "base/sphere_predicate.hpp"
+#include "grid/bounds.hpp"
 #include "grid/cell_coordinates.hpp"
 
-#include <array>
 #include <span>
 
 namespace abut::grid {
-
-/// What the grid must know of the elements; found in the pass that reads them.
-template <int Dim>
-struct Bounds {
-  std::array<double, Dim> lower{};
-  std::array<double, Dim> upper{};
-  double largest_radius = 0.0;
-  double second_largest_radius = 0.0;
-};
 
 /// Maps every element to its cell (book: eq. 3.26, 3.40, 3.59, here counted from 0). Two elements
 /// within reach of each other always get equal or adjacent cells on every axis; the proof is in

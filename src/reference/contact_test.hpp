@@ -20,16 +20,16 @@ inline ContactPair half_pair(std::int32_t a, std::int32_t b) noexcept {
 template <int Dim>
 class ContactTest {
  public:
-  ContactTest(std::span<const base::Sphere<Dim>> spheres, double margin, base::PairSink& sink,
+  ContactTest(std::span<const base::Sphere<Dim>> spheres, double margin, base::PairWriter& pairs,
               base::DetectionContext& context)
-      : spheres_(spheres), margin_(margin), sink_(sink), context_(context) {}
+      : spheres_(spheres), margin_(margin), pairs_(pairs), context_(context) {}
 
   void operator()(std::int32_t a, std::int32_t b) {
     if ((++context_.candidate_tests & (tests_between_polls - 1)) == 0) context_.progress.poll();
     const auto i = static_cast<std::size_t>(a);
     const auto j = static_cast<std::size_t>(b);
     if (!base::within_reach(spheres_[i], spheres_[j], margin_, context_.exact_decisions)) return;
-    sink_.push(half_pair(a, b));
+    pairs_.push(half_pair(a, b));
   }
 
  private:
@@ -37,7 +37,7 @@ class ContactTest {
 
   std::span<const base::Sphere<Dim>> spheres_;
   double margin_;
-  base::PairSink& sink_;
+  base::PairWriter& pairs_;
   base::DetectionContext& context_;
 };
 

@@ -24,19 +24,11 @@ TEST(AutomaticChoice, FewElementsAreCheckedDirectly) {
   EXPECT_NE(chosen_for("dense", 65).algorithm, Algorithm::direct_check);
 }
 
-TEST(AutomaticChoice, NbsForCompactSystems) {
-  for (const char* name : {"pack_1", "hexagonal_2d", "dense", "gas", "touching_fcc"}) {
-    const Statistics statistics = chosen_for(name, 2000);
-    EXPECT_EQ(statistics.algorithm, Algorithm::munjiza_nbs) << name;
-    EXPECT_FALSE(statistics.reason.empty());
-  }
-}
-
-TEST(AutomaticChoice, SortingWhereHeadsWouldDwarfTheLists) {
-  for (const char* name : {"sparse", "clusters", "two_far_clusters"}) {
+TEST(AutomaticChoice, RowsForAllOthers) {
+  for (const char* name : {"pack_1", "dense", "gas", "sparse", "two_far_clusters", "graded"}) {
     const Statistics statistics = chosen_for(name, 500);
-    EXPECT_EQ(statistics.algorithm, Algorithm::sorting_array) << name;
-    EXPECT_NE(statistics.reason.find("more rows than elements"), std::string::npos)
+    EXPECT_EQ(statistics.algorithm, Algorithm::rows) << name;
+    EXPECT_NE(statistics.reason.find("more than 64 elements"), std::string::npos)
         << statistics.reason;
   }
 }

@@ -110,7 +110,7 @@ TEST(GridMemory, IsRefusedBeforeAllocatingAndTheAdviceWorks) {
     options.algorithm = wide.algorithm;
     const AllocationFault watch;
     for (const std::string& word : wide.words) {
-      expect_error(ErrorCode::limit_exceeded, {word, "bytes", "use sorting_array"}, [&] {
+      expect_error(ErrorCode::limit_exceeded, {word, "bytes", "use rows"}, [&] {
         static_cast<void>(find_contact_pairs(elements, Domain::open(), options));
       });
     }

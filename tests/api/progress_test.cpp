@@ -28,6 +28,7 @@ const Scene& scene() {
 Options with_hook(Algorithm algorithm, ProgressHook hook) {
   Options options;
   options.algorithm = algorithm;
+  options.threads = 1;
   options.progress = std::move(hook);
   return options;
 }

@@ -36,7 +36,7 @@ CellSystem system_of(int dimensions, std::array<std::int32_t, 3> cell_count,
 
 void expect_refused(ErrorCode code, std::initializer_list<std::string_view> words,
                     const CellSystem& system) {
-  for (const AlgorithmInfo& row : algorithms()) {
+  for (const AlgorithmInfo& row : traceable_algorithms()) {
     SCOPED_TRACE(std::string(row.name));
     CountingSink sink;
     expect_error(code, words, [&] { trace::run(row.algorithm, system, sink); });
@@ -99,7 +99,7 @@ TEST(Trace, ShowsTheSameCandidates) {
     const scenes::Scene scene = scenes::scene_named(name).make(300, 1);
     const CellSystem system = trace::integerise(view_of(scene), {});
     std::vector<std::uint64_t> counts;
-    for (const AlgorithmInfo& row : algorithms()) {
+    for (const AlgorithmInfo& row : traceable_algorithms()) {
       if (row.algorithm == Algorithm::direct_check) continue;
       CountingSink sink;
       trace::run(row.algorithm, system, sink);
@@ -113,7 +113,7 @@ TEST(Trace, ShowsTheSameCandidates) {
 TEST(Trace, OfNothing) {
   const CellSystem system = trace::integerise(view_of(scene_of(3, {})), {});
   EXPECT_TRUE(system.cells.empty());
-  for (const AlgorithmInfo& row : algorithms()) {
+  for (const AlgorithmInfo& row : traceable_algorithms()) {
     CountingSink sink;
     trace::run(row.algorithm, system, sink);
     EXPECT_EQ(sink.candidates, 0U);

@@ -9,7 +9,8 @@ import pytest
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "examples" / "data"
 GOLDEN = pathlib.Path(__file__).resolve().parent / "golden"
-ALGORITHMS = ["direct_check", "binary_tree", "screening_array", "sorting_array", "munjiza_nbs"]
+BOOK_ALGORITHMS = ["direct_check", "binary_tree", "screening_array", "sorting_array", "munjiza_nbs"]
+ALGORITHMS = [*BOOK_ALGORITHMS, "rows"]
 DISCS = "x,y,radius\n0,0,1\n2,0,1\n5,0,1\n5,1.5,1\n"
 
 

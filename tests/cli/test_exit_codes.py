@@ -34,7 +34,7 @@ def test_0_empty_input(abut, text):
     (["contact", YADE], "contact"),
     (["contacts"], "FILE"),
     (["contacts", YADE, "--box", "1,1,1"], "--box"),
-    (["contacts", YADE, "--algorithm", "rows"], "munjiza_nbs"),
+    (["contacts", YADE, "--algorithm", "grid"], "munjiza_nbs"),
     (["contacts", YADE, "--threads", "0"], "--threads 0"),
     (["contacts", YADE, "--threads", "two"], "--threads two"),
     (["contacts", YADE, "--order", "random"], "canonical or as_found"),
@@ -68,6 +68,7 @@ def test_0_empty_input(abut, text):
     (["compare", YADE, "--algorithms", "munjiza_nbs,fast"], "fast"),
     (["compare", YADE, "--algorithms", "auto"], "auto"),
     (["explain", "munjiza_nbs"], "--book"),
+    (["explain", "rows", "--book"], "no example of rows"),
     (["explain", "munjiza_nbs", YADE, "--book"], "--book"),
     (["explain", "auto", "--book"], "auto"),
 ])
@@ -89,7 +90,7 @@ def test_4_limits(fails, abut, tmp_path):
     assert "10240 bytes" in fails(4, "contacts", YADE, "--max-memory", "10K")
     sparse = abut("generate", "sparse", "--count", "1000").stdout
     sentence = fails(4, "contacts", "-", "--algorithm", "screening_array", stdin=sparse)
-    assert "screening_array" in sentence and "bytes" in sentence and "sorting_array" in sentence
+    assert "screening_array" in sentence and "bytes" in sentence and "rows" in sentence
     assert "1000000000000" in fails(4, "generate", "gas", "--count", "1000000000000")
     fails(4, "explain", "munjiza_nbs", YADE)
     assert not out.exists()
@@ -159,3 +160,8 @@ def handles(pid, kind):
     with open(f"/proc/{pid}/status") as file:
         caught = next(line for line in file if line.startswith("SigCgt"))
     return int(caught.split()[1], 16) >> (kind - 1) & 1
+
+
+def test_2_rows_has_nothing_to_explain(abut):
+    done = abut("explain", "rows", "-", stdin=DISCS)
+    assert (done.returncode, done.stdout) == (2, "") and "no arrays to show" in done.stderr

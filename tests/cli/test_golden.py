@@ -3,17 +3,17 @@
 import re
 
 import pytest
-from conftest import ALGORITHMS, DATA, DISCS, without_measurements
+from conftest import BOOK_ALGORITHMS, DATA, DISCS, without_measurements
 
 
-@pytest.mark.parametrize("algorithm", ALGORITHMS)
+@pytest.mark.parametrize("algorithm", BOOK_ALGORITHMS)
 def test_explain_book(abut, golden, algorithm):
     done = abut("explain", algorithm, "--book")
     assert (done.returncode, done.stderr) == (0, "")
     golden(f"explain_{algorithm}_book", done.stdout)
 
 
-@pytest.mark.parametrize("algorithm", ALGORITHMS)
+@pytest.mark.parametrize("algorithm", BOOK_ALGORITHMS)
 def test_explain_file(abut, golden, algorithm):
     """Six spheres in three layers, numbered from 0."""
     spheres = "x,y,z,radius\n0,0,0,1\n2.5,0,0,1\n2,2,2.5,1\n9,9,5,1\n0,0,1,1\n4,0,0,1\n"

@@ -119,7 +119,7 @@ const std::vector<Extreme> extremes{
 /// Heads for every cell of an enormous grid may be refused, with advice.
 bool refused_with_advice(const Error& error) {
   return error.code() == ErrorCode::limit_exceeded &&
-         std::string(error.what()).find("sorting_array") != std::string::npos;
+         std::string(error.what()).find("use rows") != std::string::npos;
 }
 
 class Extremes : public ::testing::TestWithParam<Extreme> {

@@ -44,7 +44,7 @@ std::optional<PairList> find_unless_refused(const ElementView& elements, const O
   try {
     return find_contact_pairs(elements, Domain::open(), options);
   } catch (const Error& error) {
-    const bool advised = std::string_view(error.what()).find("sorting_array") != std::string::npos;
+    const bool advised = std::string_view(error.what()).find("use rows") != std::string::npos;
     const bool grid_free = options.algorithm == Algorithm::automatic ||
                            options.algorithm == Algorithm::sorting_array ||
                            options.algorithm == Algorithm::direct_check;

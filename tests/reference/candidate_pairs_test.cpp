@@ -2,6 +2,7 @@
 
 #include "book/recorded_trace.hpp"
 #include "reference/cell_systems.hpp"
+#include "support/algorithm_list.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ std::vector<ContactPair> expected_pairs(Algorithm algorithm, const trace::CellSy
   return algorithm == Algorithm::direct_check ? all_pairs(system) : adjacent_pairs(system);
 }
 
-class CandidatePairs : public testing::TestWithParam<AlgorithmInfo> {
+class CandidatePairs : public ::testing::TestWithParam<AlgorithmInfo> {
  protected:
   Algorithm algorithm = GetParam().algorithm;
 
@@ -102,7 +103,8 @@ TEST_P(CandidatePairs, CellsThatWrapAroundAreNotNeighbors) {
   expect_right(system, "3D");
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryAlgorithm, CandidatePairs, testing::ValuesIn(algorithms()),
+INSTANTIATE_TEST_SUITE_P(EveryAlgorithm, CandidatePairs,
+                         ::testing::ValuesIn(abut::testing::traceable_algorithms()),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace

@@ -19,4 +19,13 @@ namespace abut::testing {
   return result;
 }
 
+/// Those whose arrays trace::run shows: the algorithms of the book.
+[[nodiscard]] inline std::vector<AlgorithmInfo> traceable_algorithms() {
+  std::vector<AlgorithmInfo> result;
+  for (const AlgorithmInfo& row : algorithms()) {
+    if (row.traceable) result.push_back(row);
+  }
+  return result;
+}
+
 }  // namespace abut::testing

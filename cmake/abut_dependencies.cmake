@@ -1,0 +1,35 @@
+# What the core uses where it is there: Highway for vectors, OpenMP for threads. Both are private.
+# ABUT_HIGHWAY and ABUT_OPENMP: ON demands one, OFF does without, AUTO takes what is found.
+
+set(ABUT_USE_HIGHWAY OFF)
+if(NOT ABUT_HIGHWAY STREQUAL OFF)
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(HWY QUIET libhwy)
+  endif()
+  set(ABUT_USE_HIGHWAY ${HWY_FOUND})
+  if(ABUT_HIGHWAY STREQUAL ON AND NOT HWY_FOUND)
+    message(FATAL_ERROR "ABUT_HIGHWAY is ON, but libhwy is not found by pkg-config; "
+      "install libhwy-dev and pkgconf, or take AUTO or OFF")
+  endif()
+endif()
+
+set(ABUT_USE_OPENMP OFF)
+if(NOT ABUT_OPENMP STREQUAL OFF)
+  find_package(OpenMP QUIET COMPONENTS CXX)
+  if(OpenMP_CXX_FOUND)
+    set(ABUT_USE_OPENMP ON)
+  elseif(ABUT_OPENMP STREQUAL ON)
+    message(FATAL_ERROR "ABUT_OPENMP is ON, but the compiler has no OpenMP; take AUTO or OFF")
+  endif()
+endif()
+
+set(ABUT_CORE_LIBRARIES)
+if(ABUT_USE_HIGHWAY)
+  list(APPEND ABUT_CORE_LIBRARIES ${HWY_LINK_LIBRARIES})
+endif()
+if(ABUT_USE_OPENMP)
+  list(APPEND ABUT_CORE_LIBRARIES ${OpenMP_CXX_LIBRARIES})
+endif()
+
+message(STATUS "abut: vectors (Highway) ${ABUT_USE_HIGHWAY}, threads (OpenMP) ${ABUT_USE_OPENMP}")

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <abut/detect.hpp>
+#include <abut/export.hpp>
+#include <abut/neighbor_list.hpp>
+
+#include <memory>
+
+namespace abut {
+
+namespace api {
+class Detection;
+}
+
+/// Detects contacts again and again, for example once in each time step, and keeps its memory in
+/// between: a call with no more elements and pairs than those before allocates nothing. The results
+/// are those of the free functions of the same names.
+///
+/// One call at a time; several detectors may work at once.
+class ABUT_API Detector {
+ public:
+  explicit Detector(Options options = {});
+  ~Detector();
+
+  Detector(Detector&&) noexcept;
+  Detector& operator=(Detector&&) noexcept;
+
+  [[nodiscard]] const Options& options() const noexcept;
+  /// For the calls that follow.
+  void set_options(Options options);
+
+  /// The list is valid until the next call that returns one. Throws as the free function does; the
+  /// last list is then empty.
+  const PairList& find_contact_pairs(const ElementView& elements,
+                                     const Domain& domain = Domain::open());
+
+  Statistics count_contact_pairs(const ElementView& elements,
+                                 const Domain& domain = Domain::open());
+
+  Statistics for_each_batch(const ElementView& elements, const Domain& domain,
+                            const PairBatchVisitor& visitor);
+
+  /// The list is valid until the next call that returns one.
+  const NeighborList& build_neighbor_list(const ElementView& elements, const Domain& domain,
+                                          NeighborListKind kind);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace abut

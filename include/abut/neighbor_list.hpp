@@ -1,0 +1,62 @@
+#pragma once
+
+#include <abut/detect.hpp>
+#include <abut/export.hpp>
+#include <abut/pair_list.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace abut {
+
+enum class NeighborListKind {
+  half,  ///< of each contact pair (i, j), i < j: j is a neighbor of i
+  full,  ///< and i is a neighbor of j
+};
+
+/// The neighbors of each element in compressed rows: those of element e are
+/// neighbors[offsets[e]] .. neighbors[offsets[e + 1] - 1], in ascending order.
+class NeighborList {
+ public:
+  using Offsets = std::vector<PairCount, detail::PageAllocator<PairCount>>;
+  using Neighbors = std::vector<ElementIndex, detail::PageAllocator<ElementIndex>>;
+
+  NeighborList() = default;
+  NeighborList(Offsets offsets, Neighbors neighbors, Statistics statistics)
+      : offsets_(std::move(offsets)),
+        neighbors_(std::move(neighbors)),
+        statistics_(std::move(statistics)) {}
+
+  /// Number of elements.
+  [[nodiscard]] std::size_t size() const noexcept {
+    return offsets_.empty() ? 0 : offsets_.size() - 1;
+  }
+
+  /// Neighbors of one element, which must be < size().
+  [[nodiscard]] std::span<const ElementIndex> operator[](std::size_t element) const noexcept {
+    return std::span(neighbors_)
+        .subspan(offsets_[element], offsets_[element + 1] - offsets_[element]);
+  }
+
+  /// size() + 1 numbers, the first 0.
+  [[nodiscard]] std::span<const PairCount> offsets() const noexcept { return offsets_; }
+  [[nodiscard]] std::span<const ElementIndex> neighbors() const noexcept { return neighbors_; }
+
+  [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
+
+ private:
+  friend class Detector;
+
+  Offsets offsets_;
+  Neighbors neighbors_;
+  Statistics statistics_;
+};
+
+/// The contact pairs as neighbor list, built without a list of pairs in between. Throws as
+/// find_contact_pairs does; `order` is of no account, for neighbors always ascend.
+[[nodiscard]] ABUT_API NeighborList build_neighbor_list(const ElementView& elements,
+                                                        const Domain& domain, NeighborListKind kind,
+                                                        const Options& options = {});
+
+}  // namespace abut

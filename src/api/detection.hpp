@@ -1,0 +1,74 @@
+#pragma once
+
+#include "api/found_pairs.hpp"
+#include "api/gathered_elements.hpp"
+#include "base/detection_context.hpp"
+#include "base/memory_meter.hpp"
+#include "base/pair_sink.hpp"
+#include "engine/workspace.hpp"
+#include "grid/bounds.hpp"
+
+#include <abut/detect.hpp>
+#include <abut/neighbor_list.hpp>
+
+#include <functional>
+
+namespace abut::api {
+
+/// The arrays of a detection and its course; kept by a Detector, or used once by a free function.
+class Detection {
+ public:
+  Detection() = default;
+  Detection(const Detection&) = delete;
+  Detection& operator=(const Detection&) = delete;
+
+  Statistics list_pairs(const ElementView& elements, const Options& options, PairArray& pairs);
+
+  /// Counts only without a visitor.
+  Statistics visit_batches(const ElementView& elements, const Options& options,
+                           const PairBatchVisitor& visitor);
+
+  Statistics list_neighbors(const ElementView& elements, const Options& options,
+                            NeighborListKind kind, NeighborList::Offsets& offsets,
+                            NeighborList::Neighbors& neighbors);
+
+ private:
+  template <int Dim>
+  struct Arrays {
+    explicit Arrays(base::MemoryMeter& memory)
+        : spheres(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
+          workspace(memory) {}
+
+    base::Array<base::Sphere<Dim>> spheres;
+    engine::Workspace<Dim> workspace;
+  };
+
+  template <int Dim>
+  [[nodiscard]] Arrays<Dim>& arrays() noexcept {
+    if constexpr (Dim == 2) {
+      return in_2d_;
+    } else {
+      return in_3d_;
+    }
+  }
+
+  Statistics run(const ElementView& elements, const Options& options, base::PairSink& sink,
+                 base::DetectionContext& context);
+  template <int Dim>
+  Statistics run_in(const ElementView& elements, const Options& options, base::PairSink& sink,
+                    base::DetectionContext& context);
+  template <int Dim>
+  void search(const grid::Bounds<Dim>& bounds, const Options& options, base::PairSink& sink,
+              base::DetectionContext& context, Statistics& statistics);
+
+  /// Sets the scene for `body(context)` and turns lack of memory into an Error.
+  template <class Body>
+  Statistics guarded(const ElementView& elements, const Options& options, Body&& body);
+
+  base::MemoryMeter memory_;
+  Arrays<2> in_2d_{memory_};
+  Arrays<3> in_3d_{memory_};
+  FoundPairs found_{memory_};
+};
+
+}  // namespace abut::api

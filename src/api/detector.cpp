@@ -1,0 +1,54 @@
+#include <abut/detector.hpp>
+
+#include "api/detection.hpp"
+
+#include <utility>
+
+namespace abut {
+
+struct Detector::State {
+  explicit State(Options given) : options(std::move(given)) {}
+
+  Options options;
+  api::Detection detection;
+  PairList pairs;
+  NeighborList neighbors;
+};
+
+Detector::Detector(Options options) : state_(std::make_unique<State>(std::move(options))) {}
+Detector::~Detector() = default;
+Detector::Detector(Detector&&) noexcept = default;
+Detector& Detector::operator=(Detector&&) noexcept = default;
+
+const Options& Detector::options() const noexcept {
+  return state_->options;
+}
+
+void Detector::set_options(Options options) {
+  state_->options = std::move(options);
+}
+
+const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain&) {
+  PairList& list = state_->pairs;
+  list.statistics_ = state_->detection.list_pairs(elements, state_->options, list.pairs_);
+  return list;
+}
+
+Statistics Detector::count_contact_pairs(const ElementView& elements, const Domain& domain) {
+  return for_each_batch(elements, domain, {});
+}
+
+Statistics Detector::for_each_batch(const ElementView& elements, const Domain&,
+                                    const PairBatchVisitor& visitor) {
+  return state_->detection.visit_batches(elements, state_->options, visitor);
+}
+
+const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain&,
+                                                  NeighborListKind kind) {
+  NeighborList& list = state_->neighbors;
+  list.statistics_ = state_->detection.list_neighbors(elements, state_->options, kind,
+                                                      list.offsets_, list.neighbors_);
+  return list;
+}
+
+}  // namespace abut

@@ -1,0 +1,100 @@
+#include "api/found_pairs.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace abut::api {
+namespace {
+
+/// Chunks double up to 2 MiB, one large page.
+constexpr std::size_t smallest_chunk = 4096;
+constexpr std::size_t largest_chunk = std::size_t{1} << 18;
+
+}  // namespace
+
+FoundPairs::~FoundPairs() {
+  for (const auto& worker : workers_) {
+    for (const Chunk& chunk : worker->chunks) {
+      memory_.give_back_pairs(chunk.pairs.size() * sizeof(ContactPair));
+    }
+  }
+}
+
+void FoundPairs::start_anew(PairCount limit) {
+  limit_ = limit;
+  total_ = 0;
+  for (const auto& worker : workers_) {
+    worker->current = 0;
+    worker->segments.clear();
+    for (Chunk& chunk : worker->chunks) chunk.filled = 0;
+  }
+}
+
+void FoundPairs::expect_workers(std::size_t count) {
+  while (workers_.size() < count) workers_.push_back(std::make_unique<Worker>());
+}
+
+std::span<ContactPair> FoundPairs::room(std::size_t number) {
+  Worker& worker = *workers_[number];
+  const auto free_in = [&](std::size_t k) {
+    return worker.chunks[k].pairs.size() - worker.chunks[k].filled;
+  };
+  while (worker.current < worker.chunks.size() && free_in(worker.current) < smallest_room) {
+    ++worker.current;
+  }
+  if (worker.current == worker.chunks.size()) add_chunk(worker);
+  Chunk& chunk = worker.chunks[worker.current];
+  return std::span(chunk.pairs).subspan(chunk.filled);
+}
+
+void FoundPairs::add_chunk(Worker& worker) {
+  const std::size_t size = worker.chunks.empty()
+                               ? smallest_chunk
+                               : std::min(2 * worker.chunks.back().pairs.size(), largest_chunk);
+  memory_.take_for_pairs(size * sizeof(ContactPair));
+  try {
+    worker.chunks.push_back({PairArray(size), 0});
+  } catch (...) {
+    memory_.give_back_pairs(size * sizeof(ContactPair));
+    throw;
+  }
+}
+
+void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
+  if ((total_ += count) > limit_) {
+    throw Error(ErrorCode::limit_exceeded,
+                "there are more than " + std::to_string(limit_) +
+                    " contact pairs, the limit that was set; raise it, or count the pairs "
+                    "without storing them");
+  }
+  Worker& worker = *workers_[origin.worker];
+  Chunk& chunk = worker.chunks[worker.current];
+  const auto added = std::span<const ContactPair>(chunk.pairs).subspan(chunk.filled, count);
+  chunk.filled += count;
+  if (!worker.segments.empty()) {
+    Segment& last = worker.segments.back();
+    if (last.unit == origin.unit && last.pairs.data() + last.pairs.size() == added.data()) {
+      last.pairs = {last.pairs.data(), last.pairs.size() + count};
+      return;
+    }
+  }
+  worker.segments.push_back({origin.unit, worker.segments.size(), added});
+}
+
+std::vector<std::span<const ContactPair>> FoundPairs::pieces() const {
+  std::vector<Segment> segments;
+  for (const auto& worker : workers_) {
+    segments.insert(segments.end(), worker->segments.begin(), worker->segments.end());
+  }
+  // The segments of a unit are all one worker's.
+  std::sort(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
+    return a.unit != b.unit ? a.unit < b.unit : a.number < b.number;
+  });
+  std::vector<std::span<const ContactPair>> result;
+  for (const Segment& segment : segments) result.push_back(segment.pairs);
+  return result;
+}
+
+}  // namespace abut::api

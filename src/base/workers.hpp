@@ -1,0 +1,81 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <utility>
+
+namespace abut::base {
+
+/// Threads that a detection uses: as many as asked for; for 0, what OpenMP would take, but no more
+/// than the elements keep busy. One in a process that was forked, where an OpenMP runtime may hang,
+/// and where OpenMP is not built in.
+[[nodiscard]] std::size_t worker_count(int asked, std::size_t elements);
+
+namespace detail {
+
+/// Calls body(context, w) once for each w < count, on up to `count` threads.
+void run_on_threads(std::size_t count, void (*body)(void* context, std::size_t worker),
+                    void* context);
+
+}  // namespace detail
+
+/// Calls body(worker) once for each worker, at the same time; each with the floating-point
+/// environment that the library needs. An exception does not leave its thread: the first one by
+/// number of worker is rethrown here, when all are done.
+template <class Body>
+void for_each_worker(std::size_t count, Body&& body) {
+  if (count == 1) return body(std::size_t{0});
+  struct Shared {
+    Body& body;
+    std::mutex mutex;
+    std::exception_ptr first;
+    std::size_t thrower = 0;
+  } shared{body, {}, {}, 0};
+  detail::run_on_threads(
+      count,
+      [](void* context, std::size_t worker) {
+        auto& state = *static_cast<Shared*>(context);
+        try {
+          state.body(worker);
+        } catch (...) {
+          const std::lock_guard lock(state.mutex);
+          if (!state.first || worker < state.thrower) {
+            state.first = std::current_exception();
+            state.thrower = worker;
+          }
+        }
+      },
+      &shared);
+  if (shared.first) std::rethrow_exception(shared.first);
+}
+
+/// Calls body(worker, k) once for each k < size; workers take the next k that is free. When one
+/// throws, the others finish their k and stop.
+template <class Body>
+void for_each_index(std::size_t count, std::size_t size, Body&& body) {
+  if (count == 1) {
+    for (std::size_t k = 0; k < size; ++k) body(std::size_t{0}, k);
+    return;
+  }
+  std::atomic<std::size_t> next = 0;
+  for_each_worker(count, [&](std::size_t worker) {
+    try {
+      for (std::size_t k = next++; k < size; k = next++) body(worker, k);
+    } catch (...) {
+      next = size;
+      throw;
+    }
+  });
+}
+
+/// The part of [0, size) that is a worker's: contiguous, in order, of equal size but for one.
+[[nodiscard]] inline std::pair<std::size_t, std::size_t> share_of(std::size_t worker,
+                                                                  std::size_t count,
+                                                                  std::size_t size) {
+  return {size / count * worker + size % count * worker / count,
+          size / count * (worker + 1) + size % count * (worker + 1) / count};
+}
+
+}  // namespace abut::base

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/sphere_predicate.hpp"
+#include "engine/group.hpp"
+#include "engine/tiles.hpp"
+#include "engine/workspace.hpp"
+
+#include <span>
+
+namespace abut::engine {
+
+/// Divides a group by size at `cut`. What remains to be searched, each pair in one of them:
+///
+///   large    natives and foreigns of that size; the group's visitors
+///   small    the others; the group's visitors and all large ones as visitors
+///   across   small foreigns as natives, visited by large natives
+template <int Dim>
+void divide_by_size(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group, double cut,
+                    Floor<Dim>& floor);
+
+/// Own elements of a tile as natives, copies within a cell of their box as foreigns, visitors that
+/// reach the box.
+template <int Dim>
+void collect_tile(std::span<const base::Sphere<Dim>> spheres, const Tiles<Dim>& tiles,
+                  std::size_t tile, double cell_size, double margin, Members& members);
+
+/// The group of some members, with its bounds.
+template <int Dim>
+[[nodiscard]] Group<Dim> group_of(std::span<const base::Sphere<Dim>> spheres,
+                                  const Members& members, Wanted wanted);
+
+}  // namespace abut::engine

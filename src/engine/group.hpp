@@ -1,0 +1,47 @@
+#pragma once
+
+#include "grid/bounds.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::engine {
+
+/// Numbers of elements; without a list, 0, 1, 2, ...
+class Numbers {
+ public:
+  Numbers() = default;
+  explicit Numbers(std::size_t first_ones) : size_(first_ones) {}
+  Numbers(const std::uint32_t* list, std::size_t size) : list_(list), size_(size) {}
+
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+  [[nodiscard]] std::uint32_t operator[](std::size_t k) const noexcept {
+    return list_ == nullptr ? static_cast<std::uint32_t>(k) : list_[k];
+  }
+
+ private:
+  const std::uint32_t* list_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+enum class Wanted {
+  all_pairs,         ///< among natives, of natives with foreigns, of natives with visitors
+  pairs_of_visitors  ///< of natives with visitors only
+};
+
+/// What is searched together. *Natives* belong to the group. *Foreigns* are copies of the elements
+/// around it, smaller or as large as its natives; they pair with natives only, each such pair being
+/// found in the native's group. *Visitors* are larger elements that pair with natives without being
+/// sorted into their cells. A foreign lies outside the natives' box.
+template <int Dim>
+struct Group {
+  Numbers natives;
+  Numbers foreigns;
+  Numbers visitors;
+  Wanted wanted = Wanted::all_pairs;
+  double least_tiles = 1.0;  ///< more than one where a single tile would be crowded again
+  grid::Bounds<Dim> bounds;  ///< box of the natives; radii of natives and foreigns
+};
+
+}  // namespace abut::engine

@@ -1,0 +1,258 @@
+#include "engine/group_search.hpp"
+
+#include "base/workers.hpp"
+#include "engine/divide.hpp"
+#include "engine/size_cut.hpp"
+
+#include <algorithm>
+
+namespace abut::engine {
+namespace {
+
+/// Room for the roundings of single precision in a tile of at most 2^10 cells a side: see
+/// docs/derivations/tile_filter.md.
+constexpr double cell_margin = 1.0 + 0x1p-10;
+
+/// Cells below this size would make counts of cells, or their inverse, overflow.
+constexpr double smallest_cell = 0x1p-900;
+constexpr double most_cells_along_box = 0x1p60;
+
+/// Tiles of so many cells a side have 15 % copies; wider ones fall out of the cache.
+constexpr double cells_along_tile = 18.0;
+constexpr double elements_per_tile = 6000.0;
+constexpr double least_elements_per_tile = 512.0;
+constexpr double most_tiles = 1 << 25;
+
+/// A tile is crowded with this many elements in the cell of an average element, if it has many.
+constexpr std::uint64_t crowd = 12;
+constexpr std::size_t few_elements = 128;
+constexpr double tiles_of_crowd = 8.0;
+
+/// Groups in a tile that are worth all workers' time.
+constexpr std::size_t large_group = 1 << 15;
+
+/// A hair above the reach, and never so small that counts of cells overflow.
+template <int Dim>
+double cell_size_for(const grid::Bounds<Dim>& bounds, double margin) {
+  const double reach = bounds.largest_radius + bounds.second_largest_radius + margin;
+  double cell = std::max(reach * cell_margin, smallest_cell);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    cell = std::max(cell, (bounds.upper[axis] - bounds.lower[axis]) / most_cells_along_box);
+  }
+  return cell;
+}
+
+template <int Dim>
+Crowd crowd_of(const grid::Bounds<Dim>& sizes, double margin, double volume) {
+  return {sizes.largest_radius, sizes.smallest_radius, margin, volume};
+}
+
+template <int Dim>
+double volume_in_cells(const grid::Bounds<Dim>& bounds, double cell) {
+  constexpr double infinite = 0x1p300;
+  double volume = 1.0;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    volume *= std::clamp((bounds.upper[axis] - bounds.lower[axis]) / cell, 1.0, infinite);
+  }
+  return volume;
+}
+
+/// Small tiles where that costs no copies; else such as fit into the cache.
+template <int Dim>
+TileGrid<Dim> cut_into_tiles(const Group<Dim>& group, double cell) {
+  const auto natives = static_cast<double>(group.natives.size());
+  const auto at_most = [&](double tiles) {
+    return std::clamp(tiles, group.least_tiles, std::max(group.least_tiles, most_tiles));
+  };
+  const auto wide = TileGrid<Dim>::over(group.bounds, cell, cells_along_tile,
+                                        at_most(natives / least_elements_per_tile));
+  const double wanted = at_most(natives / elements_per_tile);
+  if (wide.tiles_in_box() >= wanted) return wide;
+  return TileGrid<Dim>::over(group.bounds, cell, 1.0, wanted);
+}
+
+template <int Dim>
+void count_radii(RadiusHistogram& histogram, std::span<const base::Sphere<Dim>> spheres,
+                 const Numbers& numbers) {
+  for (std::size_t k = 0; k < numbers.size(); ++k) histogram.add(spheres[numbers[k]].radius);
+}
+
+}  // namespace
+
+template <int Dim>
+GroupSearch<Dim>::GroupSearch(const Task<Dim>& task, Workspace<Dim>& workspace, std::size_t workers,
+                              base::DetectionContext& context)
+    : task_(task), workspace_(workspace), worker_count_(workers), context_(context) {
+  workspace.expect_workers(workers);
+  for (std::size_t w = 0; w < workers; ++w) workers_.emplace_back(task, *workspace.benches[w], w);
+}
+
+template <int Dim>
+void GroupSearch<Dim>::search(const Group<Dim>& group) {
+  search(group, Post{nullptr, workspace_.floors, workspace_.histogram, 0});
+  for (TileSearcher<Dim>& worker : workers_) {
+    worker.finish_unit();
+    context_.candidate_tests += worker.candidate_tests();
+    context_.exact_decisions += worker.exact_decisions();
+  }
+}
+
+template <int Dim>
+void GroupSearch<Dim>::search(const Group<Dim>& group, const Post& post) {
+  if (group.natives.empty()) return;
+  if (group.wanted == Wanted::pairs_of_visitors && group.visitors.empty()) return;
+  if (group.bounds.smallest_radius < group.bounds.largest_radius) {
+    post.histogram.clear();
+    count_radii(post.histogram, task_.spheres, group.natives);
+    count_radii(post.histogram, task_.spheres, group.foreigns);
+    const double cell = cell_size_for(group.bounds, task_.margin);
+    const double volume = volume_in_cells(group.bounds, cell);
+    if (const auto cut =
+            choose_size_cut<Dim>(post.histogram, crowd_of(group.bounds, task_.margin, volume))) {
+      return search_divided(group, *cut, post);
+    }
+  }
+  search_tiles(group, post);
+}
+
+template <int Dim>
+void GroupSearch<Dim>::search_divided(const Group<Dim>& group, double cut, const Post& post) {
+  Floor<Dim>& floor = post.floors.at(post.depth);
+  divide_by_size(task_.spheres, group, cut, floor);
+  search(group_of(task_.spheres, floor.large, group.wanted), post.deeper());
+  search(group_of(task_.spheres, floor.small, group.wanted), post.deeper());
+  search(group_of(task_.spheres, floor.across, Wanted::pairs_of_visitors), post.deeper());
+}
+
+template <int Dim>
+void GroupSearch<Dim>::search_tiles(const Group<Dim>& group, const Post& post) {
+  const TileGrid<Dim> grid = cut_into_tiles(group, cell_size_for(group.bounds, task_.margin));
+  Tiles<Dim>& tiles = post.floors.at(post.depth).tiles;
+  if (post.worker != nullptr) {
+    tiles.partition(task_.spheres, group, grid, task_.margin, 1);
+    for (std::size_t tile = 0; tile < grid.tile_count; ++tile) {
+      search_tile(group, grid, tiles, tile, post);
+    }
+    return;
+  }
+  tiles.partition(task_.spheres, group, grid, task_.margin, worker_count_);
+  base::for_each_index(worker_count_, grid.tile_count, [&](std::size_t w, std::size_t tile) {
+    TileSearcher<Dim>& worker = workers_[w];
+    if (tiles.own_count(tile) == 0) return;
+    worker.begin_unit(next_unit_ + tile);
+    search_tile(group, grid, tiles, tile,
+                {&worker, worker.bench().floors, worker.bench().histogram, 0});
+    if (worker_count_ > 1) worker.finish_unit();
+    searched_ += tiles.own_count(tile);
+    if (w == 0) context_.progress.report(searched_);
+  });
+  next_unit_ += grid.tile_count;
+  context_.progress.report(searched_);
+  search_waiting(post);
+}
+
+template <int Dim>
+void GroupSearch<Dim>::search_tile(const Group<Dim>& group, const TileGrid<Dim>& grid,
+                                   const Tiles<Dim>& tiles, std::size_t tile, const Post& post) {
+  const std::size_t own = tiles.own_count(tile);
+  const auto visitors = tiles.visitors(tile);
+  const bool all_pairs = group.wanted == Wanted::all_pairs;
+  if (own == 0 || (!all_pairs && visitors.empty())) return;
+  const auto records = tiles.records(tile);
+  SortedTile<Dim>& sorted = post.worker->bench().tile;
+  const TileCells<Dim> cells = choose_tile_cells(grid, tiles.unit(), records.size());
+  sorted.count(records, own, cells);
+  if (records.size() > few_elements && sorted.crowding() > crowd * records.size() &&
+      search_crowded_tile(group, grid, tiles, tile, cells, post)) {
+    return;
+  }
+  const grid::Bounds<Dim>& bounds = group.bounds;
+  const bool equal_radii = bounds.smallest_radius == bounds.largest_radius;
+  sorted.sort(records, equal_radii ? records[0].radius : -1.0f);
+  if (all_pairs) post.worker->search(tiles.unit());
+  if (visitors.empty()) return;
+  post.worker->visit({grid.corner(tile), cells.size_in_unit(grid, tiles.unit()), tiles.unit(),
+                      (bounds.largest_radius + task_.margin) * tiles.unit()},
+                     visitors);
+}
+
+/// Whether there was a better way than the cells at hand: cells larger than the reach asks for are
+/// cut anew where the elements are; large elements are taken out where that pays.
+template <int Dim>
+bool GroupSearch<Dim>::search_crowded_tile(const Group<Dim>& group, const TileGrid<Dim>& grid,
+                                           const Tiles<Dim>& tiles, std::size_t tile,
+                                           const TileCells<Dim>& cells, const Post& post) {
+  std::optional<double> cut;
+  if (!cells.coarse) {
+    cut = size_cut_in(group, grid, tiles, tile, cells, post);
+    if (!cut) return false;
+  }
+  // Tiles of a group of all workers stand at depth 0 of the worker's own floors.
+  const bool waits = post.depth == 0 && tiles.own_count(tile) >= large_group;
+  Part part{waits ? &spare_members() : &post.floors.at(post.depth).part, group.wanted, cut};
+  collect_tile(task_.spheres, tiles, tile, grid.cell_size, task_.margin, *part.members);
+  if (!waits) {
+    search(part, post);
+    return true;
+  }
+  const std::lock_guard lock(waiting_mutex_);
+  waiting_.push_back({tile, part});
+  return true;
+}
+
+template <int Dim>
+std::optional<double> GroupSearch<Dim>::size_cut_in(const Group<Dim>& group,
+                                                    const TileGrid<Dim>& grid,
+                                                    const Tiles<Dim>& tiles, std::size_t tile,
+                                                    const TileCells<Dim>& cells,
+                                                    const Post& post) const {
+  if (group.bounds.smallest_radius == group.bounds.largest_radius) return std::nullopt;
+  post.histogram.clear();
+  grid::Bounds<Dim> sizes;
+  for (const Record<Dim>& record : tiles.records(tile)) {
+    const double radius = task_.spheres[record.number].radius;
+    post.histogram.add(radius);
+    sizes.include_radius(radius);
+  }
+  const SortedTile<Dim>& sorted = post.worker->bench().tile;
+  const auto count = static_cast<double>(sorted.size());
+  const double crowded_cells = count * count / static_cast<double>(sorted.crowding());
+  const double volume = crowded_cells * cells.volume_in(grid, cell_size_for(sizes, task_.margin));
+  return choose_size_cut<Dim>(post.histogram, crowd_of(sizes, task_.margin, volume));
+}
+
+template <int Dim>
+void GroupSearch<Dim>::search(const Part& part, const Post& post) {
+  Group<Dim> group = group_of(task_.spheres, *part.members, part.wanted);
+  group.least_tiles = tiles_of_crowd;
+  if (part.size_cut) {
+    search_divided(group, *part.size_cut, post.deeper());
+  } else {
+    search(group, post.deeper());
+  }
+}
+
+template <int Dim>
+Members& GroupSearch<Dim>::spare_members() {
+  const std::lock_guard lock(waiting_mutex_);
+  if (workspace_.deferred.size() == deferred_in_use_) {
+    workspace_.deferred.push_back(std::make_unique<Members>(workspace_.memory));
+  }
+  return *workspace_.deferred[deferred_in_use_++];
+}
+
+template <int Dim>
+void GroupSearch<Dim>::search_waiting(const Post& post) {
+  // Those that wait while these are searched are a list of their own.
+  std::vector<Waiting> waiting;
+  waiting.swap(waiting_);
+  std::sort(waiting.begin(), waiting.end(),
+            [](const Waiting& a, const Waiting& b) { return a.tile < b.tile; });
+  for (const Waiting& one : waiting) search(one.part, post);
+  deferred_in_use_ -= waiting.size();
+}
+
+template class GroupSearch<2>;
+template class GroupSearch<3>;
+
+}  // namespace abut::engine

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::engine {
+
+/// How many elements have which radius, in classes half an octave wide: the exponent of a double
+/// and the first bit of its significand.
+class RadiusHistogram {
+ public:
+  static constexpr std::size_t classes = 1 << 12;
+
+  void clear() noexcept { counts_.fill(0); }
+  void add(double radius) noexcept { ++counts_[class_of(radius)]; }
+
+  [[nodiscard]] std::uint32_t count(std::size_t k) const noexcept { return counts_[k]; }
+
+  [[nodiscard]] static std::size_t class_of(double radius) noexcept {
+    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(radius) >> 51);
+  }
+  /// Radii of class k are below this.
+  [[nodiscard]] static double upper_end(std::size_t k) noexcept {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1) << 51);
+  }
+
+ private:
+  std::array<std::uint32_t, classes> counts_{};
+};
+
+}  // namespace abut::engine

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "base/pair_sink.hpp"
+#include "base/sphere_predicate.hpp"
+#include "engine/workspace.hpp"
+#include "grid/bounds.hpp"
+
+#include <abut/simd.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace abut::engine {
+
+/// How `rows` is to run.
+struct RowsSettings {
+  double margin = 0.0;
+  std::size_t workers = 1;
+  Simd simd = Simd::scalar;  ///< an available level
+};
+
+/// The production algorithm: Munjiza's rows, contiguous and in tiles (docs/algorithms/rows.md).
+/// Delivers every contact pair once to `sink`.
+template <int Dim>
+void rows(std::span<const base::Sphere<Dim>> spheres, const grid::Bounds<Dim>& bounds,
+          const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
+          base::DetectionContext& context);
+
+}  // namespace abut::engine

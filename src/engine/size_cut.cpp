@@ -1,0 +1,122 @@
+#include "engine/size_cut.hpp"
+
+#include "base/roots.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace abut::engine {
+namespace {
+
+/// In candidate tests: bringing an element into cells, a visitor into a tile, and a visitor to a
+/// row of cells.
+constexpr double cost_of_element = 40.0;
+constexpr double cost_of_visit = 60.0;
+constexpr double cost_of_row = 6.0;
+
+/// A cut must promise more than the error of the estimate.
+constexpr double least_gain = 0.8;
+
+/// Lengths in cells of the largest reach.
+struct SizeClass {
+  double count;
+  double radius;  ///< upper end
+  double cut;     ///< the same as it was given
+};
+
+template <int Dim>
+constexpr double power(double x) {
+  return Dim == 2 ? x * x : x * x * x;
+}
+
+/// Half of the 27 (9) cells that an element meets.
+template <int Dim>
+constexpr double half_stencil = Dim == 2 ? 4.5 : 13.5;
+
+template <int Dim>
+class Estimate {
+ public:
+  Estimate(std::vector<SizeClass> classes, double margin, double volume)
+      : classes_(std::move(classes)), margin_(margin), volume_(volume) {}
+
+  /// Elements of the classes [first, last) in cells of one size.
+  [[nodiscard]] double alone(std::size_t first, std::size_t last) const {
+    const double count = count_of(first, last);
+    const double cell = 2.0 * classes_[last - 1].radius + margin_;
+    const double in_cell = std::min(count * power<Dim>(cell) / volume_, count);
+    return count * (cost_of_element + half_stencil<Dim> * in_cell);
+  }
+
+  /// Elements from class `cut` on visit those below it.
+  [[nodiscard]] double visits(std::size_t cut) const {
+    const double small_count = count_of(0, cut);
+    const double small_radius = classes_[cut - 1].radius;
+    const double cell =
+        std::max(2.0 * small_radius + margin_, base::root<Dim>(volume_ / small_count));
+    double sum = 0.0;
+    for (std::size_t k = cut; k < classes_.size(); ++k) {
+      const double reached = 2.0 * (classes_[k].radius + small_radius + margin_);
+      const double wide = std::min(reached / cell, base::root<Dim>(small_count)) + 1.0;
+      const double rows = Dim == 2 ? wide : wide * wide;
+      const double tests = std::min(small_count * power<Dim>(reached) / volume_, small_count);
+      sum += classes_[k].count * (cost_of_visit + cost_of_row * rows + tests);
+    }
+    return sum;
+  }
+
+  [[nodiscard]] std::size_t size() const { return classes_.size(); }
+  [[nodiscard]] double cut_above(std::size_t k) const { return classes_[k].cut; }
+
+ private:
+  [[nodiscard]] double count_of(std::size_t first, std::size_t last) const {
+    double sum = 0.0;
+    for (std::size_t k = first; k < last; ++k) sum += classes_[k].count;
+    return sum;
+  }
+
+  std::vector<SizeClass> classes_;
+  double margin_;
+  double volume_;
+};
+
+std::vector<SizeClass> occupied_classes(const RadiusHistogram& histogram, const Crowd& crowd,
+                                        double cell) {
+  constexpr std::size_t most = 128;
+  const std::size_t first = RadiusHistogram::class_of(crowd.smallest_radius);
+  const std::size_t last = RadiusHistogram::class_of(crowd.largest_radius);
+  const std::size_t width = (last - first) / most + 1;
+  std::vector<SizeClass> classes;
+  for (std::size_t k = first; k <= last; k += width) {
+    double count = 0.0;
+    for (std::size_t j = k; j < k + width && j <= last; ++j) count += histogram.count(j);
+    if (count == 0.0) continue;
+    const std::size_t end = std::min(k + width - 1, last);
+    const double upper_end = RadiusHistogram::upper_end(end);
+    classes.push_back({count, std::min(upper_end, crowd.largest_radius) / cell, upper_end});
+  }
+  return classes;
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<double> choose_size_cut(const RadiusHistogram& histogram, const Crowd& crowd) {
+  const double cell = 2.0 * crowd.largest_radius + crowd.margin;
+  const Estimate<Dim> estimate(occupied_classes(histogram, crowd, cell), crowd.margin / cell,
+                               crowd.volume);
+  double least = least_gain * estimate.alone(0, estimate.size());
+  std::optional<double> cut;
+  for (std::size_t k = 1; k < estimate.size(); ++k) {
+    const double cost =
+        estimate.alone(0, k) + estimate.visits(k) + estimate.alone(k, estimate.size());
+    if (cost >= least) continue;
+    least = cost;
+    cut = estimate.cut_above(k - 1);
+  }
+  return cut;
+}
+
+template std::optional<double> choose_size_cut<2>(const RadiusHistogram&, const Crowd&);
+template std::optional<double> choose_size_cut<3>(const RadiusHistogram&, const Crowd&);
+
+}  // namespace abut::engine

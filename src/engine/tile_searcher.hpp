@@ -1,0 +1,70 @@
+#pragma once
+
+#include "base/pair_sink.hpp"
+#include "base/progress_reporter.hpp"
+#include "engine/workspace.hpp"
+#include "kernels/tile_search.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace abut::engine {
+
+/// What all workers of a search share.
+template <int Dim>
+struct Task {
+  std::span<const base::Sphere<Dim>> spheres;    ///< as the engine maps them
+  std::span<const base::Sphere<Dim>> originals;  ///< as the exact test reads them
+  double margin;                                 ///< in the scale of `spheres`
+  double original_margin;
+  kernels::TileKernels kernels;
+  base::PairSink& sink;
+  base::ProgressReporter& progress;
+};
+
+/// One worker's search of sorted tiles: runs the kernels, decides what they leave undecided, hands
+/// on pairs.
+template <int Dim>
+class TileSearcher {
+ public:
+  TileSearcher(const Task<Dim>& task, Bench<Dim>& bench, std::size_t worker);
+
+  TileSearcher(const TileSearcher&) = delete;
+  TileSearcher& operator=(const TileSearcher&) = delete;
+
+  /// Pairs found from here on belong to this unit of the search.
+  void begin_unit(std::uint64_t unit);
+  /// Hands on the pairs found so far.
+  void finish_unit();
+
+  [[nodiscard]] Bench<Dim>& bench() noexcept { return bench_; }
+
+  /// Pairs among the elements of the bench's tile.
+  void search(double unit);
+
+  /// Pairs of the tile's own elements with the visitors.
+  void visit(const TileFrame<Dim>& frame, std::span<const std::uint32_t> visitors);
+
+  [[nodiscard]] std::uint64_t candidate_tests() const noexcept {
+    return job_.candidate_tests + far_tests_;
+  }
+  [[nodiscard]] std::uint64_t exact_decisions() const noexcept { return exact_decisions_; }
+
+ private:
+  void prepare(double unit);
+  void ask_for_room();
+  void flush();
+  bool decide(std::uint32_t first, std::uint32_t second);
+  void poll();
+  void meet_far_visitor(std::span<const kernels::Run> runs, std::uint32_t visitor);
+
+  const Task<Dim>& task_;
+  Bench<Dim>& bench_;
+  base::Origin origin_;
+  kernels::SearchJob job_{};
+  std::uint64_t far_tests_ = 0;
+  std::uint64_t next_poll_ = 0;
+  std::uint64_t exact_decisions_ = 0;
+};
+
+}  // namespace abut::engine

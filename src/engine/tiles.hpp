@@ -1,0 +1,77 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "base/sphere_predicate.hpp"
+#include "engine/group.hpp"
+#include "engine/tile_grid.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace abut::engine {
+
+/// An element as its tile sees it: single precision, relative to the tile's lower corner, in a
+/// unit (a power of two) in which tile and cell are at most 1 wide. Good for a filter with a stated
+/// error; the exact test reads the original.
+template <int Dim>
+struct Record {
+  float center[Dim];
+  float radius;
+  std::uint32_t number;
+};
+
+/// The elements of a group sorted by tile, in each tile first its own, then the copies of others.
+/// It keeps its memory from group to group.
+///
+///   records  | own of tile 0 | copies | own of tile 1 | copies | ...
+///   begin[t] ^               ^ begin[t] + own[t]
+///
+///   visitors | of tile 0 | of tile 1 | ...          numbers of elements
+///            ^ visitor_begin[t]
+template <int Dim>
+class Tiles {
+ public:
+  explicit Tiles(base::MemoryMeter& memory);
+
+  /// Counts, then scatters: two passes over the natives, each shared by the workers.
+  void partition(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+                 const TileGrid<Dim>& grid, double margin, std::size_t workers);
+
+  [[nodiscard]] std::span<const Record<Dim>> records(std::size_t tile) const noexcept {
+    return std::span(records_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
+  }
+  [[nodiscard]] std::size_t own_count(std::size_t tile) const noexcept { return own_[tile]; }
+  [[nodiscard]] std::span<const std::uint32_t> visitors(std::size_t tile) const noexcept {
+    if (!has_visitors_) return {};
+    return std::span(visitors_).subspan(visitor_begin_[tile],
+                                        visitor_begin_[tile + 1] - visitor_begin_[tile]);
+  }
+  /// Tile coordinates = (x - corner) * unit.
+  [[nodiscard]] double unit() const noexcept { return unit_; }
+
+ private:
+  void count(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+             const TileGrid<Dim>& grid, std::size_t workers);
+  void lay_out(std::size_t tile_count, std::size_t workers);
+  void scatter(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+               const TileGrid<Dim>& grid, std::size_t workers);
+  void list_visitors(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+                     const TileGrid<Dim>& grid, double margin);
+
+  base::Array<std::uint32_t> places_;  ///< of the natives, then of the foreigns
+  /// For each worker, and one more for the foreigns, and each tile: how many own elements and how
+  /// many copies it finds; then where it writes the next one.
+  base::Array<std::uint64_t> cursors_;
+  base::Array<std::uint32_t> own_;
+  base::Array<std::uint64_t> begin_;  ///< tile_count + 1
+  base::Array<std::array<double, Dim>> corners_;
+  base::Array<Record<Dim>> records_;
+  base::Array<std::uint64_t> visitor_begin_;  ///< tile_count + 1
+  base::Array<std::uint32_t> visitors_;
+  bool has_visitors_ = false;
+  double unit_ = 1.0;
+};
+
+}  // namespace abut::engine

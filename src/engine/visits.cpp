@@ -1,0 +1,112 @@
+#include "engine/visits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace abut::engine {
+namespace {
+
+/// Positions that are this uncertain, in cells, lie in the next cell at most.
+constexpr double cell_slack = 0x1p-8;
+
+/// Beyond this many units squares might overflow, and the visitor covers whatever it may reach.
+constexpr double too_large_to_square = 0x1p400;
+
+/// Beyond this many units the filter's error exceeds a thousandth of a tile.
+constexpr double farthest = 0x1p10;
+
+/// The error of a distance in single precision, relative to the largest number that enters it; see
+/// docs/derivations/tile_filter.md.
+constexpr double relative_error = 0x1p-20;
+
+/// How far beyond [first, end) cells of one axis a position lies, in the tile's unit.
+double outside(double position, double first, double end, double cell_size) {
+  return std::max({0.0, (first - cell_slack) * cell_size - position,
+                   position - (end + cell_slack) * cell_size});
+}
+
+std::int32_t cell_between(double q, std::int32_t lowest, std::int32_t highest) {
+  return static_cast<std::int32_t>(
+      std::clamp(q, static_cast<double>(lowest), static_cast<double>(highest)));
+}
+
+/// The squared half chord that a row cuts from the ball, its distance to the center given.
+double square_of_half_chord(double reach, double beyond_y, double beyond_z) {
+  if (!(reach < too_large_to_square)) return std::numeric_limits<double>::max();
+  return reach * reach - beyond_y * beyond_y - beyond_z * beyond_z;
+}
+
+}  // namespace
+
+template <int Dim>
+Visits<Dim>::Visits(base::MemoryMeter& memory)
+    : runs_(base::make_array_for_overwrite<kernels::Run>(memory, 0)) {}
+
+template <int Dim>
+std::span<const kernels::Run> Visits<Dim>::runs(const kernels::TileView& tile,
+                                                const TileFrame<Dim>& frame,
+                                                const base::Sphere<Dim>& visitor) {
+  std::array<double, 3> center{};
+  std::array<std::int32_t, 3> first{1, 1, 0};
+  std::array<std::int32_t, 3> last{1, 1, 0};
+  const double reach =
+      std::min((visitor.radius * frame.unit + frame.largest_reach) * (1.0 + 0x1p-18),
+               2.0 * too_large_to_square);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    center[axis] = std::clamp((visitor.center[axis] - frame.corner[axis]) * frame.unit,
+                              -too_large_to_square, too_large_to_square);
+    const double q = center[axis] / frame.cell_size[axis];
+    const double width = reach / frame.cell_size[axis] + cell_slack;
+    first[axis] = cell_between(q - width + 1.0, 1, tile.cells[axis]);
+    last[axis] = cell_between(q + width + 1.0, 1, tile.cells[axis]);
+  }
+  const auto rows = static_cast<std::size_t>(last[1] - first[1] + 1) *
+                    static_cast<std::size_t>(last[2] - first[2] + 1);
+  base::make_room(runs_, rows);
+
+  std::size_t count = 0;
+  for (std::int32_t z = first[2]; z <= last[2]; ++z) {
+    double beyond_z = 0.0;
+    if constexpr (Dim == 3) beyond_z = outside(center[2], z - 1, z, frame.cell_size[2]);
+    for (std::int32_t y = first[1]; y <= last[1]; ++y) {
+      const double beyond_y = outside(center[1], y - 1, y, frame.cell_size[1]);
+      const double square = square_of_half_chord(reach, beyond_y, beyond_z);
+      if (square < 0.0) continue;
+      const double half = std::sqrt(square) / frame.cell_size[0] + cell_slack;
+      const double q = center[0] / frame.cell_size[0] + 1.0;
+      const std::int32_t from = cell_between(q - half, first[0], last[0]);
+      const std::int32_t to = cell_between(q + half, first[0], last[0]);
+      const std::uint32_t* row = tile.cell_begin + z * tile.layer_length() + y * tile.row_length();
+      if (row[from] < row[to + 1]) runs_[count++] = {row[from], row[to + 1]};
+    }
+  }
+  return std::span(runs_).first(count);
+}
+
+template <int Dim>
+std::optional<kernels::Visitor> visitor_in(const TileFrame<Dim>& frame,
+                                           const base::Sphere<Dim>& sphere, std::uint32_t number) {
+  kernels::Visitor visitor{};
+  const double radius = sphere.radius * frame.unit;
+  double largest = std::max(1.0, radius);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const double x = (sphere.center[axis] - frame.corner[axis]) * frame.unit;
+    largest = std::max(largest, std::fabs(x));
+    visitor.center[axis] = static_cast<float>(x);
+  }
+  if (largest > farthest) return std::nullopt;
+  visitor.radius = static_cast<float>(radius);
+  visitor.slack = static_cast<float>(largest * (4.0 * relative_error));
+  visitor.number = number;
+  return visitor;
+}
+
+template class Visits<2>;
+template class Visits<3>;
+template std::optional<kernels::Visitor> visitor_in(const TileFrame<2>&, const base::Sphere<2>&,
+                                                    std::uint32_t);
+template std::optional<kernels::Visitor> visitor_in(const TileFrame<3>&, const base::Sphere<3>&,
+                                                    std::uint32_t);
+
+}  // namespace abut::engine

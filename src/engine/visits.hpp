@@ -1,0 +1,44 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "base/sphere_predicate.hpp"
+#include "kernels/tile_view.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+
+namespace abut::engine {
+
+/// Where a tile lies and how fine its cells are, for what comes from outside.
+template <int Dim>
+struct TileFrame {
+  std::array<double, Dim> corner{};
+  std::array<double, Dim> cell_size{};  ///< in the tile's unit
+  double unit = 1.0;                    ///< tile coordinates = (x - corner) * unit
+  double largest_reach = 0.0;           ///< largest radius of the tile's own + margin
+};
+
+/// The runs of a tile's own elements that a visitor may reach, one for each row of cells.
+template <int Dim>
+class Visits {
+ public:
+  explicit Visits(base::MemoryMeter& memory);
+
+  /// The runs are valid until the next call.
+  [[nodiscard]] std::span<const kernels::Run> runs(const kernels::TileView& tile,
+                                                   const TileFrame<Dim>& frame,
+                                                   const base::Sphere<Dim>& visitor);
+
+ private:
+  base::Array<kernels::Run> runs_;
+};
+
+/// The visitor in the tile's coordinates, with the error of its distances; none where it is so
+/// large or so far that single precision says nothing.
+template <int Dim>
+[[nodiscard]] std::optional<kernels::Visitor> visitor_in(const TileFrame<Dim>& frame,
+                                                         const base::Sphere<Dim>& sphere,
+                                                         std::uint32_t number);
+
+}  // namespace abut::engine

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "base/sphere_predicate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace abut::grid {
+
+/// The box of the centers and the sizes of some elements; of none, an inverted box.
+template <int Dim>
+struct Bounds {
+  std::array<double, Dim> lower = filled(std::numeric_limits<double>::infinity());
+  std::array<double, Dim> upper = filled(-std::numeric_limits<double>::infinity());
+  double smallest_radius = std::numeric_limits<double>::infinity();
+  double largest_radius = 0.0;
+  double second_largest_radius = 0.0;
+
+  void include_center(const base::Sphere<Dim>& sphere) noexcept {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      lower[axis] = std::min(lower[axis], sphere.center[axis]);
+      upper[axis] = std::max(upper[axis], sphere.center[axis]);
+    }
+  }
+
+  void include_radius(double radius) noexcept {
+    smallest_radius = std::min(smallest_radius, radius);
+    second_largest_radius = std::max(second_largest_radius, std::min(radius, largest_radius));
+    largest_radius = std::max(largest_radius, radius);
+  }
+
+ private:
+  static constexpr std::array<double, Dim> filled(double value) noexcept {
+    std::array<double, Dim> result{};
+    result.fill(value);
+    return result;
+  }
+};
+
+}  // namespace abut::grid

@@ -1,0 +1,126 @@
+#include "kernels/simd_level.hpp"
+
+#include "kernels/tile_search.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#if defined(ABUT_HAVE_HIGHWAY)
+#include <hwy/targets.h>
+#endif
+
+namespace abut {
+namespace {
+
+struct Level {
+  Simd simd;
+  std::string_view name;
+  std::int64_t target;  ///< as Highway numbers it; 0 for plain C++
+};
+
+#if defined(ABUT_HAVE_HIGHWAY)
+constexpr std::int64_t sse4 = HWY_SSE4;
+constexpr std::int64_t avx2 = HWY_AVX2;
+constexpr std::int64_t avx512 = HWY_AVX3;
+constexpr std::int64_t neon = HWY_NEON;
+
+/// Built in and run by this processor.
+std::int64_t runnable_targets() {
+  static const std::int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
+  return targets;
+}
+#else
+constexpr std::int64_t sse4 = -1;
+constexpr std::int64_t avx2 = -1;
+constexpr std::int64_t avx512 = -1;
+constexpr std::int64_t neon = -1;
+
+std::int64_t runnable_targets() {
+  return 0;
+}
+#endif
+
+constexpr std::array<Level, 5> levels{{{Simd::scalar, "scalar", 0},
+                                       {Simd::sse4, "sse4", sse4},
+                                       {Simd::avx2, "avx2", avx2},
+                                       {Simd::avx512, "avx512", avx512},
+                                       {Simd::neon, "neon", neon}}};
+
+constexpr auto level_list = [] {
+  std::array<Simd, levels.size()> result{};
+  for (std::size_t k = 0; k < levels.size(); ++k) result[k] = levels[k].simd;
+  return result;
+}();
+
+const Level& row_of(Simd simd) {
+  return *std::find_if(levels.begin(), levels.end(),
+                       [&](const Level& level) { return level.simd == simd; });
+}
+
+}  // namespace
+
+std::span<const Simd> simd_levels() {
+  return level_list;
+}
+
+bool available(Simd level) {
+  if (level == Simd::automatic || level == Simd::scalar) return true;
+  return (row_of(level).target & runnable_targets()) != 0;
+}
+
+std::string_view name_of(Simd level) {
+  return level == Simd::automatic ? "auto" : row_of(level).name;
+}
+
+Simd simd_named(std::string_view name) {
+  if (name == "auto") return Simd::automatic;
+  std::string known = "auto";
+  for (const Level& level : levels) {
+    if (level.name == name) return level.simd;
+    known += ", " + std::string(level.name);
+  }
+  throw Error(ErrorCode::wrong_usage,
+              "no SIMD level is called '" + std::string(name) + "'; there are " + known);
+}
+
+namespace kernels {
+namespace {
+
+Simd widest_available() {
+  return *std::find_if(level_list.rbegin(), level_list.rend(), available);
+}
+
+}  // namespace
+
+Simd level_to_run(Simd asked) {
+  std::string origin;
+  if (asked == Simd::automatic) {
+    if (const char* forced = std::getenv(simd_variable); forced != nullptr && *forced != '\0') {
+      asked = simd_named(forced);
+      origin = std::string(" (from ") + simd_variable + ")";
+    }
+  }
+  if (asked == Simd::automatic) return widest_available();
+  if (available(asked)) return asked;
+  std::string here;
+  for (const Simd level : level_list) {
+    if (available(level)) here += (here.empty() ? "" : ", ") + std::string(name_of(level));
+  }
+  throw Error(ErrorCode::unavailable, "SIMD level " + std::string(name_of(asked)) + origin +
+                                          " is not available here; there are " + here);
+}
+
+TileKernels tile_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_tile_kernels(row_of(level).target);
+#endif
+  static_cast<void>(level);
+  return scalar_tile_kernels();
+}
+
+}  // namespace kernels
+}  // namespace abut

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "kernels/tile_view.hpp"
+
+#include <abut/simd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace abut::kernels {
+
+/// The kernels of one instruction set. All give the same pairs in the same order.
+struct TileKernels {
+  /// Tests each element against those that follow it in its own cell and against the cells of the
+  /// half stencil: five runs of contiguous elements, two in 2D.
+  void (*search)(const TileView& tile, SearchJob& job, int dimensions);
+
+  /// Tests a visitor against the elements of the runs.
+  void (*visit)(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,
+                std::span<const Run> runs);
+};
+
+/// `level` must be available.
+[[nodiscard]] TileKernels tile_kernels(Simd level);
+
+[[nodiscard]] TileKernels scalar_tile_kernels();
+
+/// `target` as Highway numbers instruction sets. Only where Highway is built in.
+[[nodiscard]] TileKernels simd_tile_kernels(std::int64_t target);
+
+}  // namespace abut::kernels

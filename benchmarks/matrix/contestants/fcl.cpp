@@ -21,6 +21,7 @@ class Fcl final : public Contestant {
     packed_.pack(scene);
     place_objects();
     fcl::DynamicAABBTreeCollisionManager_Array<double> manager;
+    manager.tree_init_level = 2;  // along a Morton curve, the fastest of its ways to build
     manager.registerObjects(pointers_);
     manager.setup();
     if (packed_.size() > 1) manager.collide(&packed_, take);

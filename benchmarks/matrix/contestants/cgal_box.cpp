@@ -13,6 +13,9 @@ namespace {
 
 using scenes::Scene;
 
+/// Below so many boxes it compares them along one axis only. The default is 10.
+constexpr std::ptrdiff_t fastest_cutoff = 200;
+
 template <int Dim>
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, Dim, ElementIndex>;
 
@@ -46,7 +49,8 @@ class CgalBox final : public Contestant {
     }
     CGAL::box_self_intersection_d(
         boxes.begin(), boxes.end(),
-        [this](const Box<Dim>& a, const Box<Dim>& b) { packed_.propose(a.info(), b.info()); });
+        [this](const Box<Dim>& a, const Box<Dim>& b) { packed_.propose(a.info(), b.info()); },
+        fastest_cutoff);
   }
 
   Packed packed_;

@@ -5,6 +5,7 @@
 #include "benchmarks/matrix/case.hpp"
 #include "benchmarks/matrix/contestants.hpp"
 #include "benchmarks/matrix/pinning.hpp"
+#include "benchmarks/matrix/plan.hpp"
 #include "benchmarks/matrix/table.hpp"
 
 #include <abut/error.hpp>
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,83 +26,59 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-struct Plan {
-  std::vector<std::string> scenes{"dense",        "ordered",     "gas",          "sparse",
-                                  "clusters",     "bidisperse",  "log_uniform",  "log_uniform_1000",
-                                  "graded",       "graded_1000", "hexagonal_2d", "touching_cubic",
-                                  "touching_fcc", "one_giant"};
-  std::vector<double> counts{1e4, 1e5, 1e6, 1e7};
-  std::vector<std::string> contestants;  ///< empty: all
-  std::vector<int> threads{1, 2};
-  Effort effort;
-  bool quick = false;
-};
-
-bool takes_part(const Entry& entry, const Plan& plan) {
-  const auto holds = [](const auto& list, const auto& value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
-  };
-  return holds(plan.threads, entry.threads) &&
-         (plan.contestants.empty() || holds(plan.contestants, entry.name));
-}
-
-/// Those whose pairs are believed, if they finish: the trivial algorithm, the book's for any
-/// domain, then whoever stores pairs. The table says who it was.
-std::vector<Entry> referees_of(const std::vector<Entry>& all) {
-  std::vector<Entry> referees;
-  for (const Entry& entry : all) {
-    if (entry.task == Task::list && entry.threads == 1) referees.push_back(entry);
-  }
-  const auto rank = [](const Entry& entry) {
-    constexpr std::array<std::string_view, 3> believed{"abut_direct_check", "abut_sorting_array",
-                                                       "abut_rows"};
-    return std::find(believed.begin(), believed.end(), entry.name) - believed.begin();
-  };
-  std::stable_sort(referees.begin(), referees.end(),
-                   [&](const Entry& a, const Entry& b) { return rank(a) < rank(b); });
-  return referees;
-}
-
-std::vector<Entry> entries_of(const Plan& plan, const std::vector<Entry>& all) {
-  for (const std::string& name : plan.contestants) {
-    if (std::any_of(all.begin(), all.end(), [&](const Entry& e) { return e.name == name; })) {
-      continue;
-    }
-    throw Error(ErrorCode::wrong_usage,
-                "no contestant is called '" + name + "'; `matrix list` names those found");
-  }
-  std::vector<Entry> entries;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(entries),
-               [&](const Entry& entry) { return takes_part(entry, plan); });
-  return entries;
-}
-
 bool all_right(const CaseResult& result) {
   return std::none_of(result.measurements.begin(), result.measurements.end(), [](const auto& m) {
     return m.trial.verdict == Verdict::wrong || m.trial.verdict == Verdict::crashed;
   });
 }
 
-/// Each case in a process of its own, which has no history. Whether all answers were right.
+/// Seconds of first runs by row of the table, infinite where they did not end.
+using FirstRuns = std::array<double, 256>;
+
+void note_first_runs(const CaseResult& result, FirstRuns& first_runs) {
+  for (const Measurement& m : result.measurements) {
+    double& seconds = first_runs[m.entry->number];
+    if (m.trial.can_run()) seconds = m.trial.first.wall;
+    if (m.trial.verdict == Verdict::too_slow) seconds = std::numeric_limits<double>::infinity();
+  }
+}
+
+/// In a process of its own, which has no history. Whether all answers were right.
+bool run_one_case(const scenes::SceneInfo& info, std::size_t elements, const Contestants& who,
+                  const Effort& effort, FirstRuns& first_runs) {
+  std::fprintf(stderr, "%s, %zu elements\n", std::string(info.name).c_str(), elements);
+  const Apart apart = run_apart([&] {
+    const scenes::Scene scene = info.make(elements, seed);
+    const CaseResult result = run_case(scene, who.entries, who.referees, effort);
+    note_first_runs(result, first_runs);
+    write_case(info, elements, result);
+    std::fflush(nullptr);
+    if (!all_right(result)) std::_Exit(static_cast<int>(ErrorCode::check_failed));
+  });
+  if (apart.ending == Ending::finished) return true;
+  std::fprintf(stderr, "matrix: not all is well with this case: it %s\n", apart.reason.c_str());
+  return false;
+}
+
+/// No contestant needs less than in proportion to the elements.
+void expect(std::vector<Entry>& entries, const FirstRuns& first_runs, double growth) {
+  for (Entry& entry : entries) entry.least_seconds = first_runs[entry.number] * growth;
+}
+
 bool run(const Plan& plan) {
-  const std::vector<Entry> all = all_contestants();
-  const std::vector<Entry> entries = entries_of(plan, all);
-  const std::vector<Entry> referees = referees_of(all);
+  Contestants who = contestants_of(plan);
   bool right = true;
   write_header();
   for (const std::string& name : plan.scenes) {
     const scenes::SceneInfo& info = scenes::scene_named(name);
+    const Shared<FirstRuns> first_runs;
+    double before = 0.0;
     for (const double count : plan.counts) {
+      const double growth = before > 0.0 && count > before ? count / before : 0.0;
+      for (auto* entries : {&who.entries, &who.referees}) expect(*entries, *first_runs, growth);
       const auto elements = static_cast<std::size_t>(count);
-      std::fprintf(stderr, "%s, %zu elements\n", name.c_str(), elements);
-      const Apart apart = run_apart([&] {
-        const scenes::Scene scene = info.make(elements, seed);
-        const CaseResult result = run_case(scene, entries, referees, plan.effort);
-        write_case(info, elements, result);
-        std::fflush(nullptr);
-        if (!all_right(result)) std::_Exit(static_cast<int>(ErrorCode::check_failed));
-      });
-      if (apart.ending != Ending::finished) right = false;
+      right = run_one_case(info, elements, who, plan.effort, *first_runs) && right;
+      before = count;
     }
   }
   return right;
@@ -117,10 +95,13 @@ int main_of(int argc, char** argv) {
   CLI::App app("Times every contestant on every scene; CSV on stdout.");
   app.require_subcommand(0, 1);
   const CLI::App* list_contestants = app.add_subcommand("list", "who was found");
+  const CLI::App* list_scenes = app.add_subcommand("scenes", "what is measured unless told");
   Plan plan;
   app.add_option("--scenes", plan.scenes, "names, as `abut generate --list` gives them")
       ->delimiter(',');
-  app.add_option("--counts", plan.counts, "numbers of elements, such as 1e5,1e6")->delimiter(',');
+  const CLI::Option* counts =
+      app.add_option("--counts", plan.counts, "numbers of elements, such as 1e5,1e6")
+          ->delimiter(',');
   app.add_option("--contestants", plan.contestants, "names, as `matrix list` gives them")
       ->delimiter(',');
   app.add_option("--threads", plan.threads, "numbers of threads, for those that have them")
@@ -128,9 +109,20 @@ int main_of(int argc, char** argv) {
   app.add_option("--time-limit", plan.effort.time_limit, "seconds for one run");
   app.add_option("--seconds", plan.effort.seconds, "of timed runs for each contestant and scene");
   app.add_option("--repetitions", plan.effort.most_repetitions, "timed runs at most, 0 for none");
+  bool quick = false;
+  app.add_flag("--quick", quick, "small scenes, two repetitions: whether it works at all");
   CLI11_PARSE(app, argc, argv);
+  if (quick) {
+    plan.effort = {10, 0.1, 2, 3};
+    if (counts->empty()) plan.counts = {1e3, 1e4};
+  }
+  std::sort(plan.counts.begin(), plan.counts.end());
   if (list_contestants->parsed()) {
     list();
+    return EXIT_SUCCESS;
+  }
+  if (list_scenes->parsed()) {
+    for (const std::string& scene : plan.scenes) std::puts(scene.c_str());
     return EXIT_SUCCESS;
   }
   pin_to_one_processor();

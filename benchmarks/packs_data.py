@@ -1,35 +1,18 @@
 """Reads the tables that run_packs writes."""
 
-import csv
 import math
 import os
+
+import tables
 
 ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV"}
 LOOSE_PACKS = [2, 3, 4]
 
 
 def read(path):
-    """Header lines as a dictionary, rows with numbers where the text is one."""
     if not os.path.exists(path):
         raise SystemExit(f"{path} is missing: run benchmarks/run_packs without skipping it")
-    header, lines = {}, []
-    with open(path, newline="") as file:
-        for line in file:
-            if line.startswith("#"):
-                key, value = line[1:].split(":", 1)
-                header[key.strip()] = value.strip()
-            else:
-                lines.append(line)
-    return header, [{k: number(v) for k, v in row.items()} for row in csv.DictReader(lines)]
-
-
-def number(text):
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return text
+    return tables.read(path)
 
 
 class Packs:

@@ -2,12 +2,8 @@
 
 import os
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-from packs_data import LOOSE_PACKS, ROMAN, book_integers  # noqa: E402
+from packs_data import LOOSE_PACKS, ROMAN, book_integers
+from tables import plt, save
 
 # Okabe and Ito's colours, told apart by everybody.
 STYLE = {
@@ -18,20 +14,6 @@ STYLE = {
     "munjiza_nbs": ("#009e73", "o"),
 }
 OTHERS = ("#d55e00", "v")
-
-plt.rcParams.update(
-    {
-        "font.size": 9,
-        "axes.spines.top": False,
-        "axes.spines.right": False,
-        "axes.grid": True,
-        "grid.color": "#e5e5e5",
-        "svg.hashsalt": "abut",
-        "svg.fonttype": "none",
-        "legend.frameon": False,
-    }
-)
-
 
 def line(axes, algorithm, xs, ys, **more):
     color, marker = STYLE.get(algorithm, OTHERS)
@@ -50,13 +32,6 @@ def series(packs, value, key, **wanted):
 
 def bytes_each(row):
     return row["peak_bytes"] / row["elements"]
-
-
-def save(figure, folder, name):
-    path = os.path.join(folder, name)
-    figure.savefig(path, metadata={"Date": None}, bbox_inches="tight", facecolor="white")
-    plt.close(figure)
-    print(path)
 
 
 def plot_against_elements(packs, folder):

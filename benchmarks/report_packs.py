@@ -6,7 +6,6 @@ The page keeps its words: only what lies between its markers is written anew.
 
 import argparse
 import os
-import re
 
 import plot_packs
 from packs_data import (
@@ -17,17 +16,7 @@ from packs_data import (
     growth_beyond_n_log_n,
     slope,
 )
-
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-
-
-def table(head, rows):
-    lines = [head, ["---"] + ["---:"] * (len(head) - 1), *rows]
-    return "\n".join("| " + " | ".join(str(c) for c in row) + " |" for row in lines)
-
-
-def plain(value, digits=1):
-    return "–" if value is None else f"{value:,.{digits}f}"
+from tables import ROOT, plain, rewrite_page, table
 
 
 def nanoseconds(row):
@@ -169,13 +158,6 @@ def claims(packs):
     return table(["required", "measured", "met"], rows)
 
 
-def replace_section(text, name, body):
-    pattern = rf"(<!-- {name} -->\n).*?(<!-- /{name} -->)"
-    if not re.search(pattern, text, re.S):
-        raise SystemExit(f"the page has no markers <!-- {name} --> ... <!-- /{name} -->")
-    return re.sub(pattern, lambda m: m[1] + body + "\n" + m[2], text, flags=re.S)
-
-
 SECTIONS = [
     ("machine", machine),
     ("claims", claims),
@@ -197,12 +179,7 @@ def main():
 
     packs = Packs(arguments.results)
     plot_packs.plot_all(packs, arguments.images)
-    with open(arguments.docs) as file:
-        text = file.read()
-    for name, section in SECTIONS:
-        text = replace_section(text, name, section(packs))
-    with open(arguments.docs, "w") as file:
-        file.write(text)
+    rewrite_page(arguments.docs, [(name, section(packs)) for name, section in SECTIONS])
     print(claims(packs))
 
 

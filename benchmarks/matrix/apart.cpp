@@ -18,6 +18,15 @@
 namespace abut::benchmarks {
 namespace {
 
+/// It reserves terabytes of addresses, which no limit on them allows.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool address_sanitizer = true;
+#elif defined(__has_feature)
+constexpr bool address_sanitizer = __has_feature(address_sanitizer);
+#else
+constexpr bool address_sanitizer = false;
+#endif
+
 /// Bytes that programs could still take, or 0 if the system does not tell.
 std::uint64_t available_bytes() {
   std::ifstream file("/proc/meminfo");
@@ -75,13 +84,11 @@ void stop_clock() {
 }
 
 void limit_memory() {
-#if !defined(__SANITIZE_ADDRESS__)  // which reserves terabytes of addresses
   const std::uint64_t available = available_bytes();
-  if (available == 0) return;
+  if (available == 0 || address_sanitizer) return;
   const rlim_t limit = own_bytes() + available / 5 * 4;
   const rlimit both{limit, limit};
   setrlimit(RLIMIT_AS, &both);
-#endif
 }
 
 void end_with_parent() {

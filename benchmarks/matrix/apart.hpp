@@ -1,7 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <new>
 #include <string>
+#include <type_traits>
+
+#include <sys/mman.h>
 
 namespace abut::benchmarks {
 
@@ -11,6 +15,28 @@ enum class Ending { finished, too_slow, crashed };
 struct Apart {
   Ending ending = Ending::finished;
   std::string reason;  ///< one phrase, empty if it finished
+};
+
+/// A value in memory that forked processes share with this one.
+template <class T>
+requires std::is_trivially_destructible_v<T>
+class Shared {
+ public:
+  Shared()
+      : memory_(
+            mmap(nullptr, sizeof(T), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    if (memory_ == MAP_FAILED) throw std::bad_alloc();
+    new (memory_) T();
+  }
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+  ~Shared() { munmap(memory_, sizeof(T)); }
+
+  T& operator*() const { return *static_cast<T*>(memory_); }
+  T* operator->() const { return static_cast<T*>(memory_); }
+
+ private:
+  void* memory_;
 };
 
 /// Does the work in a forked process, so that libraries which crash or never end harm nobody. What

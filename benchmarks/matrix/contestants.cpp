@@ -19,6 +19,7 @@ std::vector<Entry> all_contestants() {
 #define ABUT_CONTESTANT(name) add(enter_##name());
 #include <contestants_found.inl>
 #undef ABUT_CONTESTANT
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].number = k;
   return all;
 }
 

@@ -39,25 +39,6 @@ void set(std::array<char, Size>& to, const std::string& text) {
   to[length] = '\0';
 }
 
-/// Memory that a forked process shares with this one.
-class SharedReport {
- public:
-  SharedReport()
-      : memory_(mmap(nullptr, sizeof(Report), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
-                     -1, 0)) {
-    if (memory_ == MAP_FAILED) throw std::bad_alloc();
-    new (memory_) Report();
-  }
-  SharedReport(const SharedReport&) = delete;
-  SharedReport& operator=(const SharedReport&) = delete;
-  ~SharedReport() { munmap(memory_, sizeof(Report)); }
-
-  Report& operator*() const { return *static_cast<Report*>(memory_); }
-
- private:
-  void* memory_;
-};
-
 double now(clockid_t clock) {
   timespec time{};
   clock_gettime(clock, &time);
@@ -121,16 +102,22 @@ Trial try_into(const Entry& entry, const Scene& scene, const Reference* referenc
     trial.reason = entry.reason_of_limit;
     return trial;
   }
-  const SharedReport report;
+  if (entry.least_seconds > time_limit) {
+    Trial trial;
+    trial.verdict = Verdict::too_slow;
+    trial.reason = "would not end within the time limit, going by fewer elements";
+    return trial;
+  }
+  const Shared<Report> report;
   const Apart apart = run_apart([&] {
     try {
       attempt(entry, scene, reference, file, time_limit, *report);
     } catch (const std::bad_alloc&) {
-      (*report).verdict = Verdict::refused;
-      set((*report).reason, "needs more memory than there is");
+      report->verdict = Verdict::refused;
+      set(report->reason, "needs more memory than there is");
     } catch (const std::exception& error) {
-      (*report).verdict = Verdict::refused;
-      set((*report).reason, error.what());
+      report->verdict = Verdict::refused;
+      set(report->reason, error.what());
     }
   });
   return trial_of(*report, apart);

@@ -15,7 +15,7 @@ class Copy final : public Contestant {
     copy_.ensure(4 * count);
     double* to = copy_.data();
     for (const auto* column : {&scene.x, &scene.y, &scene.z, &scene.radius}) {
-      std::memcpy(to, column->data(), column->size() * sizeof(double));
+      if (!column->empty()) std::memcpy(to, column->data(), column->size() * sizeof(double));
       to += column->size();
     }
     return {};

@@ -31,6 +31,7 @@ AGAINST_ELSEWHERE = {scene: 4 for scene in ELSEWHERE} | {"sparse": 2}
 MOST_SLOPE = 1.1
 MOST_BEHIND_BEST_CHOICE = 1.2  # of what auto takes
 MOST_FOR_ORDER = 12  # ns for each pair
+MOST_OF_FULL_LIST = 1.8
 MOST_TESTS = {True: 20, False: 150}  # for each element and pair; whether sizes are equal
 UNEQUAL_SIZES = {"bidisperse", "log_uniform", "log_uniform_1000", "graded", "graded_1000",
                  "one_giant"}

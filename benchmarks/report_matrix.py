@@ -12,6 +12,7 @@ import plot_matrix
 from matrix_data import DEFAULT, YARDSTICKS, Matrix, median, ratio
 from tables import ROOT, plain, rewrite_page, table
 
+FORMS = ["list", "canonical", "count", "visit", "half_list", "full_list"]
 WHY_NOT = {"refused": "no", "too_slow": "slow", "crashed": "crash", "left_out": "–"}
 
 
@@ -183,10 +184,23 @@ def order_ns(matrix, scene):
 
 def claims(matrix):
     rows = [claim for scene in matrix.scenes for claim in claims_of_scene(matrix, scene)]
-    rows += list(claims_of_lattices(matrix)) + list(claims_of_threads(matrix))
+    rows += list(claims_of_forms(matrix)) + list(claims_of_lattices(matrix)) + list(claims_of_threads(matrix))
     met = sum(row[-1] == "yes" for row in rows)
     return (f"{met} of {len(rows)} are met.\n\n"
             + table(["scene, N", "required", "measured", "met"], rows))
+
+
+def claims_of_forms(matrix):
+    if "dense" not in matrix.scenes:
+        return
+    count = matrix.main_count("dense")
+    ns = {t: matrix.ns("dense", count, DEFAULT, task=t) for t in FORMS}
+    if None in ns.values():
+        return
+    for task, of, most in (("count", "list", 1.0), ("visit", "list", 1.0),
+                           ("full_list", "half_list", aims.MOST_OF_FULL_LIST)):
+        found = ns[task] / ns[of]
+        yield judged(label(matrix, "dense"), f"{task} ≤ {most}× {of}", times(found), found <= most)
 
 
 def claims_of_lattices(matrix):
@@ -224,7 +238,7 @@ def slopes(matrix):
 
 def counters(matrix):
     head = ["scene, N", "pairs / N", "tests / (N + pairs)", "plain grid's", "bytes / N",
-            "list", "canonical", "count", "visit", "order, ns a pair", "first call"]
+            *FORMS, "order, ns a pair", "first call"]
     rows = []
     for scene in matrix.scenes:
         count = matrix.main_count(scene)
@@ -234,7 +248,7 @@ def counters(matrix):
         tests = [None if median(r) is None else r["candidate_tests"] / (count + r["pairs"])
                  for r in (row, grid)]
         forms = [matrix.ns(scene, count, DEFAULT, task=t)
-                 for t in ("list", "canonical", "count", "visit")]
+                 for t in FORMS]
         rows.append([label(matrix, scene), plain(row["pairs"] / count, 2), plain(tests[0], 2),
                      plain(tests[1], 2), plain(row["peak_bytes"] / count, 0),
                      *[plain(f) for f in forms], plain(order_ns(matrix, scene)),

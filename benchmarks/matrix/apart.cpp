@@ -27,6 +27,17 @@ constexpr bool address_sanitizer = __has_feature(address_sanitizer);
 constexpr bool address_sanitizer = false;
 #endif
 
+/// Without the handlers that libraries have called at a fork: those of threads, which after one
+/// believe that their threads are gone. The processes that fork here never had any.
+pid_t fork_quietly() {
+#if defined(__GLIBC_PREREQ)
+#if __GLIBC_PREREQ(2, 34)
+  return _Fork();
+#endif
+#endif
+  return fork();
+}
+
 /// Bytes that programs could still take, or 0 if the system does not tell.
 std::uint64_t available_bytes() {
   std::ifstream file("/proc/meminfo");
@@ -60,7 +71,7 @@ Apart judge(int status) {
 
 Apart run_apart(const std::function<void()>& work) {
   std::fflush(nullptr);
-  const pid_t child = fork();
+  const pid_t child = fork_quietly();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
   if (child == 0) {
     end_with_parent();

@@ -20,7 +20,7 @@ struct Difference {
 [[nodiscard]] Difference difference(std::span<const ContactPair> right,
                                     std::span<const ContactPair> answer);
 
-/// Compares an answer with the right pairs, which ascend. Tasks that store no pairs are judged by
+/// Compares an answer with the right pairs, which ascend. Tasks that give no pairs are judged by
 /// their count; the order of `canonical` counts as well.
 [[nodiscard]] Difference check(Task task, const Answer& answer, std::span<const ContactPair> right);
 

@@ -24,12 +24,14 @@ enum class Task {
   canonical,  ///< the same, ascending
   count,      ///< how many there are
   visit,      ///< each handed to a visitor
+  half_list,  ///< as neighbor list, each pair once
+  full_list,  ///< as neighbor list, each pair from both sides
   copy,       ///< nothing but a copy of the arrays: what the memory of this machine gives
 };
 [[nodiscard]] std::string_view name_of(Task task);
 
 /// What one run found. `pairs` lies in the contestant's memory until its next run; first < second,
-/// each pair once. The tasks that store no pairs leave it empty.
+/// each pair once. Tasks that store none, or not as pairs, leave it empty and tell their number.
 struct Answer {
   std::span<const ContactPair> pairs;
   std::uint64_t count = 0;

@@ -33,6 +33,10 @@ std::string_view name_of(Task task) {
       return "count";
     case Task::visit:
       return "visit";
+    case Task::half_list:
+      return "half_list";
+    case Task::full_list:
+      return "full_list";
     default:
       return "copy";
   }

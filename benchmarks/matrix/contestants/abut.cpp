@@ -1,12 +1,9 @@
-// Every algorithm of abut's registry, through the public face.
+// Every algorithm of abut's registry, through the public face. A Detector keeps the memory.
 
 #include "benchmarks/matrix/contestant.hpp"
 
-#include <abut/detect.hpp>
+#include <abut/detector.hpp>
 #include <abut/error.hpp>
-
-#include <algorithm>
-#include <array>
 
 namespace abut::benchmarks {
 namespace {
@@ -18,31 +15,25 @@ ElementView view(const Scene& scene) {
   return spheres(scene.x, scene.y, scene.z, scene.radius);
 }
 
+Options options_of(Task task, Algorithm algorithm, int threads) {
+  Options options;
+  options.algorithm = algorithm;
+  options.threads = threads;
+  options.order = task == Task::canonical ? Order::canonical : Order::as_found;
+  return options;
+}
+
 class AbutContestant final : public Contestant {
  public:
-  AbutContestant(Task task, Algorithm algorithm, int threads) : task_(task) {
-    options_.algorithm = algorithm;
-    options_.threads = threads;
-    options_.order = task == Task::canonical ? Order::canonical : Order::as_found;
-  }
+  AbutContestant(Task task, Algorithm algorithm, int threads)
+      : task_(task), detector_(options_of(task, algorithm, threads)) {}
 
   Answer run(const Scene& scene) override {
-    list_ = {};
-    const ElementView elements = view(scene);
-    switch (task_) {
-      case Task::count:
-        statistics_ = count_contact_pairs(elements, Domain::open(), options_);
-        return {{}, statistics_.contact_pairs};
-      case Task::visit:
-        return {{}, visit(elements)};
-      default:
-        list_ = find_contact_pairs(elements, Domain::open(), options_);
-        statistics_ = list_.statistics();
-        if (statistics_.threads < options_.threads) {
-          throw Error(ErrorCode::unavailable, "runs in one thread");
-        }
-        return {list_.pairs(), list_.size()};
+    const Answer answer = detect(view(scene));
+    if (scene.size() > 0 && statistics_.threads < detector_.options().threads) {
+      throw Error(ErrorCode::unavailable, "runs in one thread");
     }
+    return answer;
   }
 
   [[nodiscard]] Counters counters() const override {
@@ -51,21 +42,43 @@ class AbutContestant final : public Contestant {
   }
 
  private:
+  Answer detect(const ElementView& elements) {
+    switch (task_) {
+      case Task::count:
+        statistics_ = detector_.count_contact_pairs(elements);
+        return {{}, statistics_.contact_pairs};
+      case Task::visit:
+        return {{}, visit(elements)};
+      case Task::half_list:
+        return {{}, neighbors(elements, NeighborListKind::half)};
+      case Task::full_list:
+        return {{}, neighbors(elements, NeighborListKind::full) / 2};
+      default:
+        const PairList& list = detector_.find_contact_pairs(elements);
+        statistics_ = list.statistics();
+        return {list.pairs(), list.size()};
+    }
+  }
+
+  std::uint64_t neighbors(const ElementView& elements, NeighborListKind kind) {
+    const NeighborList& list = detector_.build_neighbor_list(elements, Domain::open(), kind);
+    statistics_ = list.statistics();
+    return list.neighbors().size();
+  }
+
   /// A visitor that does next to nothing, but with each pair.
   std::uint64_t visit(const ElementView& elements) {
     std::uint64_t count = 0;
-    std::uint64_t sum = 0;
-    statistics_ =
-        for_each_contact_pair(elements, Domain::open(), options_, [&](const ContactPair& pair) {
-          ++count;
-          sum += pair.second - pair.first;
-        });
-    return sum < count ? 0 : count;
+    statistics_ = detector_.for_each_batch(elements, Domain::open(),
+                                           [&](std::span<const ContactPair> pairs, WorkerNumber) {
+                                             for (const ContactPair& pair : pairs)
+                                               count += pair.first < pair.second ? 1U : 0U;
+                                           });
+    return count;
   }
 
   Task task_;
-  Options options_;
-  PairList list_;
+  Detector detector_;
   Statistics statistics_;
 };
 
@@ -84,33 +97,29 @@ Entry entry_of(Algorithm algorithm, Task task, int threads) {
   return entry;
 }
 
-/// Those beyond the book are meant for use, and measured in every way.
-bool for_use(const AlgorithmInfo& algorithm) {
-  constexpr std::array of_the_book{Algorithm::direct_check, Algorithm::binary_tree,
-                                   Algorithm::screening_array, Algorithm::sorting_array,
-                                   Algorithm::munjiza_nbs};
-  return std::find(of_the_book.begin(), of_the_book.end(), algorithm.algorithm) ==
-         of_the_book.end();
+/// What is meant for use is measured in every way.
+void add_for_use(std::vector<Entry>& entries, Algorithm algorithm) {
+  for (const Task task :
+       {Task::list, Task::canonical, Task::count, Task::visit, Task::half_list, Task::full_list}) {
+    entries.push_back(entry_of(algorithm, task, 1));
+  }
+  for (const int threads : {2, 4, 8, 16}) {
+    entries.push_back(entry_of(algorithm, Task::list, threads));
+  }
 }
 
 }  // namespace
 
 std::vector<Entry> enter_abut() {
-  std::vector<Algorithm> all{Algorithm::automatic};
-  for (const AlgorithmInfo& algorithm : algorithms()) {
-    if (for_use(algorithm)) all.push_back(algorithm.algorithm);
-  }
   std::vector<Entry> entries;
-  for (const Algorithm algorithm : all) {
-    for (const Task task : {Task::list, Task::canonical, Task::count, Task::visit}) {
-      entries.push_back(entry_of(algorithm, task, 1));
-    }
-    for (const int threads : {2, 4, 8, 16}) {
-      entries.push_back(entry_of(algorithm, Task::list, threads));
-    }
+  add_for_use(entries, Algorithm::automatic);
+  for (const AlgorithmInfo& algorithm : algorithms()) {
+    const bool of_the_book = !algorithm.book_pages.empty();
+    if (!of_the_book) add_for_use(entries, algorithm.algorithm);
   }
   for (const AlgorithmInfo& algorithm : algorithms()) {
-    if (!for_use(algorithm)) entries.push_back(entry_of(algorithm.algorithm, Task::list, 1));
+    const bool of_the_book = !algorithm.book_pages.empty();
+    if (of_the_book) entries.push_back(entry_of(algorithm.algorithm, Task::list, 1));
   }
   return entries;
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <iterator>
 #include <string_view>
+#include <thread>
 
 namespace abut::benchmarks {
 namespace {
@@ -16,7 +17,8 @@ bool takes_part(const Entry& entry, const Plan& plan) {
   const auto holds = [](const auto& list, const auto& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
   };
-  return holds(plan.threads, entry.threads) &&
+  const auto processors = static_cast<int>(std::thread::hardware_concurrency());
+  return holds(plan.threads, entry.threads) && entry.threads <= std::max(1, processors) &&
          (plan.contestants.empty() || holds(plan.contestants, entry.name));
 }
 

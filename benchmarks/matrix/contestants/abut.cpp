@@ -97,29 +97,20 @@ Entry entry_of(Algorithm algorithm, Task task, int threads) {
   return entry;
 }
 
-/// What is meant for use is measured in every way.
-void add_for_use(std::vector<Entry>& entries, Algorithm algorithm) {
-  for (const Task task :
-       {Task::list, Task::canonical, Task::count, Task::visit, Task::half_list, Task::full_list}) {
-    entries.push_back(entry_of(algorithm, task, 1));
-  }
-  for (const int threads : {2, 4, 8, 16}) {
-    entries.push_back(entry_of(algorithm, Task::list, threads));
-  }
-}
-
 }  // namespace
 
+/// What a user gets who asks for nothing is measured in every way, the others as lists.
 std::vector<Entry> enter_abut() {
   std::vector<Entry> entries;
-  add_for_use(entries, Algorithm::automatic);
-  for (const AlgorithmInfo& algorithm : algorithms()) {
-    const bool of_the_book = !algorithm.book_pages.empty();
-    if (!of_the_book) add_for_use(entries, algorithm.algorithm);
+  for (const Task task :
+       {Task::list, Task::canonical, Task::count, Task::visit, Task::half_list, Task::full_list}) {
+    entries.push_back(entry_of(Algorithm::automatic, task, 1));
+  }
+  for (const int threads : {2, 4, 8, 16}) {
+    entries.push_back(entry_of(Algorithm::automatic, Task::list, threads));
   }
   for (const AlgorithmInfo& algorithm : algorithms()) {
-    const bool of_the_book = !algorithm.book_pages.empty();
-    if (of_the_book) entries.push_back(entry_of(algorithm.algorithm, Task::list, 1));
+    entries.push_back(entry_of(algorithm.algorithm, Task::list, 1));
   }
   return entries;
 }

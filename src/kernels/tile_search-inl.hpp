@@ -15,7 +15,7 @@ constexpr std::int32_t cells_per_block = 3;
 template <int Dim, class Block>
 class TileSearch {
  public:
-  TileSearch(const TileView& tile, SearchJob& job) : tile_(tile), block_(tile, job) {}
+  TileSearch(const TileView& tile, SearchJob& job) : tile_(tile), job_(job) {}
 
   void search() {
     if constexpr (Dim == 2) {
@@ -51,17 +51,18 @@ class TileSearch {
   void search_block(const std::uint32_t* row, std::int32_t first, std::int32_t end) {
     const std::uint32_t central = row[end] - row[first];
     if (central == 0) return;
-    block_.clear();
-    block_.append(row[first], row[end + 1]);
-    append_row(row + tile_.row_length(), first - 1, end);
+    Block block(tile_, job_);
+    block.append(row[first], row[end + 1]);
+    append_row(block, row + tile_.row_length(), first - 1, end);
     if constexpr (Dim == 3) {
       const std::uint32_t* above = row + tile_.layer_length();
-      append_row(above - tile_.row_length(), first - 1, end);
-      append_row(above, first - 1, end);
-      append_row(above + tile_.row_length(), first - 1, end);
+      append_row(block, above - tile_.row_length(), first - 1, end);
+      append_row(block, above, first - 1, end);
+      append_row(block, above + tile_.row_length(), first - 1, end);
     }
-    block_.close();
-    for (std::uint32_t p = 0; p < central; ++p) block_.meet(block_.element(p), p + 1);
+    block.close();
+    for (std::uint32_t p = 0; p < central; ++p) block.meet(block.element(p), p + 1);
+    block.finish();
   }
 
   /// Copies in the cells [first, last]: with the own elements ahead of them.
@@ -69,31 +70,34 @@ class TileSearch {
                         std::int32_t first, std::int32_t last) {
     const std::uint32_t central = row[last + 1] - row[first];
     if (central == 0) return;
-    block_.clear();
-    block_.append(row[first], row[last + 1]);
-    if ((Dim == 2 || is_own(z, 2)) && is_own(y, 1) && last == 0) append_row(row, 1, 1);
+    Block block(tile_, job_);
+    block.append(row[first], row[last + 1]);
+    if ((Dim == 2 || is_own(z, 2)) && is_own(y, 1) && last == 0) append_row(block, row, 1, 1);
     const std::int32_t from = first > 1 ? first - 1 : 1;
     const std::int32_t to = last < tile_.cells[0] ? last + 1 : tile_.cells[0];
     if (from > to) return;
-    if (Dim == 2 || is_own(z, 2)) append_own_row(y + 1, z, from, to);
+    if (Dim == 2 || is_own(z, 2)) append_own_row(block, y + 1, z, from, to);
     if constexpr (Dim == 3) {
       if (is_own(z + 1, 2)) {
         for (std::int32_t ahead = y - 1; ahead <= y + 1; ++ahead) {
-          append_own_row(ahead, z + 1, from, to);
+          append_own_row(block, ahead, z + 1, from, to);
         }
       }
     }
-    if (block_.size() == central) return;
-    block_.close();
-    for (std::uint32_t p = 0; p < central; ++p) block_.meet(block_.element(p), central);
+    if (block.size() == central) return;
+    block.close();
+    for (std::uint32_t p = 0; p < central; ++p) block.meet(block.element(p), central);
+    block.finish();
   }
 
-  void append_own_row(std::int32_t y, std::int32_t z, std::int32_t first, std::int32_t last) {
-    if (is_own(y, 1)) append_row(row_of(y, z), first, last);
+  void append_own_row(Block& block, std::int32_t y, std::int32_t z, std::int32_t first,
+                      std::int32_t last) {
+    if (is_own(y, 1)) append_row(block, row_of(y, z), first, last);
   }
 
-  void append_row(const std::uint32_t* row, std::int32_t first, std::int32_t last) {
-    block_.append(row[first], row[last + 1]);
+  static void append_row(Block& block, const std::uint32_t* row, std::int32_t first,
+                         std::int32_t last) {
+    block.append(row[first], row[last + 1]);
   }
 
   [[nodiscard]] bool is_own(std::int32_t index, int axis) const {
@@ -105,7 +109,7 @@ class TileSearch {
   }
 
   const TileView& tile_;
-  Block block_;
+  SearchJob& job_;
 };
 
 /// Gathers the runs and lets the visitor meet them.
@@ -113,9 +117,9 @@ template <class Block>
 void visit(const TileView& tile, SearchJob& job, const Visitor& visitor,
            std::span<const Run> runs) {
   Block block(tile, job);
-  block.clear();
   for (const Run& run : runs) block.append(run.begin, run.end);
   if (block.size() == 0) return;
   block.close();
   block.meet(block.element_of(visitor), 0);
+  block.finish();
 }

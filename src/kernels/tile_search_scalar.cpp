@@ -21,7 +21,6 @@ class ScalarBlock {
 
   ScalarBlock(const TileView& tile, SearchJob& job) : tile_(tile), job_(job) {}
 
-  void clear() { size_ = 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
 
   void append(std::size_t begin, std::size_t end) {
@@ -36,6 +35,7 @@ class ScalarBlock {
   }
 
   void close() {}
+  void finish() {}
 
   [[nodiscard]] Element element(std::size_t p) const {
     Element result;

@@ -16,6 +16,8 @@
 #include "kernels/compress_table.hpp"
 #include "kernels/tile_search.hpp"
 
+#include <bit>
+
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -44,7 +46,8 @@ HWY_INLINE Numbers compress(Numbers values, Mask mask) {
 #endif
 }
 
-/// Candidates gathered contiguously.
+/// Candidates gathered contiguously. It works on copies of the job's pointers, which stay in
+/// registers: the compiler must assume that any store of a vector changes what lies in memory.
 template <int Dim, bool EqualRadii>
 class SimdBlock {
  public:
@@ -55,39 +58,47 @@ class SimdBlock {
     std::uint32_t number;
   };
 
-  SimdBlock(const TileView& tile, SearchJob& job) : tile_(tile), job_(job) {}
+  HWY_INLINE SimdBlock(const TileView& tile, SearchJob& job)
+      : tile_(tile), job_(job), radius_(job.block[3]), number_(job.block_number) {
+    for (int axis = 0; axis < Dim; ++axis) center_[axis] = job.block[axis];
+    take_room();
+  }
 
-  void clear() { size_ = 0; }
-  [[nodiscard]] std::size_t size() const { return size_; }
+  /// Tells the job what was found and done; nothing is met after it.
+  HWY_INLINE void finish() {
+    job_.filled = filled_;
+    job_.candidate_tests += candidate_tests_;
+  }
+
+  [[nodiscard]] HWY_INLINE std::size_t size() const { return size_; }
 
   /// Copies a run behind what is there: whole vectors, the excess is overwritten later.
   HWY_INLINE void append(std::size_t begin, std::size_t end) {
     for (std::size_t k = 0; begin + k < end; k += lanes) {
       for (int axis = 0; axis < Dim; ++axis) {
         hn::StoreU(hn::LoadU(floats, tile_.center[axis] + begin + k), floats,
-                   job_.block[axis] + size_ + k);
+                   center_[axis] + size_ + k);
       }
       if constexpr (!EqualRadii) {
-        hn::StoreU(hn::LoadU(floats, tile_.radius + begin + k), floats, job_.block[3] + size_ + k);
+        hn::StoreU(hn::LoadU(floats, tile_.radius + begin + k), floats, radius_ + size_ + k);
       }
-      hn::StoreU(hn::LoadU(numbers, tile_.number + begin + k), numbers,
-                 job_.block_number + size_ + k);
+      hn::StoreU(hn::LoadU(numbers, tile_.number + begin + k), numbers, number_ + size_ + k);
     }
     size_ += end - begin;
   }
 
   /// Fills up the last vector with what is within reach of nothing.
   HWY_INLINE void close() {
-    hn::StoreU(hn::Set(floats, far_away), floats, job_.block[0] + size_);
-    if constexpr (!EqualRadii) hn::StoreU(hn::Zero(floats), floats, job_.block[3] + size_);
+    hn::StoreU(hn::Set(floats, far_away), floats, center_[0] + size_);
+    if constexpr (!EqualRadii) hn::StoreU(hn::Zero(floats), floats, radius_ + size_);
   }
 
   HWY_INLINE Element element(std::size_t p) const {
     Element result;
-    for (int axis = 0; axis < Dim; ++axis) result.center[axis] = job_.block[axis][p];
-    result.reach = reach_of(EqualRadii ? tile_.common_radius : job_.block[3][p]);
+    for (int axis = 0; axis < Dim; ++axis) result.center[axis] = center_[axis][p];
+    result.reach = reach_of(EqualRadii ? tile_.common_radius : radius_[p]);
     result.slack = job_.slack;
-    result.number = job_.block_number[p];
+    result.number = number_[p];
     return result;
   }
 
@@ -100,74 +111,149 @@ class SimdBlock {
     return result;
   }
 
-  /// Tests the element against all candidates from `first` on.
+  /// Tests the element against all candidates from `first` on. Vectors begin at multiples of their
+  /// length, so that elements of one block take equally many turns, which the processor foresees.
+  ///
+  /// First as if the filter could decide everything: a loop without calls keeps all it needs in
+  /// registers. Where it could not, what it found is forgotten and found again with care.
   HWY_INLINE void meet(const Element& element, std::size_t first) {
     if (first >= size_) return;
-    job_.candidate_tests += size_ - first;
-    Floats center[Dim];
-    for (int axis = 0; axis < Dim; ++axis) center[axis] = hn::Set(floats, element.center[axis]);
-    const Floats outer = hn::Set(floats, element.reach + element.slack);
-    const Floats inner = hn::Set(floats, element.reach - element.slack);
-    const auto number = hn::Set(numbers, element.number);
-    Floats farthest = hn::Mul(outer, outer);
-    Floats nearest = hn::Max(inner, hn::Zero(floats));
-    nearest = hn::Mul(nearest, nearest);
-
-    for (std::size_t q = first; q < size_; q += lanes) {
-      Floats difference = hn::Sub(center[0], hn::LoadU(floats, job_.block[0] + q));
-      Floats distance_squared = hn::Mul(difference, difference);
-      for (int axis = 1; axis < Dim; ++axis) {
-        difference = hn::Sub(center[axis], hn::LoadU(floats, job_.block[axis] + q));
-        distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
+    candidate_tests_ += size_ - first;
+    const std::size_t begin = first / lanes * lanes;
+    const Mask wanted =
+        hn::Ge(hn::Iota(floats, 0), hn::Set(floats, static_cast<float>(first - begin)));
+    if (HWY_LIKELY(filled_ + size_ - begin + 2 * lanes <= capacity_)) {
+      const std::size_t filled_before = filled_;
+      const Ball ball(element);
+      Filtered filtered = filter(ball, begin);
+      filtered.hit = hn::And(filtered.hit, wanted);
+      Mask undecided = hn::AndNot(filtered.sure, filtered.hit);
+      push(ball, filtered.hit, begin);
+      for (std::size_t q = begin + lanes; q < size_; q += lanes) {
+        filtered = filter(ball, q);
+        undecided = hn::Or(undecided, hn::AndNot(filtered.sure, filtered.hit));
+        push(ball, filtered.hit, q);
       }
-      if constexpr (!EqualRadii) {
-        const Floats radius = hn::LoadU(floats, job_.block[3] + q);
-        farthest = hn::Add(outer, radius);
-        farthest = hn::Mul(farthest, farthest);
-        nearest = hn::Max(hn::Add(inner, radius), hn::Zero(floats));
-        nearest = hn::Mul(nearest, nearest);
-      }
-      Mask hit = hn::Le(distance_squared, farthest);
-      const Mask undecided = hn::AndNot(hn::Lt(distance_squared, nearest), hit);
-      if (HWY_UNLIKELY(!hn::AllFalse(floats, undecided))) {
-        hit = settle(hit, undecided, element.number, q);
-      }
-      const Numbers partner = compress(hn::LoadU(numbers, job_.block_number + q), hit);
-      hn::StoreInterleaved2(hn::Min(number, partner), hn::Max(number, partner), numbers,
-                            reinterpret_cast<std::uint32_t*>(job_.pairs + job_.filled));
-      job_.filled += hn::CountTrue(floats, hit);
-      if (HWY_UNLIKELY(job_.filled + 2 * lanes > job_.capacity)) job_.flush(job_);
+      if (HWY_LIKELY(hn::AllFalse(floats, undecided))) return;
+      filled_ = filled_before;
     }
+    // A copy, so that this block's own variables need no address.
+    SimdBlock careful(*this);
+    careful.meet_with_care(element, begin, wanted);
+    filled_ = careful.filled_;
+    pairs_ = careful.pairs_;
+    capacity_ = careful.capacity_;
   }
 
  private:
+  /// An element in all lanes.
+  struct Ball {
+    HWY_INLINE explicit Ball(const Element& element)
+        : outer(hn::Set(floats, element.reach + element.slack)),
+          inner(hn::Set(floats, element.reach - element.slack)),
+          farthest(hn::Mul(outer, outer)),
+          nearest(hn::Max(inner, hn::Zero(floats))),
+          number(hn::Set(numbers, element.number)) {
+      for (int axis = 0; axis < Dim; ++axis) {
+        center[axis] = hn::Set(floats, element.center[axis]);
+      }
+      nearest = hn::Mul(nearest, nearest);
+    }
+
+    Floats center[Dim];
+    Floats outer;
+    Floats inner;
+    Floats farthest;  ///< squares, where all radii are equal
+    Floats nearest;
+    Numbers number;
+  };
+
+  struct Filtered {
+    Mask hit;   ///< not certainly apart
+    Mask sure;  ///< certainly within reach
+  };
+
+  HWY_INLINE Filtered filter(const Ball& ball, std::size_t q) const {
+    Floats difference = hn::Sub(ball.center[0], hn::LoadU(floats, center_[0] + q));
+    Floats distance_squared = hn::Mul(difference, difference);
+    for (int axis = 1; axis < Dim; ++axis) {
+      difference = hn::Sub(ball.center[axis], hn::LoadU(floats, center_[axis] + q));
+      distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
+    }
+    if constexpr (EqualRadii) {
+      return {hn::Le(distance_squared, ball.farthest), hn::Lt(distance_squared, ball.nearest)};
+    } else {
+      const Floats radius = hn::LoadU(floats, radius_ + q);
+      const Floats farthest = hn::Add(ball.outer, radius);
+      const Floats nearest = hn::Max(hn::Add(ball.inner, radius), hn::Zero(floats));
+      return {hn::Le(distance_squared, hn::Mul(farthest, farthest)),
+              hn::Lt(distance_squared, hn::Mul(nearest, nearest))};
+    }
+  }
+
+  /// Writes a pair for each lane of the mask, in order; a whole vector, the excess is overwritten.
+  HWY_INLINE void push(const Ball& ball, Mask hit, std::size_t q) {
+    const Numbers partner = compress(hn::LoadU(numbers, number_ + q), hit);
+    hn::StoreInterleaved2(hn::Min(ball.number, partner), hn::Max(ball.number, partner), numbers,
+                          reinterpret_cast<std::uint32_t*>(pairs_ + filled_));
+    filled_ += hn::CountTrue(floats, hit);
+  }
+
+  /// The same with exact decisions and room for any number of pairs.
+  HWY_NOINLINE void meet_with_care(const Element& element, std::size_t begin, Mask wanted) {
+    const Ball ball(element);
+    for (std::size_t q = begin; q < size_; q += lanes) {
+      Filtered filtered = filter(ball, q);
+      filtered.hit = hn::And(filtered.hit, wanted);
+      wanted = hn::MaskFromVec(hn::BitCast(floats, hn::Set(numbers, ~0u)));
+      const Mask undecided = hn::AndNot(filtered.sure, filtered.hit);
+      if (!hn::AllFalse(floats, undecided)) settle(filtered.hit, undecided, element.number, q);
+      push(ball, filtered.hit, q);
+      if (filled_ + 2 * lanes <= capacity_) continue;
+      job_.filled = filled_;
+      job_.flush(job_);
+      take_room();
+    }
+  }
+
+  /// Decides the undecided lanes exactly.
+  void settle(Mask& hit, Mask undecided, std::uint32_t number, std::size_t q) {
+    std::uint8_t hits[8] = {};
+    std::uint8_t asked[8] = {};
+    hn::StoreMaskBits(floats, hit, hits);
+    hn::StoreMaskBits(floats, undecided, asked);
+    for (std::uint32_t rest = asked[0] | asked[1] << 8u; rest != 0; rest &= rest - 1) {
+      const int lane = std::countr_zero(rest);
+      if (job_.decide(job_, number, number_[q + static_cast<std::size_t>(lane)])) continue;
+      hits[lane / 8] = static_cast<std::uint8_t>(hits[lane / 8] & ~(1u << lane % 8));
+    }
+    hit = hn::LoadMaskBits(floats, hits);
+  }
+
   HWY_INLINE float reach_of(float radius) const {
     return radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f);
   }
 
-  /// Decides the undecided lanes exactly.
-  HWY_NOINLINE Mask settle(Mask hit, Mask undecided, std::uint32_t number, std::size_t q) {
-    HWY_ALIGN std::uint8_t hits[8] = {};
-    HWY_ALIGN std::uint8_t asked[8] = {};
-    hn::StoreMaskBits(floats, hit, hits);
-    hn::StoreMaskBits(floats, undecided, asked);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const auto bit = static_cast<std::uint8_t>(1u << (lane % 8));
-      if ((asked[lane / 8] & bit) == 0) continue;
-      if (!job_.decide(job_, number, job_.block_number[q + lane])) {
-        hits[lane / 8] = static_cast<std::uint8_t>(hits[lane / 8] & ~bit);
-      }
-    }
-    return hn::LoadMaskBits(floats, hits);
+  HWY_INLINE void take_room() {
+    pairs_ = job_.pairs;
+    filled_ = job_.filled;
+    capacity_ = job_.capacity;
   }
 
   static constexpr FloatTag floats{};
   static constexpr NumberTag numbers{};
-  const std::size_t lanes = hn::Lanes(floats);
+  static constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
 
   const TileView& tile_;
   SearchJob& job_;
+  float* center_[Dim];
+  float* radius_;
+  std::uint32_t* number_;
+  ContactPair* pairs_;
+  std::size_t filled_;
+  std::size_t capacity_;
   std::size_t size_ = 0;
+  std::size_t candidate_tests_ = 0;
 };
 
 #include "kernels/tile_search-inl.hpp"

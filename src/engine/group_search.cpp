@@ -57,6 +57,14 @@ double volume_in_cells(const grid::Bounds<Dim>& bounds, double cell) {
   return volume;
 }
 
+template <int Dim>
+double tile_volume_in_cells(const TileGrid<Dim>& grid) {
+  grid::Bounds<Dim> tile;
+  tile.lower.fill(0.0);
+  tile.upper = grid.size;
+  return volume_in_cells(tile, grid.cell_size);
+}
+
 /// Small tiles where that costs no copies; else such as fit into the cache.
 template <int Dim>
 TileGrid<Dim> cut_into_tiles(const Group<Dim>& group, double cell) {
@@ -189,7 +197,8 @@ bool GroupSearch<Dim>::search_crowded_tile(const Group<Dim>& group, const TileGr
   }
   // Tiles of a group of all workers stand at depth 0 of the worker's own floors.
   const bool waits = post.depth == 0 && tiles.own_count(tile) >= large_group;
-  Part part{waits ? &spare_members() : &post.floors.at(post.depth).part, group.wanted, cut};
+  Part part{waits ? &spare_members() : &post.floors.at(post.depth).part, group.wanted, cut,
+            tile_volume_in_cells(grid)};
   collect_tile(task_.spheres, tiles, tile, grid.cell_size, task_.margin, *part.members);
   if (!waits) {
     search(part, post);
@@ -224,7 +233,9 @@ std::optional<double> GroupSearch<Dim>::size_cut_in(const Group<Dim>& group,
 template <int Dim>
 void GroupSearch<Dim>::search(const Part& part, const Post& post) {
   Group<Dim> group = group_of(task_.spheres, *part.members, part.wanted);
-  group.least_tiles = tiles_of_crowd;
+  // Cells that are much smaller, because the box is, are progress enough.
+  const double volume = volume_in_cells(group.bounds, cell_size_for(group.bounds, task_.margin));
+  group.least_tiles = volume * tiles_of_crowd <= part.tile_volume ? 1.0 : tiles_of_crowd;
   if (part.size_cut) {
     search_divided(group, *part.size_cut, post.deeper());
   } else {

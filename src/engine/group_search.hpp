@@ -42,6 +42,7 @@ class GroupSearch {
     Members* members;
     Wanted wanted;
     std::optional<double> size_cut;
+    double tile_volume = 0.0;  ///< of the tile that it was, in cells of its group
   };
 
   struct Waiting {

@@ -20,21 +20,37 @@ class TileNeighbors {
  public:
   explicit TileNeighbors(const TileGrid<Dim>& grid) noexcept;
 
-  /// Steps from the number of its own tile to those of the others.
-  [[nodiscard]] std::span<const std::int32_t> of_native(std::uint32_t near_faces) const noexcept {
-    return std::span(steps_[near_faces]).first(lower_count_[near_faces]);
+  /// Calls body(step) for each tile that must see a copy; step: from its own tile's number.
+  template <class Body>
+  void for_each_of_native(std::uint32_t near_faces, Body&& body) const {
+    for (const std::uint8_t k : offsets_near(near_faces).lower()) body(steps_[k]);
   }
-  [[nodiscard]] std::span<const std::int32_t> of_foreign(std::uint32_t near_faces) const noexcept {
-    return std::span(steps_[near_faces]).first(count_[near_faces]);
+  template <class Body>
+  void for_each_of_foreign(std::uint32_t near_faces, Body&& body) const {
+    for (const std::uint8_t k : offsets_near(near_faces).all()) body(steps_[k]);
   }
 
  private:
-  static constexpr std::size_t combinations = std::size_t{1} << (2 * Dim);
-  static constexpr std::size_t most = Dim == 3 ? 26 : 8;
+  static constexpr std::size_t neighbors = Dim == 3 ? 26 : 8;
 
-  std::array<std::array<std::int32_t, most>, combinations> steps_{};  ///< lower side first
-  std::array<std::uint8_t, combinations> lower_count_{};
-  std::array<std::uint8_t, combinations> count_{};
+  /// Numbers of the neighbours that an element near some faces lies near: those on the lower side
+  /// first.
+  struct Offsets {
+    std::array<std::uint8_t, neighbors> numbers{};
+    std::uint8_t lower_count = 0;
+    std::uint8_t count = 0;
+
+    [[nodiscard]] std::span<const std::uint8_t> lower() const noexcept {
+      return std::span(numbers).first(lower_count);
+    }
+    [[nodiscard]] std::span<const std::uint8_t> all() const noexcept {
+      return std::span(numbers).first(count);
+    }
+  };
+
+  [[nodiscard]] static const Offsets& offsets_near(std::uint32_t near_faces) noexcept;
+
+  std::array<std::int32_t, neighbors> steps_{};  ///< from the number of a tile to its neighbours'
 };
 
 }  // namespace abut::engine

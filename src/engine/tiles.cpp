@@ -95,9 +95,9 @@ void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<D
       places_[k] = packed(tile, near_faces);
       ++counts.own[tile];
       if (near_faces == 0) continue;
-      for (const std::int32_t step : neighbors.of_native(near_faces)) {
-        ++counts.copies[tile + static_cast<std::uint32_t>(step)];
-      }
+      neighbors.for_each_of_native(near_faces, [&, here = tile](std::int32_t step) {
+        ++counts.copies[here + static_cast<std::uint32_t>(step)];
+      });
     }
   });
 
@@ -106,9 +106,9 @@ void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<D
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
     const auto [tile, near_faces] = grid.place_of_foreign(spheres[group.foreigns[k]], group.bounds);
     places_[natives + k] = packed(tile, near_faces);
-    for (const std::int32_t step : neighbors.of_foreign(near_faces)) {
-      ++counts.copies[tile + static_cast<std::uint32_t>(step)];
-    }
+    neighbors.for_each_of_foreign(near_faces, [&, here = tile](std::int32_t step) {
+      ++counts.copies[here + static_cast<std::uint32_t>(step)];
+    });
   }
 }
 
@@ -144,14 +144,10 @@ void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group
 
   const std::size_t natives = group.natives.size();
   const TileNeighbors<Dim> neighbors(grid);
-  const auto copy_to = [&](const Cursors& cursors, std::uint32_t number, std::uint32_t tile,
-                           std::span<const std::int32_t> steps) {
-    for (const std::int32_t step : steps) {
-      const std::size_t target = tile + static_cast<std::uint32_t>(step);
-      if (own_[target] == 0) continue;
-      records_[cursors.copies[target]++] =
-          record_of<Dim>(spheres[number], number, corners_[target], unit_);
-    }
+  const auto copy_to = [&](const Cursors& cursors, std::uint32_t number, std::size_t target) {
+    if (own_[target] == 0) return;
+    records_[cursors.copies[target]++] =
+        record_of<Dim>(spheres[number], number, corners_[target], unit_);
   };
 
   base::for_each_worker(workers, [&](std::size_t worker) {
@@ -164,14 +160,18 @@ void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group
           record_of<Dim>(spheres[number], number, corners_[tile], unit_);
       const std::uint32_t near_faces = faces_of(places_[k]);
       if (near_faces == 0) continue;
-      copy_to(cursors, number, tile, neighbors.of_native(near_faces));
+      neighbors.for_each_of_native(near_faces, [&](std::int32_t step) {
+        copy_to(cursors, number, tile + static_cast<std::uint32_t>(step));
+      });
     }
   });
 
   const Cursors cursors = cursors_of(cursors_, workers, grid.tile_count);
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
     const std::uint32_t place = places_[natives + k];
-    copy_to(cursors, group.foreigns[k], tile_of(place), neighbors.of_foreign(faces_of(place)));
+    neighbors.for_each_of_foreign(faces_of(place), [&](std::int32_t step) {
+      copy_to(cursors, group.foreigns[k], tile_of(place) + static_cast<std::uint32_t>(step));
+    });
   }
 }
 

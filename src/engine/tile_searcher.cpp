@@ -9,6 +9,9 @@ namespace {
 /// docs/derivations/tile_filter.md.
 constexpr float filter_slack = 0x1p-20f;
 
+/// With fewer hits than one in so many tests, three of four vectors are without one.
+constexpr std::uint64_t tests_for_few_hits = 24;
+
 constexpr std::uint64_t tests_between_polls = 1 << 18;
 
 }  // namespace
@@ -44,6 +47,7 @@ template <int Dim>
 void TileSearcher<Dim>::flush() {
   const std::size_t count = job_.filled;
   job_.filled = 0;
+  pairs_ += count;
   if (count > 0) task_.sink.commit(count, origin_);
   poll();
 }
@@ -66,6 +70,7 @@ void TileSearcher<Dim>::ask_for_room() {
 template <int Dim>
 void TileSearcher<Dim>::prepare(double unit) {
   if (job_.pairs == nullptr) ask_for_room();
+  job_.few_hits = (pairs_ + job_.filled) * tests_for_few_hits < job_.candidate_tests;
   job_.margin = static_cast<float>(task_.margin * unit);
   const std::size_t elements = bench_.tile.size();
   const std::size_t padded = elements + 2 * kernels::widest_vector;

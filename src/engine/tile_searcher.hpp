@@ -62,6 +62,7 @@ class TileSearcher {
   Bench<Dim>& bench_;
   base::Origin origin_;
   kernels::SearchJob job_{};
+  std::uint64_t pairs_ = 0;
   std::uint64_t far_tests_ = 0;
   std::uint64_t next_poll_ = 0;
   std::uint64_t exact_decisions_ = 0;

@@ -53,14 +53,18 @@ class SimdBlock {
  public:
   struct Element {
     float center[Dim];
-    float reach;  ///< radius + margin, + the common radius where all are equal
-    float slack;
+    float outer;  ///< reach + slack and reach - slack: its own part, or all where radii are equal
+    float inner;
     std::uint32_t number;
   };
 
   HWY_INLINE SimdBlock(const TileView& tile, SearchJob& job)
       : tile_(tile), job_(job), radius_(job.block[3]), number_(job.block_number) {
     for (int axis = 0; axis < Dim; ++axis) center_[axis] = job.block[axis];
+    if constexpr (EqualRadii) {
+      common_outer_ = outer(tile.common_radius, job.slack);
+      common_inner_ = inner(tile.common_radius, job.slack);
+    }
     take_room();
   }
 
@@ -96,8 +100,8 @@ class SimdBlock {
   HWY_INLINE Element element(std::size_t p) const {
     Element result;
     for (int axis = 0; axis < Dim; ++axis) result.center[axis] = center_[axis][p];
-    result.reach = reach_of(EqualRadii ? tile_.common_radius : radius_[p]);
-    result.slack = job_.slack;
+    result.outer = EqualRadii ? common_outer_ : outer(radius_[p], job_.slack);
+    result.inner = EqualRadii ? common_inner_ : inner(radius_[p], job_.slack);
     result.number = number_[p];
     return result;
   }
@@ -105,8 +109,8 @@ class SimdBlock {
   HWY_INLINE Element element_of(const Visitor& visitor) const {
     Element result;
     for (int axis = 0; axis < Dim; ++axis) result.center[axis] = visitor.center[axis];
-    result.reach = reach_of(visitor.radius);
-    result.slack = visitor.slack;
+    result.outer = outer(visitor.radius, visitor.slack);
+    result.inner = inner(visitor.radius, visitor.slack);
     result.number = visitor.number;
     return result;
   }
@@ -149,15 +153,14 @@ class SimdBlock {
   /// An element in all lanes.
   struct Ball {
     HWY_INLINE explicit Ball(const Element& element)
-        : outer(hn::Set(floats, element.reach + element.slack)),
-          inner(hn::Set(floats, element.reach - element.slack)),
-          farthest(hn::Mul(outer, outer)),
-          nearest(hn::Max(inner, hn::Zero(floats))),
+        : outer(hn::Set(floats, element.outer)),
+          inner(hn::Set(floats, element.inner)),
+          farthest(hn::Set(floats, element.outer * element.outer)),
+          nearest(hn::Set(floats, element.inner < 0.0f ? 0.0f : element.inner * element.inner)),
           number(hn::Set(numbers, element.number)) {
       for (int axis = 0; axis < Dim; ++axis) {
         center[axis] = hn::Set(floats, element.center[axis]);
       }
-      nearest = hn::Mul(nearest, nearest);
     }
 
     Floats center[Dim];
@@ -193,6 +196,7 @@ class SimdBlock {
 
   /// Writes a pair for each lane of the mask, in order; a whole vector, the excess is overwritten.
   HWY_INLINE void push(const Ball& ball, Mask hit, std::size_t q) {
+    if (few_hits_ && hn::AllFalse(floats, hit)) return;
     const Numbers partner = compress(hn::LoadU(numbers, number_ + q), hit);
     hn::StoreInterleaved2(hn::Min(ball.number, partner), hn::Max(ball.number, partner), numbers,
                           reinterpret_cast<std::uint32_t*>(pairs_ + filled_));
@@ -230,8 +234,11 @@ class SimdBlock {
     hit = hn::LoadMaskBits(floats, hits);
   }
 
-  HWY_INLINE float reach_of(float radius) const {
-    return radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f);
+  [[nodiscard]] HWY_INLINE float outer(float radius, float slack) const {
+    return radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f) + slack;
+  }
+  [[nodiscard]] HWY_INLINE float inner(float radius, float slack) const {
+    return radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f) - slack;
   }
 
   HWY_INLINE void take_room() {
@@ -248,12 +255,16 @@ class SimdBlock {
   SearchJob& job_;
   float* center_[Dim];
   float* radius_;
+  float common_outer_ = 0.0f;
+  float common_inner_ = 0.0f;
   std::uint32_t* number_;
   ContactPair* pairs_;
   std::size_t filled_;
   std::size_t capacity_;
   std::size_t size_ = 0;
   std::size_t candidate_tests_ = 0;
+  /// Whether most vectors are without a hit, so that looking first pays.
+  const bool few_hits_ = job_.few_hits;
 };
 
 #include "kernels/tile_search-inl.hpp"

@@ -42,6 +42,7 @@ struct SearchJob {
   std::size_t filled;
   std::size_t capacity;  ///< > 2 * widest_vector
   std::uint64_t candidate_tests;
+  bool few_hits;  ///< a hint: most candidates are none, by far
   void* owner;
   void (*flush)(SearchJob& job);  ///< takes the pairs and gives new room
   bool (*decide)(SearchJob& job, std::uint32_t first, std::uint32_t second);

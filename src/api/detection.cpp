@@ -119,8 +119,9 @@ Statistics Detection::guarded(const ElementView& elements, const Options& option
 }
 
 template <int Dim>
-void Detection::search(const grid::Bounds<Dim>& bounds, const Options& options, PairSink& sink,
-                       DetectionContext& context, Statistics& statistics) {
+void Detection::search(const grid::Bounds<Dim>& bounds, const engine::RowsSettings& settings,
+                       const Options& options, PairSink& sink, DetectionContext& context,
+                       Statistics& statistics) {
   Arrays<Dim>& own = arrays<Dim>();
   const Choice choice = options.algorithm == Algorithm::automatic
                             ? choose_algorithm(own.spheres.size())
@@ -131,13 +132,10 @@ void Detection::search(const grid::Bounds<Dim>& bounds, const Options& options, 
   if (choice.row->runs<Dim>().on_elements == nullptr) {
     return search_cells<Dim>(*choice.row, own.spheres, bounds, options, sink, context);
   }
-  engine::RowsSettings settings{options.margin, 1, Simd::scalar};
   if (choice.row->info.algorithm == Algorithm::rows) {
-    settings.workers = base::worker_count(options.threads, own.spheres.size());
-    settings.simd = kernels::level_to_run(options.simd);
+    statistics.threads = static_cast<int>(settings.workers);
+    statistics.simd = settings.simd;
   }
-  statistics.threads = static_cast<int>(settings.workers);
-  statistics.simd = settings.simd;
   choice.row->runs<Dim>().on_elements({own.spheres, bounds, settings, own.workspace}, sink,
                                       context);
 }
@@ -151,10 +149,14 @@ Statistics Detection::run_in(const ElementView& elements, const Options& options
 
   Stopwatch stopwatch;
   context.progress.begin("gather", elements.size());
-  const grid::Bounds<Dim> bounds = gather<Dim>(elements, arrays<Dim>().spheres, context);
+  const engine::RowsSettings settings{options.margin,
+                                      base::worker_count(options.threads, elements.size()),
+                                      kernels::level_to_run(options.simd)};
+  const grid::Bounds<Dim> bounds =
+      gather<Dim>(elements, {settings.workers, settings.simd}, arrays<Dim>().spheres, context);
   statistics.gather_seconds = stopwatch.lap();
 
-  search<Dim>(bounds, options, sink, context, statistics);
+  search<Dim>(bounds, settings, options, sink, context, statistics);
   statistics.search_seconds = stopwatch.lap();
   return statistics;
 }

@@ -5,7 +5,7 @@
 #include "base/detection_context.hpp"
 #include "base/memory_meter.hpp"
 #include "base/pair_sink.hpp"
-#include "engine/workspace.hpp"
+#include "engine/rows.hpp"
 #include "grid/bounds.hpp"
 
 #include <abut/detect.hpp>
@@ -58,8 +58,9 @@ class Detection {
   Statistics run_in(const ElementView& elements, const Options& options, base::PairSink& sink,
                     base::DetectionContext& context);
   template <int Dim>
-  void search(const grid::Bounds<Dim>& bounds, const Options& options, base::PairSink& sink,
-              base::DetectionContext& context, Statistics& statistics);
+  void search(const grid::Bounds<Dim>& bounds, const engine::RowsSettings& settings,
+              const Options& options, base::PairSink& sink, base::DetectionContext& context,
+              Statistics& statistics);
 
   /// Sets the scene for `body(context)` and turns lack of memory into an Error.
   template <class Body>

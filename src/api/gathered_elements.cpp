@@ -1,17 +1,24 @@
 #include "api/gathered_elements.hpp"
 
+#include "base/workers.hpp"
 #include "base/written.hpp"
+#include "kernels/element_kernels.hpp"
 
 #include <abut/error.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace abut::api {
 namespace {
+
+constexpr std::size_t elements_between_polls = 4096;
 
 [[noreturn]] void reject(std::size_t element, const char* field, double value, const char* rule) {
   throw Error(ErrorCode::invalid_input, "element " + std::to_string(element) + " has " + field +
@@ -65,32 +72,107 @@ bool valid(const base::Sphere<Dim>& sphere) {
   return finite;
 }
 
-template <int Dim, Real T>
-grid::Bounds<Dim> read_all(const ElementView& elements, std::span<base::Sphere<Dim>> spheres,
-                           base::DetectionContext& context) {
-  grid::Bounds<Dim> bounds;
-  for (std::size_t k = 0; k < elements.size(); ++k) {
-    context.progress.at(k);
-    const base::Sphere<Dim> sphere = read<Dim, T>(elements, k);
-    if (!valid(sphere)) reject(k, sphere);
-    bounds.include_center(sphere);
-    bounds.include_radius(sphere.radius);
-    spheres[k] = sphere;
+/// The columns that the vector kernels can read: contiguous doubles.
+std::optional<kernels::ElementColumns> contiguous_columns(const ElementView& elements) {
+  if (elements.precision() != Precision::float64 || elements.has_common_radius()) return {};
+  kernels::ElementColumns columns{};
+  bool contiguous = true;
+  const auto column = [&](const ElementView::Numbers& numbers) {
+    contiguous = contiguous && numbers.stride_bytes == sizeof(double) &&
+                 reinterpret_cast<std::uintptr_t>(numbers.first) % alignof(double) == 0;
+    return reinterpret_cast<const double*>(numbers.first);
+  };
+  for (int axis = 0; axis < elements.dimensions(); ++axis) {
+    columns.center[axis] = column(elements.center(axis));
   }
-  return bounds;
+  columns.radius = column(elements.radii());
+  return contiguous ? std::optional(columns) : std::nullopt;
 }
+
+template <int Dim>
+void widen(grid::Bounds<Dim>& bounds, const grid::Bounds<Dim>& others) {
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    bounds.lower[axis] = std::min(bounds.lower[axis], others.lower[axis]);
+    bounds.upper[axis] = std::max(bounds.upper[axis], others.upper[axis]);
+  }
+  bounds.include_radius(others.second_largest_radius);
+  bounds.include_radius(others.largest_radius);
+  bounds.smallest_radius = std::min(bounds.smallest_radius, others.smallest_radius);
+}
+
+/// Reads parts of the elements, one part a worker.
+template <int Dim>
+class Gatherer {
+ public:
+  Gatherer(const ElementView& elements, std::span<base::Sphere<Dim>> spheres, Simd simd)
+      : elements_(elements),
+        spheres_(spheres),
+        columns_(contiguous_columns(elements)),
+        kernels_(kernels::element_kernels(simd)) {}
+
+  /// Bounds of the elements [first, last). Throws at the first bad one.
+  [[nodiscard]] grid::Bounds<Dim> read(std::size_t first, std::size_t last) const {
+    grid::Bounds<Dim> bounds;
+    std::size_t k = first;
+    if (columns_) k += pack(first, last - first, bounds);
+    for (; k < last; ++k) {
+      const base::Sphere<Dim> sphere = element_at<Dim>(elements_, k);
+      if (!valid(sphere)) reject(k, sphere);
+      bounds.include_center(sphere);
+      bounds.include_radius(sphere.radius);
+      spheres_[k] = sphere;
+    }
+    return bounds;
+  }
+
+ private:
+  std::size_t pack(std::size_t first, std::size_t count, grid::Bounds<Dim>& bounds) const {
+    kernels::ElementColumns columns = *columns_;
+    for (int axis = 0; axis < Dim; ++axis) columns.center[axis] += first;
+    columns.radius += first;
+    kernels::ElementBounds packed{};
+    std::copy(bounds.lower.begin(), bounds.lower.end(), packed.lower);
+    std::copy(bounds.upper.begin(), bounds.upper.end(), packed.upper);
+    packed.smallest_radius = bounds.smallest_radius;
+    const std::size_t done = kernels_.pack(columns, count, Dim, spheres_[first].center, packed);
+    if (done == 0) return 0;
+    std::copy_n(packed.lower, Dim, bounds.lower.begin());
+    std::copy_n(packed.upper, Dim, bounds.upper.begin());
+    bounds.smallest_radius = packed.smallest_radius;
+    bounds.largest_radius = packed.largest_radius;
+    bounds.second_largest_radius = packed.second_largest_radius;
+    return done;
+  }
+
+  const ElementView& elements_;
+  std::span<base::Sphere<Dim>> spheres_;
+  std::optional<kernels::ElementColumns> columns_;
+  kernels::ElementKernels kernels_;
+};
 
 }  // namespace
 
 template <int Dim>
-grid::Bounds<Dim> gather(const ElementView& elements, base::Array<base::Sphere<Dim>>& spheres,
-                         base::DetectionContext& context) {
+grid::Bounds<Dim> gather(const ElementView& elements, const GatherSettings& settings,
+                         base::Array<base::Sphere<Dim>>& spheres, base::DetectionContext& context) {
   if (spheres.capacity() < elements.size()) spheres.clear();
   spheres.resize(elements.size());
   if (elements.size() == 0) return {.lower = {}, .upper = {}, .smallest_radius = 0.0};
-  return elements.precision() == Precision::float32
-             ? read_all<Dim, float>(elements, spheres, context)
-             : read_all<Dim, double>(elements, spheres, context);
+
+  const Gatherer<Dim> gatherer(elements, spheres, settings.simd);
+  std::vector<grid::Bounds<Dim>> parts(settings.workers);
+  // Each worker its part in order, and of two exceptions the first worker's is thrown: that of the
+  // first bad element.
+  base::for_each_worker(settings.workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, settings.workers, elements.size());
+    for (std::size_t k = first; k < last; k += elements_between_polls) {
+      if (worker == 0) context.progress.report(k);
+      widen(parts[worker], gatherer.read(k, std::min(k + elements_between_polls, last)));
+    }
+  });
+  grid::Bounds<Dim> bounds;
+  for (const grid::Bounds<Dim>& part : parts) widen(bounds, part);
+  return bounds;
 }
 
 template <int Dim>
@@ -99,10 +181,10 @@ base::Sphere<Dim> element_at(const ElementView& elements, std::size_t number) {
                                                     : read<Dim, double>(elements, number);
 }
 
-template grid::Bounds<2> gather(const ElementView&, base::Array<base::Sphere<2>>&,
-                                base::DetectionContext&);
-template grid::Bounds<3> gather(const ElementView&, base::Array<base::Sphere<3>>&,
-                                base::DetectionContext&);
+template grid::Bounds<2> gather(const ElementView&, const GatherSettings&,
+                                base::Array<base::Sphere<2>>&, base::DetectionContext&);
+template grid::Bounds<3> gather(const ElementView&, const GatherSettings&,
+                                base::Array<base::Sphere<3>>&, base::DetectionContext&);
 template base::Sphere<2> element_at(const ElementView&, std::size_t);
 template base::Sphere<3> element_at(const ElementView&, std::size_t);
 

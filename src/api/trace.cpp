@@ -28,7 +28,7 @@ template <int Dim>
 CellSystem cells_of(const ElementView& elements, const Options& options) {
   DetectionContext context;
   auto spheres = base::make_array_for_overwrite<base::Sphere<Dim>>(context.memory, 0);
-  const grid::Bounds<Dim> bounds = api::gather<Dim>(elements, spheres, context);
+  const grid::Bounds<Dim> bounds = api::gather<Dim>(elements, {}, spheres, context);
   const auto cells = grid::integerise<Dim>(spheres, bounds, options.margin, context);
   CellSystem system;
   system.dimensions = Dim;

@@ -16,6 +16,7 @@ class Numbers {
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+  [[nodiscard]] bool are_the_first() const noexcept { return list_ == nullptr; }
   [[nodiscard]] std::uint32_t operator[](std::size_t k) const noexcept {
     return list_ == nullptr ? static_cast<std::uint32_t>(k) : list_[k];
   }

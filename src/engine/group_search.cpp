@@ -137,13 +137,13 @@ void GroupSearch<Dim>::search_tiles(const Group<Dim>& group, const Post& post) {
   const TileGrid<Dim> grid = cut_into_tiles(group, cell_size_for(group.bounds, task_.margin));
   Tiles<Dim>& tiles = post.floors.at(post.depth).tiles;
   if (post.worker != nullptr) {
-    tiles.partition(task_.spheres, group, grid, task_.margin, 1);
+    tiles.partition(task_.spheres, group, grid, task_.margin, task_.element_kernels, 1);
     for (std::size_t tile = 0; tile < grid.tile_count; ++tile) {
       search_tile(group, grid, tiles, tile, post);
     }
     return;
   }
-  tiles.partition(task_.spheres, group, grid, task_.margin, worker_count_);
+  tiles.partition(task_.spheres, group, grid, task_.margin, task_.element_kernels, worker_count_);
   base::for_each_index(worker_count_, grid.tile_count, [&](std::size_t w, std::size_t tile) {
     TileSearcher<Dim>& worker = workers_[w];
     if (tiles.own_count(tile) == 0) return;

@@ -56,6 +56,19 @@ TileGrid<Dim> TileGrid<Dim>::over(const grid::Bounds<Dim>& box, double cell_size
   return grid;
 }
 
+template <int Dim>
+kernels::PlaceMap TileGrid<Dim>::place_map() const noexcept {
+  kernels::PlaceMap map{};
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    map.lower[axis] = lower[axis];
+    map.inverse_size[axis] = inverse_size[axis];
+    map.border[axis] = border[axis];
+    map.last[axis] = count[axis] - 1;
+    map.stride[axis] = stride[axis];
+  }
+  return map;
+}
+
 template struct TileGrid<2>;
 template struct TileGrid<3>;
 

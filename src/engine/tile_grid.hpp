@@ -2,6 +2,7 @@
 
 #include "base/sphere_predicate.hpp"
 #include "grid/bounds.hpp"
+#include "kernels/element_kernels.hpp"
 
 #include <array>
 #include <cstddef>
@@ -82,6 +83,9 @@ struct TileGrid {
     }
     return {static_cast<std::uint32_t>(tile), near_faces};
   }
+
+  /// The same map for the vector kernels.
+  [[nodiscard]] kernels::PlaceMap place_map() const noexcept;
 
   /// Lower corner of a tile.
   [[nodiscard]] std::array<double, Dim> corner(std::size_t tile) const noexcept {

@@ -3,6 +3,7 @@
 #include "base/pair_sink.hpp"
 #include "base/progress_reporter.hpp"
 #include "engine/workspace.hpp"
+#include "kernels/element_kernels.hpp"
 #include "kernels/tile_search.hpp"
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct Task {
   double margin;                                 ///< in the scale of `spheres`
   double original_margin;
   kernels::TileKernels kernels;
+  kernels::ElementKernels element_kernels;
   base::PairSink& sink;
   base::ProgressReporter& progress;
 };

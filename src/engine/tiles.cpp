@@ -68,9 +68,10 @@ Tiles<Dim>::Tiles(base::MemoryMeter& memory)
 
 template <int Dim>
 void Tiles<Dim>::partition(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
-                           const TileGrid<Dim>& grid, double margin, std::size_t workers) {
+                           const TileGrid<Dim>& grid, double margin,
+                           const kernels::ElementKernels& kernels, std::size_t workers) {
   unit_ = unit_of(grid);
-  count(spheres, group, grid, workers);
+  count(spheres, group, grid, kernels, workers);
   lay_out(grid.tile_count, workers);
   scatter(spheres, group, grid, workers);
   list_visitors(spheres, group, grid, margin);
@@ -78,26 +79,30 @@ void Tiles<Dim>::partition(std::span<const base::Sphere<Dim>> spheres, const Gro
 
 template <int Dim>
 void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
-                       const TileGrid<Dim>& grid, std::size_t workers) {
+                       const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+                       std::size_t workers) {
   const std::size_t natives = group.natives.size();
   base::make_room(places_, natives + group.foreigns.size());
   base::make_room(cursors_, 2 * (workers + 1) * grid.tile_count);
   const TileNeighbors<Dim> neighbors(grid);
-  const std::uint32_t copied = group.wanted == Wanted::all_pairs ? ~0u : 0u;
+  // Where pairs among natives are not wanted, no face is near.
+  const std::uint32_t copied =
+      group.wanted == Wanted::all_pairs ? ~std::uint32_t{0} : packed(~std::uint32_t{0}, 0);
 
   base::for_each_worker(workers, [&](std::size_t worker) {
     const Cursors counts = cursors_of(cursors_, worker, grid.tile_count);
     std::fill_n(counts.own, 2 * grid.tile_count, std::uint64_t{0});
     const auto [first, last] = base::share_of(worker, workers, natives);
+    place(spheres, group, grid, kernels, first, last);
     for (std::size_t k = first; k < last; ++k) {
-      auto [tile, near_faces] = grid.place(spheres[group.natives[k]]);
-      near_faces &= copied;
-      places_[k] = packed(tile, near_faces);
+      places_[k] &= copied;
+      const std::uint32_t tile = tile_of(places_[k]);
       ++counts.own[tile];
+      const std::uint32_t near_faces = faces_of(places_[k]);
       if (near_faces == 0) continue;
-      neighbors.for_each_of_native(near_faces, [&, here = tile](std::int32_t step) {
-        ++counts.copies[here + static_cast<std::uint32_t>(step)];
-      });
+      for (const std::uint8_t neighbor : neighbors.of_native(near_faces)) {
+        ++counts.copies[neighbors.from(tile, neighbor)];
+      }
     }
   });
 
@@ -106,9 +111,25 @@ void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<D
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
     const auto [tile, near_faces] = grid.place_of_foreign(spheres[group.foreigns[k]], group.bounds);
     places_[natives + k] = packed(tile, near_faces);
-    neighbors.for_each_of_foreign(near_faces, [&, here = tile](std::int32_t step) {
-      ++counts.copies[here + static_cast<std::uint32_t>(step)];
-    });
+    for (const std::uint8_t neighbor : neighbors.of_foreign(near_faces)) {
+      ++counts.copies[neighbors.from(tile, neighbor)];
+    }
+  }
+}
+
+/// The places of the natives [first, last).
+template <int Dim>
+void Tiles<Dim>::place(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+                       const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+                       std::size_t first, std::size_t last) {
+  std::size_t k = first;
+  if (group.natives.are_the_first()) {
+    k += kernels.place(spheres[first].center, last - first, Dim, grid.place_map(),
+                       places_.data() + first);
+  }
+  for (; k < last; ++k) {
+    const auto [tile, near_faces] = grid.place(spheres[group.natives[k]]);
+    places_[k] = packed(tile, near_faces);
   }
 }
 
@@ -160,18 +181,18 @@ void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group
           record_of<Dim>(spheres[number], number, corners_[tile], unit_);
       const std::uint32_t near_faces = faces_of(places_[k]);
       if (near_faces == 0) continue;
-      neighbors.for_each_of_native(near_faces, [&](std::int32_t step) {
-        copy_to(cursors, number, tile + static_cast<std::uint32_t>(step));
-      });
+      for (const std::uint8_t neighbor : neighbors.of_native(near_faces)) {
+        copy_to(cursors, number, neighbors.from(tile, neighbor));
+      }
     }
   });
 
   const Cursors cursors = cursors_of(cursors_, workers, grid.tile_count);
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
     const std::uint32_t place = places_[natives + k];
-    neighbors.for_each_of_foreign(faces_of(place), [&](std::int32_t step) {
-      copy_to(cursors, group.foreigns[k], tile_of(place) + static_cast<std::uint32_t>(step));
-    });
+    for (const std::uint8_t neighbor : neighbors.of_foreign(faces_of(place))) {
+      copy_to(cursors, group.foreigns[k], neighbors.from(tile_of(place), neighbor));
+    }
   }
 }
 

@@ -37,7 +37,8 @@ class Tiles {
 
   /// Counts, then scatters: two passes over the natives, each shared by the workers.
   void partition(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
-                 const TileGrid<Dim>& grid, double margin, std::size_t workers);
+                 const TileGrid<Dim>& grid, double margin, const kernels::ElementKernels& kernels,
+                 std::size_t workers);
 
   [[nodiscard]] std::span<const Record<Dim>> records(std::size_t tile) const noexcept {
     return std::span(records_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
@@ -53,7 +54,11 @@ class Tiles {
 
  private:
   void count(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
-             const TileGrid<Dim>& grid, std::size_t workers);
+             const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+             std::size_t workers);
+  void place(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+             const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels, std::size_t first,
+             std::size_t last);
   void lay_out(std::size_t tile_count, std::size_t workers);
   void scatter(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
                const TileGrid<Dim>& grid, std::size_t workers);

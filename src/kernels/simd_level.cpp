@@ -1,5 +1,6 @@
 #include "kernels/simd_level.hpp"
 
+#include "kernels/element_kernels.hpp"
 #include "kernels/tile_search.hpp"
 
 #include <abut/error.hpp>
@@ -120,6 +121,20 @@ TileKernels tile_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return scalar_tile_kernels();
+}
+
+ElementKernels element_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_element_kernels(row_of(level).target);
+#endif
+  static_cast<void>(level);
+  // Plain C++ is the caller's.
+  return {[](const ElementColumns&, std::size_t, int, double*, ElementBounds&) {
+            return std::size_t{0};
+          },
+          [](const double*, std::size_t, int, const PlaceMap&, std::uint32_t*) {
+            return std::size_t{0};
+          }};
 }
 
 }  // namespace kernels

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <abut/simd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::kernels {
+
+/// Elements in columns of contiguous doubles: centers by axis, then radii.
+struct ElementColumns {
+  const double* center[3];
+  const double* radius;
+};
+
+/// grid::Bounds without the number of dimensions.
+struct ElementBounds {
+  double lower[3];
+  double upper[3];
+  double smallest_radius;
+  double largest_radius;
+  double second_largest_radius;
+};
+
+/// TileGrid as far as the place of a native is concerned; whole numbers as doubles, which is exact.
+struct PlaceMap {
+  double lower[3];
+  double inverse_size[3];
+  double border[3];
+  double last[3];  ///< tile along the axis
+  double stride[3];
+};
+
+/// Passes over all elements, in vectors. Each treats whole vectors from the front and returns how
+/// many elements it treated; what is left is the caller's, who has the same in plain C++ (so the
+/// level `scalar` treats none).
+struct ElementKernels {
+  /// Packs elements into records (center, radius) and widens the bounds. Stops before a vector that
+  /// holds a number that is not finite, or a negative radius.
+  std::size_t (*pack)(const ElementColumns& columns, std::size_t count, int dimensions,
+                      double* records, ElementBounds& bounds);
+
+  /// places[k] = tile << 6 | near faces of record k: TileGrid::place.
+  std::size_t (*place)(const double* records, std::size_t count, int dimensions,
+                       const PlaceMap& map, std::uint32_t* places);
+};
+
+/// `level` must be available.
+[[nodiscard]] ElementKernels element_kernels(Simd level);
+
+/// `target` as Highway numbers instruction sets. Only where Highway is built in.
+[[nodiscard]] ElementKernels simd_element_kernels(std::int64_t target);
+
+}  // namespace abut::kernels

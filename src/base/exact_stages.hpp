@@ -14,6 +14,11 @@ template <int Dim>
                                                             const Sphere<Dim>& b,
                                                             double margin) noexcept;
 
+/// Pairs of doubles, unless distance and reach are equal to some 28 digits.
+template <int Dim>
+[[nodiscard]] std::optional<bool> decide_doubled(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                 double margin) noexcept;
+
 /// 128-bit integers, if all numbers fit into 61 bits over a common power of two.
 template <int Dim>
 [[nodiscard]] std::optional<bool> decide_scaled(const Sphere<Dim>& a, const Sphere<Dim>& b,

@@ -7,12 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace abut::test {
 namespace {
 
 using base::decide_accumulated;
+using base::decide_doubled;
 using base::decide_if_nothing_rounded;
 using base::decide_scaled;
 
@@ -29,11 +32,31 @@ void enter_each_stage(const HardPair<Dim>& pair, Decided& decided) {
   const auto first = decide_if_nothing_rounded(pair.a, pair.b, pair.margin);
   const auto second = decide_scaled(pair.a, pair.b, pair.margin);
   ASSERT_EQ(first.value_or(expected), expected) << "nothing rounded: " << pair;
+  ASSERT_EQ(decide_doubled(pair.a, pair.b, pair.margin).value_or(expected), expected)
+      << "doubled precision: " << pair;
   ASSERT_EQ(second.value_or(expected), expected) << "scaled integers: " << pair;
   ASSERT_EQ(decide_accumulated(pair.a, pair.b, pair.margin), expected) << "accumulator: " << pair;
   decided.by_first += first.has_value() ? 1 : 0;
   decided.by_second_only += !first.has_value() && second.has_value() ? 1 : 0;
   decided.by_third_only += !first.has_value() && !second.has_value() ? 1 : 0;
+}
+
+/// Pairs whose coordinates were moved by a unit in the last place: nearly all are no ties any more.
+template <int Dim>
+void expect_near_ties_decided_by_doubled_precision(double margin) {
+  Random random(21);
+  int decided = 0;
+  for (int k = 0; k < 5000; ++k) {
+    auto pair = exact_tie<Dim>(random, 44);
+    pair.a.center[0] = std::nextafter(pair.a.center[0], k % 2 == 0 ? 1e300 : -1e300);
+    pair.margin += margin * pair.a.radius;
+    pair.b.radius -= std::min(pair.b.radius, margin * pair.a.radius);
+    const bool expected = within_reach_by_rationals(pair.a, pair.b, pair.margin);
+    const auto found = decide_doubled(pair.a, pair.b, pair.margin);
+    ASSERT_EQ(found.value_or(expected), expected) << pair;
+    decided += found.has_value() ? 1 : 0;
+  }
+  EXPECT_GT(decided, 3500);
 }
 
 /// To a multiple of 2^-bits.
@@ -55,6 +78,11 @@ TYPED_TEST(ExactStages, ShortTiesAreDecidedByTheFirst) {
     ASSERT_NO_FATAL_FAILURE(enter_each_stage(exact_tie<TypeParam::value>(random, 12), decided));
   }
   EXPECT_EQ(decided.by_first, 5000);
+}
+
+TYPED_TEST(ExactStages, NearTiesAreDecidedInDoubledPrecision) {
+  expect_near_ties_decided_by_doubled_precision<TypeParam::value>(0.0);
+  expect_near_ties_decided_by_doubled_precision<TypeParam::value>(0x1p-3);
 }
 
 TYPED_TEST(ExactStages, LongTiesAreDecidedByTheSecond) {

@@ -1,0 +1,109 @@
+// Groups inside a tile that are large enough to wait for all workers, also within each other, and
+// visitors so large or so far away that single precision says nothing about them.
+
+#include "scenes/random.hpp"
+#include "support/rows_variants.hpp"
+#include "support/scene_view.hpp"
+
+#include <abut/detect.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Random;
+using scenes::Scene;
+
+PairVector pairs_of_sorting_array(const Scene& scene) {
+  const PairList list = find_contact_pairs(view_of(scene), Domain::open(),
+                                           {.algorithm = Algorithm::sorting_array, .threads = 1});
+  return {list.begin(), list.end()};
+}
+
+void add(Scene& scene, double x, double y, double z, double radius) {
+  scene.x.push_back(x);
+  scene.y.push_back(y);
+  if (scene.dimensions == 3) scene.z.push_back(z);
+  scene.radius.push_back(radius);
+}
+
+/// An even cloud, about a pair an element; one element in sixteen is four times as large.
+void add_cloud(Scene& scene, Random& random, std::size_t count, double x, double spacing) {
+  const auto side = scene.dimensions == 2 ? std::sqrt(static_cast<double>(count))
+                                          : std::ceil(static_cast<double>(count) / 1600.0);
+  const double wide = scene.dimensions == 2 ? side : 40.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double radius = spacing * (random.below(16) == 0 ? 1.2 : 0.3);
+    add(scene, x + spacing * random.uniform(0.0, side), spacing * random.uniform(0.0, wide),
+        spacing * random.uniform(0.0, 40.0), radius);
+  }
+}
+
+TEST(RowsLargeGroups, TwoFarClustersOfFortyThousand) {
+  const Scene scene = scenes::scene_named("two_far_clusters").make(80000, 1);
+  const PairVector expected = pairs_of_sorting_array(scene);
+  ASSERT_GT(expected.size(), 1000U);
+  EXPECT_TRUE(rows_agree(expected, view_of(scene), 0.0, {1, 2, 3}));
+}
+
+/// Two pairs of clouds: each pair is crowded where it lies, and each cloud of a pair again.
+TEST(RowsLargeGroups, WithinLargeGroups) {
+  for (const int dimensions : {2, 3}) {
+    Scene scene;
+    scene.dimensions = dimensions;
+    Random random(5);
+    for (const double x : {0.0, 1e7, 1e15, 1e15 + 1e7}) add_cloud(scene, random, 35000, x, 8.0);
+    const PairVector expected = pairs_of_sorting_array(scene);
+    ASSERT_GT(expected.size(), 10000U);
+    EXPECT_TRUE(rows_agree(expected, view_of(scene), 0.0, {1, 3}));
+  }
+}
+
+/// A cloud whose radii ask for a division in a tile of more than 32768 elements.
+TEST(RowsLargeGroups, DividedBySize) {
+  Scene scene;
+  Random random(6);
+  add_cloud(scene, random, 36000, 0.0, 1.0);
+  for (int k = 0; k < 40; ++k) {
+    add(scene, random.uniform(0.0, 23.0), random.uniform(0.0, 40.0), random.uniform(0.0, 40.0), 9);
+  }
+  add(scene, 3e6, 0.0, 0.0, 9.0);
+  const PairVector expected = pairs_of_sorting_array(scene);
+  EXPECT_TRUE(rows_agree(expected, view_of(scene), 0.0, {1, 3}));
+}
+
+/// Small elements on a lattice of halves in a box, and giants whose surfaces pass through it: on an
+/// axis through a giant's center touching is exact.
+Scene small_ones_and_giants(int dimensions, double giant) {
+  Scene scene;
+  scene.dimensions = dimensions;
+  Random random(7);
+  const auto half = [&] { return 0.5 * std::floor(random.uniform(0.0, 120.0)); };
+  for (int k = 0; k < 6000; ++k) add(scene, half(), half(), half(), 0.5);
+  add(scene, -giant, 30.0, 30.0, giant + 20.0);
+  add(scene, giant + 40.0, 30.0, 30.0, giant);
+  add(scene, 30.0, -giant, 30.0, giant + 10.5);
+  add(scene, giant, giant, dimensions == 3 ? giant : 0.0, giant);
+  return scene;
+}
+
+TEST(RowsVisitors, TooLargeForSinglePrecision) {
+  for (const int dimensions : {2, 3}) {
+    for (const double giant : {0x1p8, 0x1p12, 0x1p20, 0x1p33, 0x1p45, 0x1p60, 0x1p300}) {
+      SCOPED_TRACE(std::to_string(dimensions) + "D, radius " + std::to_string(giant));
+      const Scene scene = small_ones_and_giants(dimensions, giant);
+      const PairVector expected = oracle_pairs(scene);
+      const auto count = count_contact_pairs(view_of(scene), Domain::open(),
+                                             {.algorithm = Algorithm::rows, .threads = 1});
+      EXPECT_LT(count.candidate_tests, 200 * (scene.size() + expected.size()));
+      EXPECT_TRUE(rows_agree(expected, view_of(scene), 0.0, {1, 3}));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

@@ -1,0 +1,96 @@
+#include "support/rows_variants.hpp"
+
+#include "support/same_pairs.hpp"
+
+#include <abut/detect.hpp>
+
+#include <algorithm>
+
+namespace abut::testing {
+namespace {
+
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+
+std::string told(const Options& options) {
+  return std::string(name_of(options.simd)) + ", " + std::to_string(options.threads) + " threads: ";
+}
+
+AssertionResult ran_as_asked(const Statistics& statistics, const Options& options) {
+  if (statistics.algorithm == Algorithm::rows && statistics.simd == options.simd &&
+      statistics.threads == options.threads) {
+    return AssertionSuccess();
+  }
+  return AssertionFailure() << told(options) << name_of(statistics.algorithm) << " ran with "
+                            << name_of(statistics.simd) << ", " << statistics.threads << " threads";
+}
+
+AssertionResult same_course(const PairList& first, const PairList& other, const Options& options) {
+  if (!std::ranges::equal(first.pairs(), other.pairs())) {
+    const PairVector sorted = [&] {
+      PairVector pairs(first.begin(), first.end());
+      std::sort(pairs.begin(), pairs.end());
+      return pairs;
+    }();
+    return AssertionFailure() << told(options) << "another order of the pairs as found; "
+                              << same_pairs(sorted, other.pairs()).message();
+  }
+  const Statistics& a = first.statistics();
+  const Statistics& b = other.statistics();
+  if (a.candidate_tests != b.candidate_tests || a.exact_decisions != b.exact_decisions) {
+    return AssertionFailure() << told(options) << b.candidate_tests
+                              << " candidate tests instead of " << a.candidate_tests << ", "
+                              << b.exact_decisions << " exact decisions instead of "
+                              << a.exact_decisions;
+  }
+  return AssertionSuccess();
+}
+
+}  // namespace
+
+std::vector<Simd> simd_levels_here() {
+  std::vector<Simd> levels;
+  std::ranges::copy_if(simd_levels(), std::back_inserter(levels), available);
+  return levels;
+}
+
+std::string told_simd_levels() {
+  std::string run;
+  std::string lacking;
+  for (const Simd level : simd_levels()) {
+    std::string& list = available(level) ? run : lacking;
+    list += (list.empty() ? "" : ", ") + std::string(name_of(level));
+  }
+  return "SIMD levels run: " + run +
+         "; not available here, hence not run: " + (lacking.empty() ? "none" : lacking);
+}
+
+AssertionResult rows_agree(std::span<const ContactPair> expected, const ElementView& elements,
+                           double margin, std::initializer_list<int> threads) {
+  Options options{
+      .algorithm = Algorithm::rows, .order = Order::as_found, .margin = margin, .threads = 1};
+  options.simd = Simd::scalar;
+  const PairList first = find_contact_pairs(elements, Domain::open(), options);
+  if (const auto same = same_pairs(expected, first.pairs()); !same) {
+    return AssertionFailure() << told(options) << same.message();
+  }
+  for (const Simd level : simd_levels_here()) {
+    for (const int count : threads) {
+      options.simd = level;
+      options.threads = count;
+      options.order = Order::as_found;
+      const PairList as_found = find_contact_pairs(elements, Domain::open(), options);
+      if (const auto ran = ran_as_asked(as_found.statistics(), options); !ran) return ran;
+      if (const auto same = same_course(first, as_found, options); !same) return same;
+      options.order = Order::canonical;
+      const PairList canonical = find_contact_pairs(elements, Domain::open(), options);
+      if (const auto same = same_canonical_pairs(expected, canonical.pairs()); !same) {
+        return AssertionFailure() << told(options) << same.message();
+      }
+    }
+  }
+  return AssertionSuccess();
+}
+
+}  // namespace abut::testing

@@ -1,0 +1,197 @@
+// A Detector gives what the free functions give, keeps its memory from call to call, and survives
+// errors, moves and new options.
+
+#include "api/allocation_faults.hpp"
+#include "api/error_expectations.hpp"
+#include "support/same_pairs.hpp"
+#include "support/scene_view.hpp"
+
+#include <abut/detector.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Scene;
+
+Scene made(const char* name, std::size_t count, std::uint64_t seed = 1) {
+  return scenes::scene_named(name).make(count, seed);
+}
+
+constexpr std::array<const char*, 9> names{"hexagonal_2d", "gas_2d",      "dense",
+                                           "clusters",     "log_uniform", "graded_1000",
+                                           "one_giant",    "at_reach",    "two_far_clusters"};
+
+void expect_same_list(const NeighborList& expected, const NeighborList& found) {
+  EXPECT_TRUE(std::ranges::equal(expected.offsets(), found.offsets()));
+  EXPECT_TRUE(std::ranges::equal(expected.neighbors(), found.neighbors()));
+}
+
+TEST(Detector, GivesWhatTheFreeFunctionsGive) {
+  Detector detector({.threads = 2});
+  for (const char* name : names) {
+    for (const std::size_t count : {3000U, 100U, 0U, 1U}) {
+      SCOPED_TRACE(std::string(name) + " of " + std::to_string(count));
+      const Scene scene = made(name, count);
+      const ElementView elements = view_of(scene);
+      const PairList expected = find_contact_pairs(elements);
+      EXPECT_TRUE(
+          std::ranges::equal(expected.pairs(), detector.find_contact_pairs(elements).pairs()));
+      EXPECT_EQ(detector.count_contact_pairs(elements).contact_pairs, expected.size());
+      for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
+        expect_same_list(build_neighbor_list(elements, Domain::open(), kind),
+                         detector.build_neighbor_list(elements, Domain::open(), kind));
+      }
+      PairCount visited = 0;
+      detector.for_each_batch(
+          elements, Domain::open(),
+          [&](std::span<const ContactPair> pairs, WorkerNumber) { visited += pairs.size(); });
+      EXPECT_EQ(visited, expected.size());
+    }
+  }
+}
+
+/// Largest block that a call asks for after the same call, of the same elements.
+template <class Call>
+std::size_t largest_request_of_the_second(const Call& call) {
+  call();
+  const AllocationFault watch;
+  call();
+  return watch.largest_request();
+}
+
+/// Room for 2048 pairs that a visitor sees at once; arrays of elements or pairs would be larger.
+constexpr std::size_t small_block = 2048 * sizeof(ContactPair);
+
+TEST(Detector, ASecondCallTakesNoMemoryForElementsOrPairs) {
+  Detector detector({.order = Order::as_found, .threads = 1});
+  for (const char* name : names) {
+    SCOPED_TRACE(name);
+    const Scene scene = made(name, 20000);
+    const ElementView elements = view_of(scene);
+    EXPECT_LE(largest_request_of_the_second([&] { detector.find_contact_pairs(elements); }),
+              small_block);
+    EXPECT_LE(largest_request_of_the_second([&] { detector.count_contact_pairs(elements); }),
+              small_block);
+    for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
+      EXPECT_LE(largest_request_of_the_second(
+                    [&] { detector.build_neighbor_list(elements, Domain::open(), kind); }),
+                small_block);
+    }
+  }
+}
+
+TEST(Detector, KeepsItsMemoryForFewerElements) {
+  Detector detector({.order = Order::as_found, .threads = 1});
+  const Scene large = made("dense", 20000);
+  const Scene small = made("dense", 15000);
+  detector.find_contact_pairs(view_of(large));
+  const AllocationFault watch;
+  detector.find_contact_pairs(view_of(small));
+  EXPECT_LE(watch.largest_request(), small_block);
+}
+
+TEST(Detector, WorksAfterErrors) {
+  const Scene scene = made("dense", 3000);
+  const PairVector expected = oracle_pairs(scene);
+  Scene bad = scene;
+  bad.radius[17] = std::numeric_limits<double>::quiet_NaN();
+  Detector detector({.threads = 2});
+  const auto expect_right = [&] {
+    EXPECT_TRUE(
+        same_canonical_pairs(expected, detector.find_contact_pairs(view_of(scene)).pairs()));
+  };
+  expect_right();
+  expect_error(ErrorCode::invalid_input, {"17"},
+               [&] { detector.find_contact_pairs(view_of(bad)); });
+  expect_right();
+  const Options good = detector.options();
+  Options options = good;
+  options.max_pairs = expected.size() - 1;
+  detector.set_options(options);
+  expect_error(ErrorCode::limit_exceeded, {"contact pairs"},
+               [&] { detector.find_contact_pairs(view_of(scene)); });
+  options = good;
+  options.progress = [](const Progress& progress) {
+    return progress.phase == "order" ? ProgressAction::cancel : ProgressAction::proceed;
+  };
+  detector.set_options(options);
+  expect_error(ErrorCode::cancelled, {"order"},
+               [&] { detector.find_contact_pairs(view_of(scene)); });
+  detector.set_options(good);
+  expect_right();
+}
+
+TEST(Detector, TheLastListIsEmptyAfterAnError) {
+  const Scene scene = made("dense", 500);
+  Detector detector;
+  const PairList& list = detector.find_contact_pairs(view_of(scene));
+  EXPECT_FALSE(list.empty());
+  detector.set_options({.max_pairs = 0});
+  expect_error(ErrorCode::limit_exceeded, {}, [&] { detector.find_contact_pairs(view_of(scene)); });
+  EXPECT_TRUE(list.empty());
+}
+
+/// Every allocation of a detector's call fails once, in turn; the next call is right.
+TEST(Detector, WorksAfterLackOfMemory) {
+  const Scene scene = made("two_far_clusters", 700);
+  const PairVector expected = oracle_pairs(scene);
+  for (std::uint64_t which = 0; which < 60; ++which) {
+    Detector detector({.threads = 1});
+    AllocationFault fault(which);
+    try {
+      detector.find_contact_pairs(view_of(scene));
+    } catch (const Error& error) {
+      fault.disarm();
+      EXPECT_EQ(error.code(), ErrorCode::limit_exceeded) << error.what();
+    }
+    fault.disarm();
+    EXPECT_TRUE(same_canonical_pairs(expected, detector.find_contact_pairs(view_of(scene)).pairs()))
+        << "allocation " << which;
+  }
+}
+
+TEST(Detector, KeepsTheBoundOnBytesWithWhatItHolds) {
+  const Scene scene = made("dense", 20000);
+  Detector detector({.threads = 1});
+  const std::uint64_t peak = detector.find_contact_pairs(view_of(scene)).statistics().peak_bytes;
+  detector.set_options({.max_bytes = peak, .threads = 1});
+  EXPECT_FALSE(detector.find_contact_pairs(view_of(scene)).empty());
+  detector.set_options({.max_bytes = peak / 4, .threads = 1});
+  const Scene larger = made("dense", 60000);
+  expect_error(ErrorCode::limit_exceeded, {"memory bound"},
+               [&] { detector.find_contact_pairs(view_of(larger)); });
+}
+
+TEST(Detector, MovesWithItsListsAndOptions) {
+  const Scene scene = made("dense", 500);
+  Detector first({.margin = 0.25});
+  const PairVector expected = oracle_pairs(scene, 0.25);
+  const PairList& list = first.find_contact_pairs(view_of(scene));
+  Detector second = std::move(first);
+  EXPECT_EQ(second.options().margin, 0.25);
+  EXPECT_TRUE(same_canonical_pairs(expected, list.pairs()));
+  Detector third;
+  third = std::move(second);
+  EXPECT_TRUE(same_canonical_pairs(expected, third.find_contact_pairs(view_of(scene)).pairs()));
+}
+
+TEST(Detector, NewOptionsHoldForTheNextCall) {
+  const Scene scene = made("dense", 2000);
+  Detector detector;
+  const PairCount touching = detector.count_contact_pairs(view_of(scene)).contact_pairs;
+  detector.set_options({.algorithm = Algorithm::sorting_array, .margin = 0.25});
+  const Statistics statistics = detector.count_contact_pairs(view_of(scene));
+  EXPECT_EQ(statistics.algorithm, Algorithm::sorting_array);
+  EXPECT_EQ(statistics.contact_pairs, oracle_pairs(scene, 0.25).size());
+  EXPECT_GT(statistics.contact_pairs, touching);
+}
+
+}  // namespace
+}  // namespace abut::testing

@@ -19,10 +19,13 @@ int main() {
   const abut::ElementView elements = abut::discs(x, y, radius);
 
   // Memory follows the elements, not the contacts. Pairs come in the order in which the algorithm
-  // meets them; a result that depends on the order should use find_contact_pairs.
+  // meets them; a result that depends on the order should use find_contact_pairs. With more than
+  // one thread the visitor would be called from all of them at the same time.
+  abut::Options alone;
+  alone.threads = 1;
   std::vector<int> coordination(elements.size(), 0);
   const abut::Statistics statistics = abut::for_each_contact_pair(
-      elements, abut::Domain::open(), abut::Options{}, [&coordination](abut::ContactPair pair) {
+      elements, abut::Domain::open(), alone, [&coordination](abut::ContactPair pair) {
         ++coordination[pair.first];
         ++coordination[pair.second];
       });

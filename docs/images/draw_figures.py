@@ -10,6 +10,7 @@ Method, Wiley 2004, chapter 3. Each list is built here and compared with the boo
 import pathlib
 import sys
 
+from rows_figures import blocks, rows_block, rows_tiles
 from svg import ADJACENT, CENTRAL, FAINT, INK, MARKED, PAPER, Drawing, Grid, minus
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -318,6 +319,13 @@ def nbs_cells():
     return d
 
 
+def rows_block_of_the_book():
+    tests = sum(len(central) * len(candidates) - len(central) * (len(central) + 1) // 2
+                for _, _, central, candidates in blocks(NBS, 10))
+    require(tests, 31)  # as docs/algorithms/rows.md says
+    return rows_block(NBS)
+
+
 def nbs_3d():
     d = Drawing(700, 250, "Munjiza-NBS in 3D: five rows")
     grid = Grid(d, 60, 56, 50, 3, 2)
@@ -351,9 +359,10 @@ def nbs_3d():
 
 
 FIGURES = [contact_mask, direct_check, binary_tree, screening_array, sorting_array, partition_sort,
-           nbs_rows, nbs_cells, nbs_3d]
+           nbs_rows, nbs_cells, nbs_3d, rows_tiles]
 
 if __name__ == "__main__":
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
     for figure in FIGURES:
         figure().save(folder / f"{figure.__name__}.svg")
+    rows_block_of_the_book().save(folder / "rows_block.svg")

@@ -2,7 +2,8 @@
 
 The blocks of a page run one after the other in one empty folder that holds examples/data. Standard
 output and standard error are shown together, as on a terminal. A command may fail only where the
-next one is `echo $?`. A line `...` stands for any lines. Durations are masked.
+next one is `echo $?`. A line `...` stands for any lines. Durations are masked, and what follows the
+tuning of `rows`: bytes of memory and its candidate tests.
 """
 
 import argparse
@@ -38,10 +39,14 @@ def commands_of(block):
 
 
 def masked(line):
-    """A line with durations masked and runs of blanks as one."""
+    """A line with durations, bytes, tests of `rows` masked, and runs of blanks as one."""
     line = re.sub(r'("(?:\w+_)?(?:read|search|write|total|seconds|gather|order)": ?)[-+.e\d]+',
                   r"\1<time>", line)
     line = re.sub(r"\b\d+(\.\d+)?(e[-+]\d+)? ?(ns|µs|us|ms|s)\b", "<time>", line)
+    line = re.sub(r"\b\d+(\.\d+)? [kMG]?B\b", "<bytes>", line)
+    line = re.sub(r'("(?:peak_bytes|candidate_tests)": ?)\d+', r"\1<work>", line)
+    line = re.sub(r"\b[\d,]+ (candidate tests)", r"<work> \1", line)
+    line = re.sub(r"^( *rows .*<bytes>) +[\d,]+", r"\1 <work>", line)
     return re.sub(r"[ \t]+", " ", line).strip()
 
 

@@ -226,7 +226,7 @@ class SimdBlock {
     std::uint8_t asked[8] = {};
     hn::StoreMaskBits(floats, hit, hits);
     hn::StoreMaskBits(floats, undecided, asked);
-    for (std::uint32_t rest = asked[0] | asked[1] << 8u; rest != 0; rest &= rest - 1) {
+    for (unsigned rest = asked[0] | unsigned{asked[1]} << 8u; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
       if (job_.decide(job_, number, number_[q + static_cast<std::size_t>(lane)])) continue;
       hits[lane / 8] = static_cast<std::uint8_t>(hits[lane / 8] & ~(1u << lane % 8));

@@ -1,5 +1,6 @@
-// Prints what every algorithm finds in the stored scenes as digests. The same lines must come from
-// every compiler, optimisation level and processor (scripts/compare-digests).
+// Prints what every algorithm finds in the stored scenes as digests, and on stderr which SIMD
+// levels it tried. The same lines must come from every compiler, optimisation level and processor
+// (scripts/compare-digests), and from every level and number of threads.
 //   determinism_probe SCENES [GOLDEN]    with GOLDEN: every line of that file must be among them
 // Exit codes: 0 as it must be, 1 a difference or a scene that tests nothing, 3 unreadable files.
 
@@ -47,22 +48,50 @@ std::string algorithm_line(const StoredScene& scene, std::string_view name, cons
          std::to_string(statistics.exact_decisions);
 }
 
+/// The ways to run an algorithm that must not show in its result: of `rows` every SIMD level that
+/// this processor has, with one thread and with three.
+std::vector<Options> variants_of(Algorithm algorithm, double margin) {
+  const Options plain{.algorithm = algorithm, .margin = margin};
+  if (algorithm != Algorithm::rows) return {plain};
+  std::vector<Options> result;
+  for (const Simd level : simd_levels()) {
+    if (!available(level)) continue;
+    for (const int threads : {1, 3}) {
+      result.push_back(plain);
+      result.back().simd = level;
+      result.back().threads = threads;
+    }
+  }
+  return result;
+}
+
+/// Throws if `line` is another than the one at `place`; where there is none yet, it is the one.
+void insist(std::vector<std::string>& lines, std::size_t place, const std::string& line,
+            const Options& options) {
+  if (lines.size() == place) lines.push_back(line);
+  if (line == lines[place]) return;
+  throw std::logic_error(std::string(name_of(options.algorithm)) + ", SIMD level " +
+                         std::string(name_of(options.simd)) + ", " +
+                         std::to_string(options.threads) + " threads, gives '" + line +
+                         "' instead of '" + lines[place] + "'");
+}
+
 void probe(const StoredScene& scene, const ElementView& elements, std::vector<std::string>& lines) {
   const std::size_t result_at = lines.size();
   for (const AlgorithmInfo& info : algorithms()) {
-    Options options{.algorithm = info.algorithm, .margin = scene.margin};
-    const PairList canonical = find_contact_pairs(elements, Domain::open(), options);
-    const std::string result = result_line(scene, elements, canonical);
-    if (lines.size() == result_at) lines.push_back(result);
-    if (result != lines[result_at]) {
-      throw std::logic_error("algorithms disagree: " + std::string(info.name) + " gives " + result +
-                             ", the first one " + lines[result_at]);
-    }
-    options.order = Order::as_found;
-    const PairList as_found = find_contact_pairs(elements, Domain::open(), options);
-    lines.push_back(algorithm_line(scene, info.name, as_found));
-    if (as_found.empty() || as_found.statistics().exact_decisions == 0) {
-      throw std::logic_error(lines.back() + ": a scene without exact decisions tests nothing");
+    const std::size_t algorithm_at = std::max(lines.size(), result_at + 1);
+    for (Options options : variants_of(info.algorithm, scene.margin)) {
+      const PairList canonical = find_contact_pairs(elements, Domain::open(), options);
+      insist(lines, result_at, result_line(scene, elements, canonical), options);
+      options.order = Order::as_found;
+      const PairList as_found = find_contact_pairs(elements, Domain::open(), options);
+      insist(lines, algorithm_at, algorithm_line(scene, info.name, as_found), options);
+      if (as_found.empty() || as_found.statistics().exact_decisions == 0) {
+        throw std::logic_error(lines.back() + ": a scene without exact decisions tests nothing");
+      }
+      if (info.algorithm == Algorithm::rows && as_found.statistics().simd != options.simd) {
+        throw std::logic_error("the SIMD level asked for did not run");
+      }
     }
   }
 }
@@ -103,6 +132,11 @@ int run(int argc, char** argv) {
     return 2;
   }
   const std::vector<std::string> lines = probe_all(argv[1]);
+  std::cerr << "SIMD levels:";
+  for (const Simd level : simd_levels()) {
+    std::cerr << ' ' << (available(level) ? "" : "no ") << name_of(level);
+  }
+  std::cerr << '\n';
   for (const std::string& line : lines) std::cout << line << '\n';
   return argc == 2 || has_all_lines_of(argv[2], lines) ? 0 : 1;
 }

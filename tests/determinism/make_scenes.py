@@ -63,6 +63,22 @@ def mixed_radii(rng):
     return elements
 
 
+def swarm(rng):
+    """Enough for several tiles of `rows`, on sixteenths, and a crowd of many sizes across the face
+    between two of them."""
+    box = (120, 30, 30)
+    elements = [[0.0, 0.0, 0.0, 0.5], [float(length) for length in box] + [0.5]]
+    elements += [[rng.randint(0, 16 * length) / 16 for length in box] + [rng.randint(7, 8) / 16]
+                 for _ in range(900)]
+    # touching at 2 : 3 : 6
+    elements += [[x + 2 / 8, y + 3 / 8, z + 6 / 8, 7 / 8 - r] for x, y, z, r in elements[2:60]]
+    for _ in range(260):
+        place = [rng.gauss(0, 8) for _ in box]
+        elements.append([(round(16 * length / 2 + x) / 16) for length, x in zip(box, place)]
+                        + [2.0 ** rng.randint(-6, -1)])
+    return elements
+
+
 def scaled(elements, factor):
     return [[x * factor for x in element] for element in elements]
 
@@ -89,6 +105,7 @@ def main():
     # squares that vanish, and squares that overflow
     write(folder, "subnormal_2d", 2, "float64", 0.0, scaled(integers(rng, 120, 120, 6), 2.0**-1074))
     write(folder, "huge_3d", 3, "float64", 0.0, scaled(planted(rng, 3, 120), 2.0**1019))
+    write(folder, "swarm_3d", 3, "float64", 0.0, swarm(random.Random(20261121)))
 
 
 if __name__ == "__main__":

@@ -179,8 +179,8 @@ void GroupSearch<Dim>::search_tile(const Group<Dim>& group, const TileGrid<Dim>&
   sorted.sort(records, equal_radii ? records[0].radius : -1.0f);
   if (all_pairs) post.worker->search(tiles.unit());
   if (visitors.empty()) return;
-  post.worker->visit({grid.corner(tile), cells.size_in_unit(grid, tiles.unit()), tiles.unit(),
-                      (bounds.largest_radius + task_.margin) * tiles.unit()},
+  post.worker->visit({grid, grid.coordinates(tile), cells.size_in_unit(grid, tiles.unit()),
+                      tiles.unit(), (bounds.largest_radius + task_.margin) * tiles.unit()},
                      visitors);
 }
 

@@ -10,14 +10,26 @@ namespace {
 constexpr double place_slack = 0x1p-30;
 
 /// A tile of elements that all lie in a plane still has a width.
-constexpr double least_width_in_cells = 0x1p-20;
+constexpr double least_width_in_cells = 0x1p-30;
 
-/// Tiles over the box if they have at least that side.
+/// So that positions in tiles are known to 2^-31, and numbers of tiles, frame included, fit 26
+/// bits.
+constexpr double most_tiles_along_axis = 0x1p20;
+constexpr double most_tiles_with_frame = 0x1p26 - 1.0;
+
+/// Whether tiles of that side over the box are not too many.
 template <int Dim>
-double tiles_of_side(const std::array<double, Dim>& extent, double side) {
+bool few_enough(const std::array<double, Dim>& extent, double side, double most_tiles) {
   double tiles = 1.0;
-  for (const double length : extent) tiles *= std::max(1.0, std::floor(length / side));
-  return tiles;
+  double with_frame = 1.0;
+  bool short_rows = true;
+  for (const double length : extent) {
+    const double along_axis = std::max(1.0, std::floor(length / side));
+    tiles *= along_axis;
+    with_frame *= along_axis + 2.0;
+    short_rows = short_rows && along_axis <= most_tiles_along_axis;
+  }
+  return tiles <= most_tiles && with_frame <= most_tiles_with_frame && short_rows;
 }
 
 /// Side of at most `most_tiles` equal tiles. An axis shorter than that side has one tile, and the
@@ -25,8 +37,8 @@ double tiles_of_side(const std::array<double, Dim>& extent, double side) {
 template <int Dim>
 double side_of_tiles(const std::array<double, Dim>& extent, double smallest, double most_tiles) {
   double side = smallest;
-  while (tiles_of_side<Dim>(extent, 2.0 * side) > most_tiles) side *= 2.0;
-  while (tiles_of_side<Dim>(extent, side) > most_tiles) side *= 1.0625;
+  while (!few_enough<Dim>(extent, 2.0 * side, most_tiles)) side *= 2.0;
+  while (!few_enough<Dim>(extent, side, most_tiles)) side *= 1.0625;
   return side;
 }
 

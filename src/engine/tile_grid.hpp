@@ -87,14 +87,19 @@ struct TileGrid {
   /// The same map for the vector kernels.
   [[nodiscard]] kernels::PlaceMap place_map() const noexcept;
 
-  /// Lower corner of a tile.
-  [[nodiscard]] std::array<double, Dim> corner(std::size_t tile) const noexcept {
+  /// Position along an axis, in tiles from the lower face of tile t: by the same operations as the
+  /// tile itself, so that both agree however far from 0 the box lies.
+  [[nodiscard]] double within(double x, double t, std::size_t axis) const noexcept {
+    return (x - lower[axis]) * inverse_size[axis] - t;
+  }
+
+  /// Numbers of a tile along the axes, whole numbers.
+  [[nodiscard]] std::array<double, Dim> coordinates(std::size_t tile) const noexcept {
     std::array<double, Dim> result{};
     auto rest = static_cast<std::int32_t>(tile);
     for (std::size_t axis = Dim; axis-- > 0;) {
-      const std::int32_t t = rest / stride[axis] - 1;
+      result[axis] = rest / stride[axis] - 1;
       rest %= stride[axis];
-      result[axis] = lower[axis] + t * size[axis];
     }
     return result;
   }

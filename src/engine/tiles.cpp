@@ -41,17 +41,44 @@ double unit_of(const TileGrid<Dim>& grid) {
   return std::ldexp(1.0, -(std::ilogb(widest) + 1));
 }
 
+/// Turns elements into records of a tile.
 template <int Dim>
-Record<Dim> record_of(const base::Sphere<Dim>& sphere, std::uint32_t number,
-                      const std::array<double, Dim>& corner, double unit) {
-  Record<Dim> record;
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    record.center[axis] = static_cast<float>((sphere.center[axis] - corner[axis]) * unit);
+class Recorder {
+ public:
+  Recorder(const TileGrid<Dim>& grid, double unit) : grid_(grid), unit_(unit) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) size_[axis] = grid.size[axis] * unit;
   }
-  record.radius = static_cast<float>(sphere.radius * unit);
-  record.number = number;
-  return record;
-}
+
+  [[nodiscard]] Record<Dim> record(const base::Sphere<Dim>& sphere, std::uint32_t number,
+                                   const std::array<double, Dim>& tile) const {
+    Record<Dim> record;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      record.center[axis] =
+          static_cast<float>(grid_.within(sphere.center[axis], tile[axis], axis) * size_[axis]);
+    }
+    record.radius = static_cast<float>(sphere.radius * unit_);
+    record.number = number;
+    return record;
+  }
+
+  /// Of a foreign. Beyond the upper end of the box it is beyond its last tile, which may be a hair
+  /// wider than a flat box.
+  [[nodiscard]] Record<Dim> record_of_foreign(const base::Sphere<Dim>& sphere, std::uint32_t number,
+                                              const std::array<double, Dim>& tile,
+                                              const grid::Bounds<Dim>& box) const {
+    Record<Dim> result = record(sphere, number, tile);
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      if (sphere.center[axis] <= box.upper[axis]) continue;
+      result.center[axis] = std::max(result.center[axis], static_cast<float>(size_[axis]));
+    }
+    return result;
+  }
+
+ private:
+  const TileGrid<Dim>& grid_;
+  double unit_;
+  std::array<double, Dim> size_{};
+};
 
 }  // namespace
 
@@ -61,7 +88,7 @@ Tiles<Dim>::Tiles(base::MemoryMeter& memory)
       cursors_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       own_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
       begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
-      corners_(base::make_array_for_overwrite<std::array<double, Dim>>(memory, 0)),
+      coordinates_(base::make_array_for_overwrite<std::array<double, Dim>>(memory, 0)),
       records_(base::make_array_for_overwrite<Record<Dim>>(memory, 0)),
       visitor_begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       visitors_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
@@ -160,29 +187,27 @@ void Tiles<Dim>::lay_out(std::size_t tile_count, std::size_t workers) {
 template <int Dim>
 void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
                          const TileGrid<Dim>& grid, std::size_t workers) {
-  base::make_room(corners_, grid.tile_count);
-  for (std::size_t tile = 0; tile < grid.tile_count; ++tile) corners_[tile] = grid.corner(tile);
+  base::make_room(coordinates_, grid.tile_count);
+  for (std::size_t tile = 0; tile < grid.tile_count; ++tile)
+    coordinates_[tile] = grid.coordinates(tile);
 
   const std::size_t natives = group.natives.size();
   const TileNeighbors<Dim> neighbors(grid);
-  const auto copy_to = [&](const Cursors& cursors, std::uint32_t number, std::size_t target) {
-    if (own_[target] == 0) return;
-    records_[cursors.copies[target]++] =
-        record_of<Dim>(spheres[number], number, corners_[target], unit_);
-  };
-
+  const Recorder<Dim> recorder(grid, unit_);
   base::for_each_worker(workers, [&](std::size_t worker) {
     const Cursors cursors = cursors_of(cursors_, worker, grid.tile_count);
     const auto [first, last] = base::share_of(worker, workers, natives);
     for (std::size_t k = first; k < last; ++k) {
       const std::uint32_t number = group.natives[k];
       const std::uint32_t tile = tile_of(places_[k]);
-      records_[cursors.own[tile]++] =
-          record_of<Dim>(spheres[number], number, corners_[tile], unit_);
+      records_[cursors.own[tile]++] = recorder.record(spheres[number], number, coordinates_[tile]);
       const std::uint32_t near_faces = faces_of(places_[k]);
       if (near_faces == 0) continue;
       for (const std::uint8_t neighbor : neighbors.of_native(near_faces)) {
-        copy_to(cursors, number, neighbors.from(tile, neighbor));
+        const std::size_t target = neighbors.from(tile, neighbor);
+        if (own_[target] == 0) continue;
+        records_[cursors.copies[target]++] =
+            recorder.record(spheres[number], number, coordinates_[target]);
       }
     }
   });
@@ -191,7 +216,11 @@ void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
     const std::uint32_t place = places_[natives + k];
     for (const std::uint8_t neighbor : neighbors.of_foreign(faces_of(place))) {
-      copy_to(cursors, group.foreigns[k], neighbors.from(tile_of(place), neighbor));
+      const std::size_t target = neighbors.from(tile_of(place), neighbor);
+      if (own_[target] == 0) continue;
+      const std::uint32_t number = group.foreigns[k];
+      records_[cursors.copies[target]++] =
+          recorder.record_of_foreign(spheres[number], number, coordinates_[target], group.bounds);
     }
   }
 }
@@ -202,15 +231,16 @@ namespace {
 template <int Dim>
 class TileRange {
  public:
-  TileRange(const TileGrid<Dim>& grid, const base::Sphere<Dim>& visitor, double reach)
-      : grid_(grid), visitor_(visitor), inverse_reach_(1.0 / std::max(reach, smallest_reach)) {
+  TileRange(const TileGrid<Dim>& grid, const base::Sphere<Dim>& visitor, double rounded_reach)
+      : grid_(grid) {
+    const double reach = std::max(rounded_reach * (1.0 + relative_slack), smallest_reach);
+    inverse_reach_ = 1.0 / reach;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
+      center_[axis] = visitor.center[axis] - grid.lower[axis];
       first_[axis] = tile_at(visitor.center[axis] - reach, -slack, axis);
       last_[axis] = tile_at(visitor.center[axis] + reach, slack, axis);
-      reaches_box_ = reaches_box_ &&
-                     visitor.center[axis] - grid.lower[axis] >= -reach - grid.size[axis] &&
-                     visitor.center[axis] - grid.lower[axis] <=
-                         reach + grid.size[axis] * (grid.count[axis] + 1);
+      reaches_box_ = reaches_box_ && center_[axis] >= -reach - grid.size[axis] &&
+                     center_[axis] <= reach + grid.size[axis] * (grid.count[axis] + 1);
     }
   }
 
@@ -234,6 +264,8 @@ class TileRange {
  private:
   /// Roundings of a position in units of tiles, generously.
   static constexpr double slack = 0x1p-20;
+  /// Roundings of the reach, and of what is compared with it, where it is far larger than a tile.
+  static constexpr double relative_slack = 0x1p-40;
   /// Below the width of any tile; its inverse is finite.
   static constexpr double smallest_reach = 0x1p-940;
 
@@ -248,8 +280,7 @@ class TileRange {
     double distance_squared = 0.0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       const double width = grid_.size[axis] * (1.0 + 2.0 * slack);
-      const double lower = grid_.lower[axis] + (tile[axis] - slack) * grid_.size[axis];
-      const double below = lower - visitor_.center[axis];
+      const double below = (tile[axis] - slack) * grid_.size[axis] - center_[axis];
       const double outside = std::max({0.0, below, -below - width}) * inverse_reach_;
       distance_squared += outside * outside;
     }
@@ -257,8 +288,8 @@ class TileRange {
   }
 
   const TileGrid<Dim>& grid_;
-  const base::Sphere<Dim>& visitor_;
-  double inverse_reach_;
+  std::array<double, Dim> center_{};  ///< from the lower corner of the box
+  double inverse_reach_ = 0.0;
   std::array<std::int32_t, Dim> first_{};
   std::array<std::int32_t, Dim> last_{};
   bool reaches_box_ = true;

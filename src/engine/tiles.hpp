@@ -12,9 +12,9 @@
 
 namespace abut::engine {
 
-/// An element as its tile sees it: single precision, relative to the tile's lower corner, in a
-/// unit (a power of two) in which tile and cell are at most 1 wide. Good for a filter with a stated
-/// error; the exact test reads the original.
+/// An element as its tile sees it: single precision, from the tile's lower corner, in a unit (a
+/// power of two) in which tile and cell are at most 1 wide. Good for a filter with a stated error;
+/// the exact test reads the original.
 template <int Dim>
 struct Record {
   float center[Dim];
@@ -49,7 +49,7 @@ class Tiles {
     return std::span(visitors_).subspan(visitor_begin_[tile],
                                         visitor_begin_[tile + 1] - visitor_begin_[tile]);
   }
-  /// Tile coordinates = (x - corner) * unit.
+  /// Lengths times this are lengths in a tile.
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
  private:
@@ -70,8 +70,8 @@ class Tiles {
   /// many copies it finds; then where it writes the next one.
   base::Array<std::uint64_t> cursors_;
   base::Array<std::uint32_t> own_;
-  base::Array<std::uint64_t> begin_;  ///< tile_count + 1
-  base::Array<std::array<double, Dim>> corners_;
+  base::Array<std::uint64_t> begin_;                  ///< tile_count + 1
+  base::Array<std::array<double, Dim>> coordinates_;  ///< of the tiles, along the axes
   base::Array<Record<Dim>> records_;
   base::Array<std::uint64_t> visitor_begin_;  ///< tile_count + 1
   base::Array<std::uint32_t> visitors_;

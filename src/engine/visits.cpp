@@ -54,8 +54,8 @@ std::span<const kernels::Run> Visits<Dim>::runs(const kernels::TileView& tile,
       std::min((visitor.radius * frame.unit + frame.largest_reach) * (1.0 + 0x1p-18),
                2.0 * too_large_to_square);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
-    center[axis] = std::clamp((visitor.center[axis] - frame.corner[axis]) * frame.unit,
-                              -too_large_to_square, too_large_to_square);
+    center[axis] = std::clamp(frame.position(visitor.center[axis], axis), -too_large_to_square,
+                              too_large_to_square);
     const double q = center[axis] / frame.cell_size[axis];
     const double width = reach / frame.cell_size[axis] + cell_slack;
     first[axis] = cell_between(q - width + 1.0, 1, tile.cells[axis]);
@@ -91,7 +91,7 @@ std::optional<kernels::Visitor> visitor_in(const TileFrame<Dim>& frame,
   const double radius = sphere.radius * frame.unit;
   double largest = std::max(1.0, radius);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
-    const double x = (sphere.center[axis] - frame.corner[axis]) * frame.unit;
+    const double x = frame.position(sphere.center[axis], axis);
     largest = std::max(largest, std::fabs(x));
     visitor.center[axis] = static_cast<float>(x);
   }

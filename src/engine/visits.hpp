@@ -2,6 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/sphere_predicate.hpp"
+#include "engine/tile_grid.hpp"
 #include "kernels/tile_view.hpp"
 
 #include <array>
@@ -13,10 +14,16 @@ namespace abut::engine {
 /// Where a tile lies and how fine its cells are, for what comes from outside.
 template <int Dim>
 struct TileFrame {
-  std::array<double, Dim> corner{};
+  const TileGrid<Dim>& grid;
+  std::array<double, Dim> tile{};       ///< its coordinates, along the axes
   std::array<double, Dim> cell_size{};  ///< in the tile's unit
-  double unit = 1.0;                    ///< tile coordinates = (x - corner) * unit
-  double largest_reach = 0.0;           ///< largest radius of the tile's own + margin
+  double unit = 1.0;
+  double largest_reach = 0.0;  ///< largest radius of the tile's own + margin
+
+  /// In the tile's unit.
+  [[nodiscard]] double position(double x, std::size_t axis) const noexcept {
+    return grid.within(x, tile[axis], axis) * (grid.size[axis] * unit);
+  }
 };
 
 /// The runs of a tile's own elements that a visitor may reach, one for each row of cells.

@@ -10,9 +10,9 @@ namespace {
 
 /// In candidate tests: bringing an element into cells, a visitor into a tile, and a visitor to a
 /// row of cells.
-constexpr double cost_of_element = 40.0;
-constexpr double cost_of_visit = 100.0;
-constexpr double cost_of_row = 12.0;
+constexpr double cost_of_element = 120.0;
+constexpr double cost_of_visit = 150.0;
+constexpr double cost_of_row = 15.0;
 
 /// A cut must promise more than the error of the estimate.
 constexpr double least_gain = 0.8;

@@ -1,0 +1,125 @@
+#include "engine/sorted_tile.hpp"
+
+#include "engine/random_spheres.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::engine {
+namespace {
+
+template <class Dimension>
+class SortedTileOf : public ::testing::Test {
+ protected:
+  static constexpr int dim = Dimension::value;
+
+  /// Elements in a tile of sides 1 x 0.75 x 0.5, then copies up to a cell outside it; some a last
+  /// place from its faces, where single precision no longer says which side they are on.
+  void make(std::uint64_t seed, std::size_t own_count, std::size_t copy_count) {
+    Random random(seed);
+    own = own_count;
+    records.clear();
+    const std::array<float, 3> sides{1.0f, 0.75f, 0.5f};
+    for (std::size_t k = 0; k < own_count + copy_count; ++k) {
+      Record<dim> record{};
+      for (std::size_t axis = 0; axis < dim; ++axis) {
+        record.center[axis] = sides[axis] * static_cast<float>(random.uniform());
+        if (random.below(8) == 0) record.center[axis] = random.below(2) == 0 ? 0.0f : sides[axis];
+      }
+      if (k >= own_count) {
+        const std::size_t axis = random.below(dim);
+        const auto beyond =
+            static_cast<float>(random.below(4) == 0 ? 0.0 : 0.05 * random.uniform());
+        record.center[axis] = random.below(2) == 0 ? -beyond : sides[axis] + beyond;
+      }
+      record.radius = static_cast<float>(random.uniform());
+      record.number = static_cast<std::uint32_t>(1000 + k);
+      records.push_back(record);
+    }
+    TileGrid<dim> grid;
+    grid.cell_size = 0.05;
+    for (std::size_t axis = 0; axis < dim; ++axis) grid.size[axis] = sides[axis];
+    cells = choose_tile_cells(grid, 1.0, 100000);
+  }
+
+  std::vector<Record<dim>> records;
+  std::size_t own = 0;
+  TileCells<dim> cells;
+  base::MemoryMeter memory;
+};
+
+TYPED_TEST_SUITE(SortedTileOf, Dimensions);
+
+/// Whether a cell with that number is in the frame.
+template <int Dim>
+bool in_frame(const kernels::TileView& view, std::int32_t cell,
+              std::array<std::int32_t, 3>& index) {
+  bool frame = false;
+  const std::array<std::int32_t, 3> lengths{view.cells[0] + 2, view.cells[1] + 2,
+                                            view.cells[2] + 2};
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    index[axis] = cell % lengths[axis];
+    cell /= lengths[axis];
+    frame = frame || index[axis] == 0 || index[axis] == lengths[axis] - 1;
+  }
+  return frame;
+}
+
+/// Own elements are in own cells, copies in the frame, each once and near where it lies.
+TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
+  SortedTile<TypeParam::value> tile(this->memory);
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    this->make(seed, 700 * seed, 300);
+    tile.count(this->records, this->own, this->cells);
+    tile.sort(this->records, -1.0f);
+    const kernels::TileView& view = tile.view();
+    std::int32_t total = 1;
+    for (std::size_t axis = 0; axis < TypeParam::value; ++axis) total *= view.cells[axis] + 2;
+    ASSERT_EQ(view.cell_begin[0], 0U);
+    ASSERT_EQ(view.cell_begin[total], this->records.size());
+    std::vector<int> seen(this->records.size());
+    std::uint64_t crowding = 0;
+    for (std::int32_t cell = 0; cell < total; ++cell) {
+      std::array<std::int32_t, 3> index{};
+      const bool frame = in_frame<TypeParam::value>(view, cell, index);
+      ASSERT_LE(view.cell_begin[cell], view.cell_begin[cell + 1]);
+      const std::uint64_t count = view.cell_begin[cell + 1] - view.cell_begin[cell];
+      crowding += count * count;
+      for (std::uint32_t k = view.cell_begin[cell]; k < view.cell_begin[cell + 1]; ++k) {
+        const std::size_t r = view.number[k] - 1000;
+        ++seen.at(r);
+        ASSERT_EQ(frame, r >= this->own) << "record " << r;
+        ASSERT_EQ(view.radius[k], this->records[r].radius);
+        for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
+          ASSERT_EQ(view.center[axis][k], this->records[r].center[axis]);
+          const double q = view.center[axis][k] * this->cells.per_unit[axis] + 1.0;
+          ASSERT_LE(index[axis], q + 1e-5);
+          ASSERT_GE(index[axis] + 1, q - 1e-5);
+        }
+      }
+    }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+    EXPECT_EQ(tile.crowding(), crowding);
+    EXPECT_EQ(tile.size(), this->records.size());
+    EXPECT_LT(view.common_radius, 0.0f);
+  }
+}
+
+/// Records of a cell keep their order: pairs come in the same order whatever came before.
+TYPED_TEST(SortedTileOf, TheSortIsStable) {
+  SortedTile<TypeParam::value> tile(this->memory);
+  this->make(9, 2000, 200);
+  tile.count(this->records, this->own, this->cells);
+  tile.sort(this->records, 0.25f);
+  const kernels::TileView& view = tile.view();
+  std::int32_t total = 1;
+  for (std::size_t axis = 0; axis < TypeParam::value; ++axis) total *= view.cells[axis] + 2;
+  for (std::int32_t cell = 0; cell < total; ++cell) {
+    EXPECT_TRUE(std::is_sorted(view.number + view.cell_begin[cell],
+                               view.number + view.cell_begin[cell + 1]));
+  }
+  EXPECT_EQ(view.common_radius, 0.25f);
+}
+
+}  // namespace
+}  // namespace abut::engine

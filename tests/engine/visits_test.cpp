@@ -1,0 +1,124 @@
+#include "engine/visits.hpp"
+
+#include "engine/random_spheres.hpp"
+#include "engine/sorted_tile.hpp"
+
+#include <cmath>
+
+namespace abut::engine {
+namespace {
+
+template <class Dimension>
+class VisitsOf : public ::testing::Test {
+ protected:
+  static constexpr int dim = Dimension::value;
+  static constexpr double largest_radius = 0.02;
+  static constexpr double margin = 0.005;
+
+  /// 3000 own elements in a tile of side 0.9 at the corner (5, 5, 5), and copies around it.
+  VisitsOf() : tile(memory), visits(memory) {
+    Random random(11);
+    TileGrid<dim> grid;
+    grid.cell_size = 0.046;
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      grid.size[axis] = 0.9;
+      frame.corner[axis] = 5.0;
+    }
+    for (std::size_t k = 0; k < 3300; ++k) {
+      const bool own = k < 3000;
+      base::Sphere<dim> sphere{};
+      Record<dim> record{};
+      for (std::size_t axis = 0; axis < dim; ++axis) {
+        sphere.center[axis] = random.uniform(5.0, 5.9);
+        if (!own && axis == k % dim) sphere.center[axis] = 4.98;
+        record.center[axis] = static_cast<float>(sphere.center[axis] - 5.0);
+      }
+      sphere.radius = largest_radius * random.uniform();
+      record.radius = static_cast<float>(sphere.radius);
+      record.number = static_cast<std::uint32_t>(k);
+      spheres.push_back(sphere);
+      records.push_back(record);
+    }
+    const auto cells = choose_tile_cells(grid, 1.0, records.size());
+    tile.count(records, 3000, cells);
+    tile.sort(records, -1.0f);
+    frame.cell_size = cells.size_in_unit(grid, 1.0);
+    frame.unit = 1.0;
+    frame.largest_reach = largest_radius + margin;
+  }
+
+  base::MemoryMeter memory;
+  SortedTile<dim> tile;
+  Visits<dim> visits;
+  TileFrame<dim> frame;
+  Spheres<dim> spheres;
+  std::vector<Record<dim>> records;
+};
+
+TYPED_TEST_SUITE(VisitsOf, Dimensions);
+
+/// Every own element within reach is in a run, none twice, no copy in any.
+TYPED_TEST(VisitsOf, RunsHoldAllThatIsWithinReach) {
+  Random random(12);
+  std::size_t within = 0;
+  std::size_t offered = 0;
+  for (int k = 0; k < 400; ++k) {
+    base::Sphere<TypeParam::value> visitor{};
+    visitor.radius = std::ldexp(random.uniform(0.5, 1.0), static_cast<int>(random.below(40)) - 8);
+    double square = 0.0;
+    std::array<double, TypeParam::value> direction{};
+    for (double& d : direction) {
+      d = random.gaussian();
+      square += d * d;
+    }
+    // Its surface passes through the tile.
+    for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
+      visitor.center[axis] =
+          5.0 + 0.9 * random.uniform() + visitor.radius * direction[axis] / std::sqrt(square);
+    }
+    std::vector<int> in_runs(this->spheres.size());
+    const kernels::TileView& view = this->tile.view();
+    for (const kernels::Run& run : this->visits.runs(view, this->frame, visitor)) {
+      ASSERT_LT(run.begin, run.end);
+      for (std::uint32_t p = run.begin; p < run.end; ++p) ++in_runs[view.number[p]];
+    }
+    for (std::size_t e = 0; e < this->spheres.size(); ++e) {
+      const bool wanted =
+          e < 3000 && base::within_reach_exactly(visitor, this->spheres[e], this->margin);
+      within += wanted ? 1 : 0;
+      offered += static_cast<std::size_t>(in_runs[e]);
+      ASSERT_GE(in_runs[e], wanted ? 1 : 0) << "element " << e << ", visitor " << k;
+      ASSERT_LE(in_runs[e], e < 3000 ? 1 : 0);
+    }
+  }
+  EXPECT_GT(within, 10000U);
+  EXPECT_LT(offered, 3 * within) << "rows far beyond the ball";
+}
+
+TYPED_TEST(VisitsOf, NoRunsForVisitorsOutOfReach) {
+  base::Sphere<TypeParam::value> visitor{};
+  visitor.radius = 1.0;
+  visitor.center[0] = -100.0;
+  EXPECT_TRUE(this->visits.runs(this->tile.view(), this->frame, visitor).empty());
+  visitor.radius = 0x1p700;
+  visitor.center[0] = -0x1p702;
+  visitor.center[1] = -0x1p702;
+  EXPECT_TRUE(visitor_in(this->frame, visitor, 0) == std::nullopt);
+}
+
+TYPED_TEST(VisitsOf, AVisitorInSinglePrecisionKnowsItsError) {
+  base::Sphere<TypeParam::value> visitor{};
+  visitor.radius = 300.0;
+  visitor.center[0] = -295.0;
+  const auto near = visitor_in(this->frame, visitor, 7);
+  ASSERT_TRUE(near.has_value());
+  EXPECT_EQ(near->number, 7U);
+  EXPECT_EQ(near->radius, 300.0f);
+  EXPECT_EQ(near->center[0], -300.0f);
+  EXPECT_GE(near->slack, 300.0f * 0x1p-20f);
+  visitor.radius = 3000.0;
+  EXPECT_FALSE(visitor_in(this->frame, visitor, 7).has_value());
+}
+
+}  // namespace
+}  // namespace abut::engine

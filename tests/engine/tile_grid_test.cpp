@@ -102,10 +102,11 @@ TYPED_TEST(TileGridOf, NearIsWithinACell) {
   for (int k = 0; k < 20000; ++k) {
     const auto sphere = random_spheres<TypeParam::value>(random, 1, {90, 90, 90})[0];
     const auto [tile, near_faces] = grid.place(sphere);
-    const auto corner = grid.corner(tile);
+    const auto t = grid.coordinates(tile);
     for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
-      const double from_lower = sphere.center[axis] - corner[axis];
-      const double from_upper = corner[axis] + grid.size[axis] - sphere.center[axis];
+      const double from_lower =
+          sphere.center[axis] - (grid.lower[axis] + t[axis] * grid.size[axis]);
+      const double from_upper = grid.size[axis] - from_lower;
       EXPECT_EQ((near_faces >> (2 * axis) & 1) != 0, from_lower <= 1.0);
       EXPECT_EQ((near_faces >> (2 * axis + 1) & 1) != 0, from_upper <= 1.0);
     }

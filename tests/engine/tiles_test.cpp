@@ -123,13 +123,14 @@ TYPED_TEST(TilesOf, RecordsAreTheElementsInSinglePrecision) {
   int exponent = 0;
   EXPECT_EQ(std::frexp(unit, &exponent), 0.5) << "a power of two";
   for (std::size_t tile = 0; tile < this->grid.tile_count; ++tile) {
-    const auto corner = this->grid.corner(tile);
+    const auto t = this->grid.coordinates(tile);
     for (const auto& record : tiles.records(tile)) {
       const auto& sphere = this->spheres[record.number];
       EXPECT_EQ(record.radius, static_cast<float>(sphere.radius * unit));
       for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
-        EXPECT_EQ(record.center[axis],
-                  static_cast<float>((sphere.center[axis] - corner[axis]) * unit));
+        const double position =
+            (sphere.center[axis] - this->grid.lower[axis] - t[axis] * this->grid.size[axis]) * unit;
+        EXPECT_NEAR(record.center[axis], position, 0x1p-24 * std::fabs(position) + 0x1p-48);
         EXPECT_LE(std::fabs(record.center[axis]), 2.0f);
       }
     }

@@ -1,0 +1,195 @@
+// From pairs as several workers found them to lists: FoundPairs, join, canonical order, neighbors.
+
+#include "api/found_pairs.hpp"
+#include "api/list_neighbors.hpp"
+#include "api/order_pairs.hpp"
+#include "scenes/random.hpp"
+#include "support/oracle.hpp"
+
+#include <abut/error.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace abut::api {
+namespace {
+
+using scenes::Random;
+using testing::PairVector;
+
+constexpr std::size_t elements = 5000;
+
+/// Units of pairs, found by workers in any order; each unit's pairs in one worker, in several
+/// commits.
+struct Units {
+  std::vector<PairVector> pairs;
+
+  explicit Units(std::uint64_t seed) {
+    Random random(seed);
+    for (std::size_t unit = 0; unit < 60; ++unit) {
+      PairVector here(random.below(10) == 0 ? 20000 : random.below(300));
+      for (ContactPair& pair : here) {
+        pair.first = static_cast<ElementIndex>(random.below(elements - 1));
+        pair.second =
+            static_cast<ElementIndex>(pair.first + 1 + random.below(elements - 1 - pair.first));
+      }
+      pairs.push_back(std::move(here));
+    }
+    // Each pair once, as detections find them.
+    std::set<ContactPair> seen;
+    for (PairVector& unit : pairs) {
+      std::erase_if(unit, [&](const ContactPair& pair) { return !seen.insert(pair).second; });
+    }
+  }
+
+  [[nodiscard]] PairVector together() const {
+    PairVector result;
+    for (const PairVector& unit : pairs) result.insert(result.end(), unit.begin(), unit.end());
+    return result;
+  }
+
+  void deliver(FoundPairs& found, std::size_t workers, std::uint64_t seed) const {
+    Random random(seed);
+    found.expect_workers(workers);
+    std::vector<std::size_t> order(pairs.size());
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    for (std::size_t left = order.size(); left > 1; --left) {
+      std::swap(order[left - 1], order[random.below(left)]);
+    }
+    for (const std::size_t unit : order) {
+      const std::size_t worker = random.below(workers);
+      for (std::size_t done = 0; done < pairs[unit].size();) {
+        const auto room = found.room(worker);
+        ASSERT_GE(room.size(), base::PairSink::smallest_room);
+        const std::size_t count =
+            std::min({room.size(), pairs[unit].size() - done, 1 + random.below(5000)});
+        std::copy_n(pairs[unit].begin() + static_cast<std::ptrdiff_t>(done), count, room.begin());
+        found.commit(count, {worker, unit});
+        done += count;
+      }
+    }
+  }
+};
+
+PairVector joined(const FoundPairs& found, std::size_t workers) {
+  const auto pieces = found.pieces();
+  PairVector result(found.size());
+  join(pieces, result, workers);
+  return result;
+}
+
+TEST(FoundPairs, ComeInTheOrderOfUnitsWhoeverFoundThem) {
+  const Units units(1);
+  for (const std::size_t workers : {1U, 2U, 7U}) {
+    base::MemoryMeter memory;
+    FoundPairs found(memory);
+    for (std::uint64_t seed = 2; seed < 5; ++seed) {
+      found.start_anew(unlimited_pairs);
+      units.deliver(found, workers, seed);
+      EXPECT_EQ(joined(found, workers), units.together());
+    }
+  }
+}
+
+TEST(FoundPairs, KeepTheirMemoryAndGiveItBackAtTheEnd) {
+  const Units units(1);
+  base::MemoryMeter memory;
+  {
+    FoundPairs found(memory);
+    units.deliver(found, 2, 3);
+    const std::uint64_t held = memory.held();
+    EXPECT_GE(held, found.size() * sizeof(ContactPair));
+    found.start_anew(unlimited_pairs);
+    EXPECT_EQ(found.size(), 0U);
+    EXPECT_TRUE(found.pieces().empty());
+    units.deliver(found, 2, 3);
+    EXPECT_EQ(memory.held(), held);
+  }
+  EXPECT_EQ(memory.held(), 0U);
+}
+
+TEST(FoundPairs, OneMoreThanTheLimitIsAnError) {
+  base::MemoryMeter memory;
+  FoundPairs found(memory);
+  found.start_anew(100);
+  found.expect_workers(2);
+  static_cast<void>(found.room(0));
+  found.commit(60, {0, 0});
+  static_cast<void>(found.room(1));
+  found.commit(40, {1, 1});
+  static_cast<void>(found.room(0));
+  EXPECT_THROW(found.commit(1, {0, 2}), Error);
+}
+
+TEST(OrderPairs, CanonicalIsSorted) {
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    const Units units(seed);
+    PairVector expected = units.together();
+    std::sort(expected.begin(), expected.end());
+    for (const std::size_t workers : {1U, 2U, 7U}) {
+      base::MemoryMeter memory;
+      FoundPairs found(memory);
+      units.deliver(found, workers, seed);
+      const auto pieces = found.pieces();
+      PairVector ordered(found.size());
+      order_canonically(pieces, elements, ordered, memory, workers);
+      EXPECT_EQ(ordered, expected) << workers << " workers";
+    }
+  }
+}
+
+/// One element with all others, in reverse: one long row.
+TEST(OrderPairs, OneCrowdedElement) {
+  constexpr ElementIndex count = 100000;
+  PairVector pairs;
+  for (ElementIndex k = count; k-- > 1;) pairs.push_back({0, k});
+  PairVector expected = pairs;
+  std::reverse(expected.begin(), expected.end());
+  const std::span<const ContactPair> piece(pairs);
+  for (const std::size_t workers : {1U, 3U}) {
+    base::MemoryMeter memory;
+    PairVector ordered(pairs.size());
+    order_canonically({&piece, 1}, count, ordered, memory, workers);
+    EXPECT_EQ(ordered, expected);
+  }
+}
+
+TEST(OrderPairs, NoPairsNoWork) {
+  base::MemoryMeter memory;
+  PairVector none;
+  order_canonically({}, 0, none, memory, 2);
+  order_canonically({}, 10, none, memory, 2);
+  join({}, none, 2);
+  EXPECT_EQ(memory.held(), 0U);
+}
+
+TEST(ListNeighbors, RowsHoldThePartnersAscending) {
+  const Units units(5);
+  const PairVector pairs = units.together();
+  for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
+    std::vector<std::vector<ElementIndex>> expected(elements);
+    for (const ContactPair& pair : pairs) {
+      expected[pair.first].push_back(pair.second);
+      if (kind == NeighborListKind::full) expected[pair.second].push_back(pair.first);
+    }
+    for (auto& row : expected) std::sort(row.begin(), row.end());
+    const std::span<const ContactPair> piece(pairs);
+    for (const std::size_t workers : {1U, 2U, 7U}) {
+      std::vector<PairCount> offsets(elements + 2, 12345);
+      std::vector<ElementIndex> neighbors(pairs.size() * (kind == NeighborListKind::full ? 2 : 1));
+      list_neighbors({&piece, 1}, kind, offsets, neighbors, workers);
+      ASSERT_EQ(offsets[0], 0U);
+      ASSERT_EQ(offsets[elements], neighbors.size());
+      for (std::size_t e = 0; e < elements; ++e) {
+        ASSERT_TRUE(std::equal(expected[e].begin(), expected[e].end(),
+                               neighbors.begin() + static_cast<std::ptrdiff_t>(offsets[e]),
+                               neighbors.begin() + static_cast<std::ptrdiff_t>(offsets[e + 1])));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace abut::api

@@ -19,7 +19,8 @@ class RadiusHistogram {
   [[nodiscard]] std::uint32_t count(std::size_t k) const noexcept { return counts_[k]; }
 
   [[nodiscard]] static std::size_t class_of(double radius) noexcept {
-    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(radius) >> 51);
+    // -0.0 + 0.0 is 0.0, which has no sign bit.
+    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(radius + 0.0) >> 51);
   }
   /// Radii of class k are below this.
   [[nodiscard]] static double upper_end(std::size_t k) noexcept {

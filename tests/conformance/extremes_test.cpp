@@ -55,6 +55,16 @@ std::vector<HandMade> two_groups(double place, double spacing, double radius) {
   return result;
 }
 
+/// Points, two of three with a zero that has a sign, so close that the sizes are looked at.
+std::vector<HandMade> negative_zeros_among(int count) {
+  std::vector<HandMade> result;
+  for (int k = 0; k < count; ++k) {
+    result.push_back(
+        {0.05 * (k % 17), 0.05 * (k / 17 % 17), 0.05 * (k / 289), k % 3 == 0 ? 0.5 : -0.0});
+  }
+  return result;
+}
+
 const std::vector<Extreme> extremes{
     {"none", {}},
     {"one", {{1, 2, 3, 4}}},
@@ -62,6 +72,7 @@ const std::vector<Extreme> extremes{
     {"two_touching", {{0, 0, 0, 1}, {2, 0, 0, 1}}},
     {"two_a_hair_apart", {{0, 0, 0, 1}, {2 + 0x1p-51, 0, 0, 1}}},
     {"two_far_apart", {{-1e6, 0, 0, 1}, {1e6, 1e6, 1e6, 1}}},
+    {"radii_of_negative_zero_and_many_sizes", negative_zeros_among(300)},
     {"zeros_of_both_signs", {{0.0, -0.0, 0.0, 0.0}, {-0.0, 0.0, -0.0, -0.0}}},
     {"all_in_one_cell", {{0, 0, 0, 5}, {1, 1, 1, 5}, {2, 1, 0, 5}, {1, 2, 2, 5}, {0, 2, 1, 5}}},
     {"one_domain_one_cell", repeated(70, {3, 3, 3, 1})},

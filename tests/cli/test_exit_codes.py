@@ -37,6 +37,7 @@ def test_0_empty_input(abut, text):
     (["contacts", YADE, "--algorithm", "grid"], "munjiza_nbs"),
     (["contacts", YADE, "--threads", "0"], "--threads 0"),
     (["contacts", YADE, "--threads", "two"], "--threads two"),
+    (["contacts", YADE, "--simd", "sse5"], "avx512"),
     (["contacts", YADE, "--order", "random"], "canonical or as_found"),
     (["contacts", YADE, "--margin", "-1"], "--margin -1"),
     (["contacts", YADE, "--margin", "nan"], "--margin nan"),
@@ -106,6 +107,26 @@ def test_5_cannot_write(fails, abut, tmp_path):
                         ["generate", "gas", "--count", "9"]):
             done = abut(*command, stdout=full)
             assert done.returncode == 5 and "standard output" in done.stderr
+
+
+SIMD_LEVELS = ["scalar", "sse4", "avx2", "avx512", "neon"]
+
+
+def test_6_simd_levels_that_cannot_run(abut, fails):
+    """No processor has both the vectors of x86 and those of ARM, so some level always fails."""
+    here = []
+    for level in SIMD_LEVELS:
+        done = abut("contacts", YADE, "--simd", level, "--digest")
+        if done.returncode == 0:
+            here.append((level, done.stdout))
+            continue
+        sentence = fails(6, "contacts", YADE, "--simd", level)
+        assert level in sentence and "scalar" in sentence
+        forced = abut("contacts", YADE, env=environment(ABUT_SIMD=level))
+        assert forced.returncode == 6 and "ABUT_SIMD" in forced.stderr
+    assert here[0][0] == "scalar" and 0 < len(here) < len(SIMD_LEVELS)
+    assert len({digest for _, digest in here}) == 1, "the same pairs from every level"
+    assert abut("contacts", YADE, env=environment(ABUT_SIMD="scalar")).returncode == 0
 
 
 def test_7_different_pairs(abut):

@@ -24,12 +24,13 @@ if(NOT ABUT_OPENMP STREQUAL OFF)
   endif()
 endif()
 
+# By name and by flag, never by path: an installed tree may be moved to another machine.
 set(ABUT_CORE_LIBRARIES)
 if(ABUT_USE_HIGHWAY)
-  list(APPEND ABUT_CORE_LIBRARIES ${HWY_LINK_LIBRARIES})
+  list(APPEND ABUT_CORE_LIBRARIES ${HWY_LIBRARIES})
 endif()
 if(ABUT_USE_OPENMP)
-  list(APPEND ABUT_CORE_LIBRARIES ${OpenMP_CXX_LIBRARIES})
+  list(APPEND ABUT_CORE_LIBRARIES ${OpenMP_CXX_FLAGS})
 endif()
 
 message(STATUS "abut: vectors (Highway) ${ABUT_USE_HIGHWAY}, threads (OpenMP) ${ABUT_USE_OPENMP}")

@@ -11,7 +11,7 @@ namespace abut::engine {
 
 /// Offsets to all neighbours of a tile, ascending: the first half is its lower side.
 template <int Dim>
-inline constexpr auto neighbor_offsets = [] {
+[[gnu::visibility("hidden")]] inline constexpr auto neighbor_offsets = [] {
   std::array<std::array<int, 3>, Dim == 3 ? 26 : 8> result{};
   constexpr int deep = Dim == 3 ? 1 : 0;
   std::size_t k = 0;
@@ -35,7 +35,7 @@ struct NearNeighbors {
 
 /// For each set of near faces (TileGrid::Place).
 template <int Dim>
-inline constexpr auto near_neighbors = [] {
+[[gnu::visibility("hidden")]] inline constexpr auto near_neighbors = [] {
   std::array<NearNeighbors<Dim>, std::size_t{1} << (2 * Dim)> result{};
   constexpr std::size_t neighbors = neighbor_offsets<Dim>.size();
   for (std::uint32_t faces = 0; faces < result.size(); ++faces) {

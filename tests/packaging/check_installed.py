@@ -6,8 +6,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-STANDARD_LIBRARIES = re.compile(r"lib(stdc\+\+|m|gcc_s|c)\.so|ld-linux|lib[a-z]*san\.so")
-INNER = ("abut::base::", "abut::grid::", "abut::reference::", "abut::api::", "abut::io::")
+# The standard library, Highway, a runtime of OpenMP, the sanitizers.
+ALLOWED_LIBRARIES = re.compile(
+    r"lib(stdc\+\+|m|gcc_s|c|hwy|gomp|omp)\.so|ld-linux|lib[a-z]*san\.so")
+INNER = ("abut::base::", "abut::grid::", "abut::reference::", "abut::api::", "abut::io::",
+         "abut::engine::", "abut::kernels::")
 
 
 def output(*command):
@@ -46,8 +49,8 @@ def wrong_library(prefix, kind, version):
     if f"[{soname}]" not in dynamic:
         yield f"the soname is not {soname}:\n{dynamic}"
     for needed in re.findall(r"NEEDED.*\[(.*)\]", dynamic):
-        if not STANDARD_LIBRARIES.match(needed):
-            yield f"the library needs {needed}; it may link nothing but the standard library"
+        if not ALLOWED_LIBRARIES.match(needed):
+            yield f"the library needs {needed}; it may link nothing but the standard library, Highway and OpenMP"
     for line in output("nm", "-DC", "--defined-only", str(libraries[0])).splitlines():
         symbol = re.sub(r"^(vtable|typeinfo|typeinfo name) for ", "", line.split(" ", 2)[2])
         if symbol.startswith(("std::", "__odr_asan", "__asan", "__start", "__stop")):

@@ -1,9 +1,10 @@
-// The command line, by CLI11. This is the only file that includes it: it takes seconds to compile.
+// The command line, by CLI11. Only this file includes it, with help_text.hpp: it takes seconds to
+// compile.
 
 #include "parse.hpp"
 
 #include "argument.hpp"
-#include "human_text.hpp"
+#include "help_text.hpp"
 #include "io/read_snapshot.hpp"
 
 #include <CLI/CLI.hpp>
@@ -19,57 +20,6 @@
 
 namespace abut::cli {
 namespace {
-
-constexpr std::size_t text_width = 100;
-constexpr std::size_t description_column = 28;
-
-// ------------------------------------------------------------------------------- help texts
-
-std::string help_entry(const std::string& name, const std::string& description) {
-  std::string line = "  " + name;
-  if (line.size() + 2 > description_column) {
-    line += '\n' + std::string(description_column, ' ');
-  } else {
-    line.resize(description_column, ' ');
-  }
-  const std::string text = wrapped(std::string(description_column, '.') + ' ' + description,
-                                   text_width, description_column);
-  return line + text.substr(description_column + 1) + '\n';
-}
-
-std::string option_name(const CLI::Option& option) {
-  std::string name = option.get_positional() ? option.get_name(true) : option.get_name(false, true);
-  const std::size_t comma = name.find(',');
-  if (comma != std::string::npos) name.insert(comma + 1, " ");
-  const std::string type = option.get_positional() ? "" : option.get_type_name();
-  return type.empty() ? name : name + ' ' + type;
-}
-
-/// Examples first (the footer holds them), then what it does, then every option.
-std::string help_text(const CLI::App* app, const std::string&, CLI::AppFormatMode) {
-  const std::string full_name =
-      app->get_parent() == nullptr ? app->get_name() : "abut " + app->get_name();
-  std::string positionals;
-  std::string options;
-  std::string usage = full_name;
-  for (const CLI::Option* option : app->get_options()) {
-    const std::string entry = help_entry(option_name(*option), option->get_description());
-    (option->get_positional() ? positionals : options) += entry;
-    if (!option->get_positional()) continue;
-    const std::string name = option->get_name(true);
-    usage += option->get_required() ? ' ' + name : " [" + name + ']';
-  }
-  std::string commands;
-  for (const CLI::App* command : app->get_subcommands({})) {
-    commands += help_entry(command->get_name(), command->get_description());
-  }
-  std::string text =
-      fmt::format("{}\n\n{}: {}\n\nUsage: {}{} [options]\n", app->get_footer(), full_name,
-                  app->get_description(), usage, commands.empty() ? "" : " COMMAND");
-  text += positionals;
-  if (!commands.empty()) text += "\nCommands:\n" + commands;
-  return text + "\nOptions:\n" + options;
-}
 
 // ----------------------------------------------------------------------- options in common
 

@@ -6,14 +6,14 @@
 #include <abut/simd.hpp>
 
 #include <cstdint>
-#include <string>
+#include <string_view>
 
 namespace abut {
 
 /// What one detection did and what it cost. Counts are deterministic, seconds are not.
 struct Statistics {
   Algorithm algorithm = Algorithm::automatic;  ///< the one that ran
-  std::string reason;                          ///< why it was chosen
+  std::string_view reason;                     ///< why it was chosen: constant text
   int threads = 1;                             ///< threads used
   Simd simd = Simd::scalar;                    ///< instruction set of the kernels
 

@@ -9,11 +9,10 @@ constexpr std::size_t few_elements = 64;
 }  // namespace
 
 Choice choose_algorithm(std::size_t element_count) {
-  const std::string bound = std::to_string(few_elements) + " elements";
   if (element_count <= few_elements) {
-    return {&row_of(Algorithm::direct_check), "at most " + bound};
+    return {&row_of(Algorithm::direct_check), "at most 64 elements"};
   }
-  return {&row_of(Algorithm::rows), "more than " + bound};
+  return {&row_of(Algorithm::rows), "more than 64 elements"};
 }
 
 }  // namespace abut::api

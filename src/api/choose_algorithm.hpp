@@ -3,13 +3,13 @@
 #include "api/registry.hpp"
 
 #include <cstddef>
-#include <string>
+#include <string_view>
 
 namespace abut::api {
 
 struct Choice {
   const RegistryRow* row;
-  std::string reason;
+  std::string_view reason;
 };
 
 /// Few elements: direct check. Otherwise rows, whose time and memory follow the elements whatever

@@ -2,10 +2,8 @@
 
 #include "api/choose_algorithm.hpp"
 #include "api/list_neighbors.hpp"
-#include "api/order_pairs.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
-#include "api/visiting_sink.hpp"
 #include "base/callers_exception.hpp"
 #include "base/float_environment.hpp"
 #include "base/stopwatch.hpp"
@@ -119,25 +117,25 @@ Statistics Detection::guarded(const ElementView& elements, const Options& option
 }
 
 template <int Dim>
-void Detection::search(const grid::Bounds<Dim>& bounds, const engine::RowsSettings& settings,
-                       const Options& options, PairSink& sink, DetectionContext& context,
-                       Statistics& statistics) {
+void Detection::search(const engine::RowsSettings& settings, const Options& options, PairSink& sink,
+                       DetectionContext& context, Statistics& statistics) {
   Arrays<Dim>& own = arrays<Dim>();
   const Choice choice = options.algorithm == Algorithm::automatic
-                            ? choose_algorithm(own.spheres.size())
+                            ? choose_algorithm(own.elements.spheres.size())
                             : Choice{&row_of(options.algorithm), "asked for"};
   statistics.algorithm = choice.row->info.algorithm;
   statistics.reason = choice.reason;
-  context.progress.begin("search", own.spheres.size());
+  context.progress.begin("search", own.elements.spheres.size());
   if (choice.row->runs<Dim>().on_elements == nullptr) {
-    return search_cells<Dim>(*choice.row, own.spheres, bounds, options, sink, context);
+    return search_cells<Dim>(*choice.row, own.elements.spheres, own.elements.bounds, options, sink,
+                             context);
   }
   if (choice.row->info.algorithm == Algorithm::rows) {
     statistics.threads = static_cast<int>(settings.workers);
     statistics.simd = settings.simd;
   }
-  choice.row->runs<Dim>().on_elements({own.spheres, bounds, settings, own.workspace}, sink,
-                                      context);
+  choice.row->runs<Dim>().on_elements(
+      {own.elements.spheres, own.elements.bounds, settings, own.workspace}, sink, context);
 }
 
 template <int Dim>
@@ -152,11 +150,10 @@ Statistics Detection::run_in(const ElementView& elements, const Options& options
   const engine::RowsSettings settings{options.margin,
                                       base::worker_count(options.threads, elements.size()),
                                       kernels::level_to_run(options.simd)};
-  const grid::Bounds<Dim> bounds =
-      gather<Dim>(elements, {settings.workers, settings.simd}, arrays<Dim>().spheres, context);
+  gather<Dim>(elements, {settings.workers, settings.simd}, arrays<Dim>().elements, context);
   statistics.gather_seconds = stopwatch.lap();
 
-  search<Dim>(bounds, settings, options, sink, context, statistics);
+  search<Dim>(settings, options, sink, context, statistics);
   statistics.search_seconds = stopwatch.lap();
   return statistics;
 }
@@ -180,9 +177,9 @@ Statistics Detection::list_pairs(const ElementView& elements, const Options& opt
     const auto workers = static_cast<std::size_t>(statistics.threads);
     const ResultRoom room(pairs, found_.size(), memory_);
     if (options.order == Order::canonical) {
-      order_canonically(pieces, elements.size(), pairs, memory_, workers);
+      order_.sort(pieces, elements.size(), pairs, workers);
     } else {
-      join(pieces, pairs, workers);
+      order_.join(pieces, pairs, workers);
     }
     statistics.order_seconds = stopwatch.lap();
     return statistics;
@@ -192,9 +189,9 @@ Statistics Detection::list_pairs(const ElementView& elements, const Options& opt
 Statistics Detection::visit_batches(const ElementView& elements, const Options& options,
                                     const PairBatchVisitor& visitor) {
   return guarded(elements, options, [&](DetectionContext& context) {
-    VisitingSink sink(options.max_pairs, visitor ? &visitor : nullptr);
-    Statistics statistics = run(elements, options, sink, context);
-    statistics.contact_pairs = sink.count();
+    visiting_.start_anew(options.max_pairs, visitor ? &visitor : nullptr);
+    Statistics statistics = run(elements, options, visiting_, context);
+    statistics.contact_pairs = visiting_.count();
     return statistics;
   });
 }

@@ -2,6 +2,8 @@
 
 #include "api/found_pairs.hpp"
 #include "api/gathered_elements.hpp"
+#include "api/order_pairs.hpp"
+#include "api/visiting_sink.hpp"
 #include "base/detection_context.hpp"
 #include "base/memory_meter.hpp"
 #include "base/pair_sink.hpp"
@@ -35,11 +37,9 @@ class Detection {
  private:
   template <int Dim>
   struct Arrays {
-    explicit Arrays(base::MemoryMeter& memory)
-        : spheres(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
-          workspace(memory) {}
+    explicit Arrays(base::MemoryMeter& memory) : elements(memory), workspace(memory) {}
 
-    base::Array<base::Sphere<Dim>> spheres;
+    GatheredElements<Dim> elements;
     engine::Workspace<Dim> workspace;
   };
 
@@ -58,9 +58,8 @@ class Detection {
   Statistics run_in(const ElementView& elements, const Options& options, base::PairSink& sink,
                     base::DetectionContext& context);
   template <int Dim>
-  void search(const grid::Bounds<Dim>& bounds, const engine::RowsSettings& settings,
-              const Options& options, base::PairSink& sink, base::DetectionContext& context,
-              Statistics& statistics);
+  void search(const engine::RowsSettings& settings, const Options& options, base::PairSink& sink,
+              base::DetectionContext& context, Statistics& statistics);
 
   /// Sets the scene for `body(context)` and turns lack of memory into an Error.
   template <class Body>
@@ -70,6 +69,8 @@ class Detection {
   Arrays<2> in_2d_{memory_};
   Arrays<3> in_3d_{memory_};
   FoundPairs found_{memory_};
+  VisitingSink visiting_;
+  PairOrder order_{memory_};
 };
 
 }  // namespace abut::api

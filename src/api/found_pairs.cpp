@@ -83,18 +83,18 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   worker.segments.push_back({origin.unit, worker.segments.size(), added});
 }
 
-std::vector<std::span<const ContactPair>> FoundPairs::pieces() const {
-  std::vector<Segment> segments;
+std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
+  segments_.clear();
   for (const auto& worker : workers_) {
-    segments.insert(segments.end(), worker->segments.begin(), worker->segments.end());
+    segments_.insert(segments_.end(), worker->segments.begin(), worker->segments.end());
   }
   // The segments of a unit are all one worker's.
-  std::sort(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
+  std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
     return a.unit != b.unit ? a.unit < b.unit : a.number < b.number;
   });
-  std::vector<std::span<const ContactPair>> result;
-  for (const Segment& segment : segments) result.push_back(segment.pairs);
-  return result;
+  pieces_.clear();
+  for (const Segment& segment : segments_) pieces_.push_back(segment.pairs);
+  return pieces_;
 }
 
 }  // namespace abut::api

@@ -33,7 +33,8 @@ class FoundPairs final : public base::PairSink {
   [[nodiscard]] PairCount size() const noexcept { return total_; }
 
   /// Contiguous pieces in as_found order.
-  [[nodiscard]] std::vector<std::span<const ContactPair>> pieces() const;
+  /// Valid until the next call or the next pairs.
+  [[nodiscard]] std::span<const std::span<const ContactPair>> pieces();
 
  private:
   struct Chunk {
@@ -60,6 +61,8 @@ class FoundPairs final : public base::PairSink {
   PairCount limit_ = unlimited_pairs;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::atomic<PairCount> total_ = 0;
+  std::vector<Segment> segments_;
+  std::vector<std::span<const ContactPair>> pieces_;
 };
 
 }  // namespace abut::api

@@ -153,26 +153,27 @@ class Gatherer {
 }  // namespace
 
 template <int Dim>
-grid::Bounds<Dim> gather(const ElementView& elements, const GatherSettings& settings,
-                         base::Array<base::Sphere<Dim>>& spheres, base::DetectionContext& context) {
+void gather(const ElementView& elements, const GatherSettings& settings,
+            GatheredElements<Dim>& gathered, base::DetectionContext& context) {
+  auto& spheres = gathered.spheres;
   if (spheres.capacity() < elements.size()) spheres.clear();
   spheres.resize(elements.size());
-  if (elements.size() == 0) return {.lower = {}, .upper = {}, .smallest_radius = 0.0};
+  gathered.bounds = {.lower = {}, .upper = {}, .smallest_radius = 0.0};
+  if (elements.size() == 0) return;
 
   const Gatherer<Dim> gatherer(elements, spheres, settings.simd);
-  std::vector<grid::Bounds<Dim>> parts(settings.workers);
+  gathered.parts.assign(settings.workers, {});
   // Each worker its part in order, and of two exceptions the first worker's is thrown: that of the
   // first bad element.
   base::for_each_worker(settings.workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, settings.workers, elements.size());
     for (std::size_t k = first; k < last; k += elements_between_polls) {
       if (worker == 0) context.progress.report(k);
-      widen(parts[worker], gatherer.read(k, std::min(k + elements_between_polls, last)));
+      widen(gathered.parts[worker], gatherer.read(k, std::min(k + elements_between_polls, last)));
     }
   });
-  grid::Bounds<Dim> bounds;
-  for (const grid::Bounds<Dim>& part : parts) widen(bounds, part);
-  return bounds;
+  gathered.bounds = {};
+  for (const grid::Bounds<Dim>& part : gathered.parts) widen(gathered.bounds, part);
 }
 
 template <int Dim>
@@ -181,10 +182,10 @@ base::Sphere<Dim> element_at(const ElementView& elements, std::size_t number) {
                                                     : read<Dim, double>(elements, number);
 }
 
-template grid::Bounds<2> gather(const ElementView&, const GatherSettings&,
-                                base::Array<base::Sphere<2>>&, base::DetectionContext&);
-template grid::Bounds<3> gather(const ElementView&, const GatherSettings&,
-                                base::Array<base::Sphere<3>>&, base::DetectionContext&);
+template void gather(const ElementView&, const GatherSettings&, GatheredElements<2>&,
+                     base::DetectionContext&);
+template void gather(const ElementView&, const GatherSettings&, GatheredElements<3>&,
+                     base::DetectionContext&);
 template base::Sphere<2> element_at(const ElementView&, std::size_t);
 template base::Sphere<3> element_at(const ElementView&, std::size_t);
 

@@ -8,7 +8,8 @@
 #include <abut/element_view.hpp>
 #include <abut/simd.hpp>
 
-#include <span>
+#include <cstddef>
+#include <vector>
 
 namespace abut::api {
 
@@ -17,13 +18,23 @@ struct GatherSettings {
   Simd simd = Simd::scalar;  ///< an available level
 };
 
-/// Packs the caller's elements as the algorithms read them, one record each, in double; returns
-/// their bounds. Reads every number once: converts (exactly), checks. Throws Error{invalid_input}
-/// naming the first bad element, its field and the value.
+/// The caller's elements as the algorithms read them, one record each, in double. It keeps its
+/// memory.
 template <int Dim>
-[[nodiscard]] grid::Bounds<Dim> gather(const ElementView& elements, const GatherSettings& settings,
-                                       base::Array<base::Sphere<Dim>>& spheres,
-                                       base::DetectionContext& context);
+struct GatheredElements {
+  explicit GatheredElements(base::MemoryMeter& memory)
+      : spheres(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)) {}
+
+  base::Array<base::Sphere<Dim>> spheres;
+  grid::Bounds<Dim> bounds;
+  std::vector<grid::Bounds<Dim>> parts;  ///< bounds of what each worker read
+};
+
+/// Reads every number once: converts (exactly), checks, packs, finds the bounds. Throws
+/// Error{invalid_input} naming the first bad element, its field and the value.
+template <int Dim>
+void gather(const ElementView& elements, const GatherSettings& settings,
+            GatheredElements<Dim>& gathered, base::DetectionContext& context);
 
 /// One element, unchecked.
 template <int Dim>

@@ -1,23 +1,42 @@
 #pragma once
 
-#include "base/memory_meter.hpp"
+#include "api/bucket_sort.hpp"
+#include "base/array.hpp"
 
 #include <abut/pair.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace abut::api {
 
 /// Pairs as they were found, in pieces.
 using PairPieces = std::span<const std::span<const ContactPair>>;
 
-/// Writes the pairs one after the other; `target` has room for all.
-void join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers);
+/// Brings found pairs into a row, in one order or the other. It keeps its arrays.
+class PairOrder {
+ public:
+  explicit PairOrder(base::MemoryMeter& memory)
+      : memory_(memory),
+        cursors_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
+        begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
 
-/// Writes the pairs sorted by (first, second): first into ranges of elements whose pairs fit into
-/// the cache, then each range. Linear in elements + pairs while elements have few partners each.
-void order_canonically(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
-                       base::MemoryMeter& memory, std::size_t workers);
+  /// Writes the pairs one after the other; `target` has room for all.
+  void join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers);
+
+  /// Writes the pairs, which are distinct, sorted by (first, second): first into ranges of elements
+  /// whose pairs fit into the cache, then each range. Linear in elements + pairs while elements
+  /// have few partners each.
+  void sort(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
+            std::size_t workers);
+
+ private:
+  base::MemoryMeter& memory_;
+  base::Array<std::uint64_t> cursors_;
+  base::Array<std::uint64_t> begin_;
+  std::vector<BucketSort> sorts_;
+};
 
 }  // namespace abut::api

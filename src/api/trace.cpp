@@ -27,9 +27,10 @@ constexpr std::int32_t most_cells = std::numeric_limits<std::int32_t>::max() - 2
 template <int Dim>
 CellSystem cells_of(const ElementView& elements, const Options& options) {
   DetectionContext context;
-  auto spheres = base::make_array_for_overwrite<base::Sphere<Dim>>(context.memory, 0);
-  const grid::Bounds<Dim> bounds = api::gather<Dim>(elements, {}, spheres, context);
-  const auto cells = grid::integerise<Dim>(spheres, bounds, options.margin, context);
+  api::GatheredElements<Dim> gathered(context.memory);
+  api::gather<Dim>(elements, {}, gathered, context);
+  const auto cells =
+      grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
   CellSystem system;
   system.dimensions = Dim;
   system.cells.resize(elements.size());

@@ -16,11 +16,15 @@
 
 namespace abut::api {
 
-/// Hands pairs to the caller's visitor, or only counts them.
+/// Hands pairs to the caller's visitor, or only counts them. It keeps its rooms.
 class VisitingSink final : public base::PairSink {
  public:
-  VisitingSink(PairCount limit, const PairBatchVisitor* visitor)
-      : limit_(limit), visitor_(visitor) {}
+  /// Counts only without a visitor.
+  void start_anew(PairCount limit, const PairBatchVisitor* visitor) {
+    limit_ = limit;
+    visitor_ = visitor;
+    count_ = 0;
+  }
 
   [[nodiscard]] PairCount count() const noexcept { return count_; }
 
@@ -45,8 +49,8 @@ class VisitingSink final : public base::PairSink {
   /// 16 KiB, so that it stays in the first cache.
   using Room = std::array<ContactPair, 2048>;
 
-  PairCount limit_;
-  const PairBatchVisitor* visitor_;
+  PairCount limit_ = unlimited_pairs;
+  const PairBatchVisitor* visitor_ = nullptr;
   std::vector<std::unique_ptr<Room>> rooms_;
   std::atomic<PairCount> count_ = 0;
 };

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/sphere_predicate.hpp"
+#include "engine/bench.hpp"
 #include "engine/group.hpp"
 #include "engine/tiles.hpp"
-#include "engine/workspace.hpp"
 
 #include <span>
 

@@ -92,16 +92,16 @@ GroupSearch<Dim>::GroupSearch(const Task<Dim>& task, Workspace<Dim>& workspace, 
                               base::DetectionContext& context)
     : task_(task), workspace_(workspace), worker_count_(workers), context_(context) {
   workspace.expect_workers(workers);
-  for (std::size_t w = 0; w < workers; ++w) workers_.emplace_back(task, *workspace.benches[w], w);
+  for (const auto& worker : workspace.workers) worker->start(task);
 }
 
 template <int Dim>
 void GroupSearch<Dim>::search(const Group<Dim>& group) {
   search(group, Post{nullptr, workspace_.floors, workspace_.histogram, 0});
-  for (TileSearcher<Dim>& worker : workers_) {
-    worker.finish_unit();
-    context_.candidate_tests += worker.candidate_tests();
-    context_.exact_decisions += worker.exact_decisions();
+  for (const auto& worker : workspace_.workers) {
+    worker->finish_unit();
+    context_.candidate_tests += worker->candidate_tests();
+    context_.exact_decisions += worker->exact_decisions();
   }
 }
 
@@ -145,7 +145,7 @@ void GroupSearch<Dim>::search_tiles(const Group<Dim>& group, const Post& post) {
   }
   tiles.partition(task_.spheres, group, grid, task_.margin, task_.element_kernels, worker_count_);
   base::for_each_index(worker_count_, grid.tile_count, [&](std::size_t w, std::size_t tile) {
-    TileSearcher<Dim>& worker = workers_[w];
+    TileSearcher<Dim>& worker = *workspace_.workers[w];
     if (tiles.own_count(tile) == 0) return;
     worker.begin_unit(next_unit_ + tile);
     search_tile(group, grid, tiles, tile,

@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <deque>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -71,7 +70,6 @@ class GroupSearch {
   Workspace<Dim>& workspace_;
   std::size_t worker_count_;
   base::DetectionContext& context_;
-  std::deque<TileSearcher<Dim>> workers_;
   std::uint64_t next_unit_ = 0;
   std::mutex waiting_mutex_;
   std::vector<Waiting> waiting_;

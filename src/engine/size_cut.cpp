@@ -3,7 +3,7 @@
 #include "base/roots.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <array>
 
 namespace abut::engine {
 namespace {
@@ -24,6 +24,20 @@ struct SizeClass {
   double cut;     ///< the same as it was given
 };
 
+constexpr std::size_t most_classes = 129;
+
+/// A short array that needs no memory of its own.
+class SizeClasses {
+ public:
+  void push_back(const SizeClass& one) { classes_[size_++] = one; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const SizeClass& operator[](std::size_t k) const { return classes_[k]; }
+
+ private:
+  std::array<SizeClass, most_classes> classes_;
+  std::size_t size_ = 0;
+};
+
 template <int Dim>
 constexpr double power(double x) {
   return Dim == 2 ? x * x : x * x * x;
@@ -36,8 +50,8 @@ constexpr double half_stencil = Dim == 2 ? 4.5 : 13.5;
 template <int Dim>
 class Estimate {
  public:
-  Estimate(std::vector<SizeClass> classes, double margin, double volume)
-      : classes_(std::move(classes)), margin_(margin), volume_(volume) {}
+  Estimate(const SizeClasses& classes, double margin, double volume)
+      : classes_(classes), margin_(margin), volume_(volume) {}
 
   /// Elements of the classes [first, last) in cells of one size.
   [[nodiscard]] double alone(std::size_t first, std::size_t last) const {
@@ -74,18 +88,17 @@ class Estimate {
     return sum;
   }
 
-  std::vector<SizeClass> classes_;
+  SizeClasses classes_;
   double margin_;
   double volume_;
 };
 
-std::vector<SizeClass> occupied_classes(const RadiusHistogram& histogram, const Crowd& crowd,
-                                        double cell) {
-  constexpr std::size_t most = 128;
+SizeClasses occupied_classes(const RadiusHistogram& histogram, const Crowd& crowd, double cell) {
+  constexpr std::size_t most = most_classes - 1;
   const std::size_t first = RadiusHistogram::class_of(crowd.smallest_radius);
   const std::size_t last = RadiusHistogram::class_of(crowd.largest_radius);
   const std::size_t width = (last - first) / most + 1;
-  std::vector<SizeClass> classes;
+  SizeClasses classes;
   for (std::size_t k = first; k <= last; k += width) {
     double count = 0.0;
     for (std::size_t j = k; j < k + width && j <= last; ++j) count += histogram.count(j);

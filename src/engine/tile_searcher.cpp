@@ -17,8 +17,8 @@ constexpr std::uint64_t tests_between_polls = 1 << 18;
 }  // namespace
 
 template <int Dim>
-TileSearcher<Dim>::TileSearcher(const Task<Dim>& task, Bench<Dim>& bench, std::size_t worker)
-    : task_(task), bench_(bench), origin_{worker, 0} {
+TileSearcher<Dim>::TileSearcher(base::MemoryMeter& memory, std::size_t worker)
+    : bench_(memory), origin_{worker, 0} {
   job_.slack = filter_slack;
   job_.owner = this;
   job_.flush = [](kernels::SearchJob& job) {
@@ -29,6 +29,20 @@ TileSearcher<Dim>::TileSearcher(const Task<Dim>& task, Bench<Dim>& bench, std::s
   job_.decide = [](kernels::SearchJob& job, std::uint32_t first, std::uint32_t second) {
     return static_cast<TileSearcher*>(job.owner)->decide(first, second);
   };
+}
+
+template <int Dim>
+void TileSearcher<Dim>::start(const Task<Dim>& task) {
+  task_ = &task;
+  origin_.unit = 0;
+  job_.pairs = nullptr;
+  job_.filled = 0;
+  job_.capacity = 0;
+  job_.candidate_tests = 0;
+  pairs_ = 0;
+  far_tests_ = 0;
+  next_poll_ = 0;
+  exact_decisions_ = 0;
 }
 
 template <int Dim>
@@ -48,7 +62,7 @@ void TileSearcher<Dim>::flush() {
   const std::size_t count = job_.filled;
   job_.filled = 0;
   pairs_ += count;
-  if (count > 0) task_.sink.commit(count, origin_);
+  if (count > 0) task_->sink.commit(count, origin_);
   poll();
 }
 
@@ -57,12 +71,12 @@ template <int Dim>
 void TileSearcher<Dim>::poll() {
   if (origin_.worker != 0 || candidate_tests() < next_poll_) return;
   next_poll_ = candidate_tests() + tests_between_polls;
-  task_.progress.poll();
+  task_->progress.poll();
 }
 
 template <int Dim>
 void TileSearcher<Dim>::ask_for_room() {
-  const std::span<ContactPair> room = task_.sink.room(origin_.worker);
+  const std::span<ContactPair> room = task_->sink.room(origin_.worker);
   job_.pairs = room.data();
   job_.capacity = room.size();
 }
@@ -71,7 +85,7 @@ template <int Dim>
 void TileSearcher<Dim>::prepare(double unit) {
   if (job_.pairs == nullptr) ask_for_room();
   job_.few_hits = (pairs_ + job_.filled) * tests_for_few_hits < job_.candidate_tests;
-  job_.margin = static_cast<float>(task_.margin * unit);
+  job_.margin = static_cast<float>(task_->margin * unit);
   const std::size_t elements = bench_.tile.size();
   const std::size_t padded = elements + 2 * kernels::widest_vector;
   base::make_room(bench_.block, 4 * padded);
@@ -84,7 +98,7 @@ void TileSearcher<Dim>::prepare(double unit) {
 template <int Dim>
 void TileSearcher<Dim>::search(double unit) {
   prepare(unit);
-  task_.kernels.search(bench_.tile.view(), job_, Dim);
+  task_->kernels.search(bench_.tile.view(), job_, Dim);
   poll();
 }
 
@@ -95,11 +109,11 @@ void TileSearcher<Dim>::visit(const TileFrame<Dim>& frame,
   prepare(frame.unit);
   const kernels::TileView& tile = bench_.tile.view();
   for (const std::uint32_t number : visitors) {
-    const base::Sphere<Dim>& sphere = task_.spheres[number];
+    const base::Sphere<Dim>& sphere = task_->spheres[number];
     const std::span<const kernels::Run> runs = bench_.visits.runs(tile, frame, sphere);
     if (runs.empty()) continue;
     if (const auto visitor = visitor_in(frame, sphere, number)) {
-      task_.kernels.visit(tile, job_, Dim, *visitor, runs);
+      task_->kernels.visit(tile, job_, Dim, *visitor, runs);
     } else {
       meet_far_visitor(runs, number);
     }
@@ -122,8 +136,8 @@ void TileSearcher<Dim>::meet_far_visitor(std::span<const kernels::Run> runs,
 
 template <int Dim>
 bool TileSearcher<Dim>::decide(std::uint32_t first, std::uint32_t second) {
-  return base::within_reach(task_.originals[first], task_.originals[second], task_.original_margin,
-                            exact_decisions_);
+  return base::within_reach(task_->originals[first], task_->originals[second],
+                            task_->original_margin, exact_decisions_);
 }
 
 template class TileSearcher<2>;

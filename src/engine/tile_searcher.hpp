@@ -2,7 +2,7 @@
 
 #include "base/pair_sink.hpp"
 #include "base/progress_reporter.hpp"
-#include "engine/workspace.hpp"
+#include "engine/bench.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/tile_search.hpp"
 
@@ -24,15 +24,18 @@ struct Task {
   base::ProgressReporter& progress;
 };
 
-/// One worker's search of sorted tiles: runs the kernels, decides what they leave undecided, hands
+/// One worker: sorts tiles on its bench, runs the kernels, decides what they leave undecided, hands
 /// on pairs.
 template <int Dim>
 class TileSearcher {
  public:
-  TileSearcher(const Task<Dim>& task, Bench<Dim>& bench, std::size_t worker);
+  TileSearcher(base::MemoryMeter& memory, std::size_t worker);
 
   TileSearcher(const TileSearcher&) = delete;
   TileSearcher& operator=(const TileSearcher&) = delete;
+
+  /// A new search; `task` must outlive it.
+  void start(const Task<Dim>& task);
 
   /// Pairs found from here on belong to this unit of the search.
   void begin_unit(std::uint64_t unit);
@@ -60,8 +63,8 @@ class TileSearcher {
   void poll();
   void meet_far_visitor(std::span<const kernels::Run> runs, std::uint32_t visitor);
 
-  const Task<Dim>& task_;
-  Bench<Dim>& bench_;
+  const Task<Dim>* task_ = nullptr;
+  Bench<Dim> bench_;
   base::Origin origin_;
   kernels::SearchJob job_{};
   std::uint64_t pairs_ = 0;

@@ -73,10 +73,11 @@ struct Units {
   }
 };
 
-PairVector joined(const FoundPairs& found, std::size_t workers) {
+PairVector joined(FoundPairs& found, std::size_t workers) {
   const auto pieces = found.pieces();
   PairVector result(found.size());
-  join(pieces, result, workers);
+  base::MemoryMeter memory;
+  PairOrder(memory).join(pieces, result, workers);
   return result;
 }
 
@@ -134,7 +135,7 @@ TEST(OrderPairs, CanonicalIsSorted) {
       units.deliver(found, workers, seed);
       const auto pieces = found.pieces();
       PairVector ordered(found.size());
-      order_canonically(pieces, elements, ordered, memory, workers);
+      PairOrder(memory).sort(pieces, elements, ordered, workers);
       EXPECT_EQ(ordered, expected) << workers << " workers";
     }
   }
@@ -151,7 +152,7 @@ TEST(OrderPairs, OneCrowdedElement) {
   for (const std::size_t workers : {1U, 3U}) {
     base::MemoryMeter memory;
     PairVector ordered(pairs.size());
-    order_canonically({&piece, 1}, count, ordered, memory, workers);
+    PairOrder(memory).sort({&piece, 1}, count, ordered, workers);
     EXPECT_EQ(ordered, expected);
   }
 }
@@ -159,9 +160,10 @@ TEST(OrderPairs, OneCrowdedElement) {
 TEST(OrderPairs, NoPairsNoWork) {
   base::MemoryMeter memory;
   PairVector none;
-  order_canonically({}, 0, none, memory, 2);
-  order_canonically({}, 10, none, memory, 2);
-  join({}, none, 2);
+  PairOrder order(memory);
+  order.sort({}, 0, none, 2);
+  order.sort({}, 10, none, 2);
+  order.join({}, none, 2);
   EXPECT_EQ(memory.held(), 0U);
 }
 

@@ -38,7 +38,7 @@ class AbutContestant final : public Contestant {
 
   [[nodiscard]] Counters counters() const override {
     return {statistics_.candidate_tests, statistics_.peak_bytes,
-            std::string(name_of(statistics_.algorithm)) + ": " + statistics_.reason};
+            std::string(name_of(statistics_.algorithm)) + ": " + std::string(statistics_.reason)};
   }
 
  private:

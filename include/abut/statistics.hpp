@@ -13,7 +13,7 @@ namespace abut {
 /// What one detection did and what it cost. Counts are deterministic, seconds are not.
 struct Statistics {
   Algorithm algorithm = Algorithm::automatic;  ///< the one that ran
-  std::string_view reason;                     ///< why it was chosen: constant text
+  std::string_view reason;                     ///< why it was chosen: constant text, ends with a 0
   int threads = 1;                             ///< threads used
   Simd simd = Simd::scalar;                    ///< instruction set of the kernels
 

@@ -164,25 +164,31 @@ Statistics Detection::run(const ElementView& elements, const Options& options, P
                                     : run_in<3>(elements, options, sink, context);
 }
 
-Statistics Detection::list_pairs(const ElementView& elements, const Options& options,
-                                 PairArray& pairs) {
-  pairs.clear();
+template <class Arrange>
+Statistics Detection::find_and_arrange(const ElementView& elements, const Options& options,
+                                       Arrange&& arrange) {
   return guarded(elements, options, [&](DetectionContext& context) {
     found_.start_anew(options.max_pairs);
     Statistics statistics = run(elements, options, found_, context);
     statistics.contact_pairs = found_.size();
     Stopwatch stopwatch;
     context.progress.begin("order", found_.size());
-    const auto pieces = found_.pieces();
-    const auto workers = static_cast<std::size_t>(statistics.threads);
+    arrange(found_.pieces(), static_cast<std::size_t>(statistics.threads));
+    statistics.order_seconds = stopwatch.lap();
+    return statistics;
+  });
+}
+
+Statistics Detection::list_pairs(const ElementView& elements, const Options& options,
+                                 PairArray& pairs) {
+  pairs.clear();
+  return find_and_arrange(elements, options, [&](PairPieces pieces, std::size_t workers) {
     const ResultRoom room(pairs, found_.size(), memory_);
     if (options.order == Order::canonical) {
       order_.sort(pieces, elements.size(), pairs, workers);
     } else {
       order_.join(pieces, pairs, workers);
     }
-    statistics.order_seconds = stopwatch.lap();
-    return statistics;
   });
 }
 
@@ -201,21 +207,12 @@ Statistics Detection::list_neighbors(const ElementView& elements, const Options&
                                      NeighborList::Neighbors& neighbors) {
   offsets.clear();
   neighbors.clear();
-  return guarded(elements, options, [&](DetectionContext& context) {
-    found_.start_anew(options.max_pairs);
-    Statistics statistics = run(elements, options, found_, context);
-    statistics.contact_pairs = found_.size();
-    Stopwatch stopwatch;
-    context.progress.begin("order", found_.size());
-    const auto pieces = found_.pieces();
+  return find_and_arrange(elements, options, [&](PairPieces pieces, std::size_t workers) {
     const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
     const ResultRoom room_for_offsets(offsets, elements.size() + 2, memory_);
     const ResultRoom room_for_neighbors(neighbors, entries, memory_);
-    const auto workers = static_cast<std::size_t>(statistics.threads);
     api::list_neighbors(pieces, kind, offsets, neighbors, workers);
     offsets.pop_back();
-    statistics.order_seconds = stopwatch.lap();
-    return statistics;
   });
 }
 

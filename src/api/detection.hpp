@@ -65,6 +65,11 @@ class Detection {
   template <class Body>
   Statistics guarded(const ElementView& elements, const Options& options, Body&& body);
 
+  /// Finds the pairs, then has `arrange(pieces, workers)` lay them into the caller's arrays.
+  template <class Arrange>
+  Statistics find_and_arrange(const ElementView& elements, const Options& options,
+                              Arrange&& arrange);
+
   base::MemoryMeter memory_;
   Arrays<2> in_2d_{memory_};
   Arrays<3> in_3d_{memory_};

@@ -61,11 +61,12 @@ struct CellSystem {
   std::vector<std::array<std::int32_t, 3>> cells;  ///< one per element, z = 0 in 2D
 };
 
-/// The cells that a detection gives the elements. Throws as find_contact_pairs does.
+/// The cells that a detection gives the elements. Throws as find_contact_pairs does; calls no hook.
 [[nodiscard]] ABUT_API CellSystem integerise(const ElementView& elements, const Options& options);
 
 /// Runs the algorithm on the cells and shows its arrays and its candidate pairs.
-/// Throws Error{wrong_usage} for `automatic`, a cell outside cell_count, or too many elements.
+/// Throws Error{wrong_usage} for `automatic`, an algorithm that is not traceable or a cell outside
+/// cell_count, Error{limit_exceeded} for arrays too long to read, and what the sink throws.
 ABUT_API void run(Algorithm algorithm, const CellSystem& system, Sink& sink);
 
 /// Sorts the keys with the partition sort of the sorting algorithm and returns, for each array

@@ -1,6 +1,7 @@
 #include "api/detection.hpp"
 
 #include "api/choose_algorithm.hpp"
+#include "api/lack_of_memory.hpp"
 #include "api/list_neighbors.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
@@ -15,8 +16,6 @@
 #include <abut/error.hpp>
 
 #include <exception>
-#include <new>
-#include <stdexcept>
 #include <string>
 
 namespace abut::api {
@@ -58,13 +57,6 @@ void search_cells(const RegistryRow& row, std::span<const base::Sphere<Dim>> sph
   pairs.finish();
 }
 
-[[noreturn]] void report_lack_of_memory(const DetectionContext& context) {
-  throw Error(ErrorCode::limit_exceeded,
-              "memory ran out with " + std::to_string(context.memory.held()) +
-                  " bytes held by the detection; take fewer elements, count the pairs without "
-                  "storing them, or free memory");
-}
-
 /// Room for a result, accounted for while it is filled.
 template <class T>
 class ResultRoom {
@@ -100,19 +92,17 @@ Statistics Detection::guarded(const ElementView& elements, const Options& option
   memory_.start_anew(memory_bound(options));
   DetectionContext context(memory_, options.progress);
   try {
-    Statistics statistics = body(context);
-    statistics.candidate_tests = context.candidate_tests;
-    statistics.exact_decisions = context.exact_decisions;
-    statistics.list_insertions = context.list_insertions;
-    statistics.peak_bytes = memory_.peak();
-    statistics.working_bytes = memory_.working_peak();
-    return statistics;
+    return reporting_lack_of_memory(memory_, [&] {
+      Statistics statistics = body(context);
+      statistics.candidate_tests = context.candidate_tests;
+      statistics.exact_decisions = context.exact_decisions;
+      statistics.list_insertions = context.list_insertions;
+      statistics.peak_bytes = memory_.peak();
+      statistics.working_bytes = memory_.working_peak();
+      return statistics;
+    });
   } catch (const base::CallersException& theirs) {
     std::rethrow_exception(theirs.exception);
-  } catch (const std::bad_alloc&) {
-    report_lack_of_memory(context);
-  } catch (const std::length_error&) {
-    report_lack_of_memory(context);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <abut/trace.hpp>
 
 #include "api/gathered_elements.hpp"
+#include "api/lack_of_memory.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
 #include "base/float_environment.hpp"
@@ -26,19 +27,21 @@ constexpr std::int32_t most_cells = std::numeric_limits<std::int32_t>::max() - 2
 
 template <int Dim>
 CellSystem cells_of(const ElementView& elements, const Options& options) {
-  DetectionContext context;
-  api::GatheredElements<Dim> gathered(context.memory);
-  api::gather<Dim>(elements, {}, gathered, context);
-  const auto cells =
-      grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
-  CellSystem system;
-  system.dimensions = Dim;
-  system.cells.resize(elements.size());
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    system.cell_count[axis] = std::max(1, cells.cell_count[axis]);
-    for (std::size_t k = 0; k < elements.size(); ++k) system.cells[k][axis] = cells.axis(axis)[k];
-  }
-  return system;
+  DetectionContext context(api::memory_bound(options), {});
+  return api::reporting_lack_of_memory(context.memory, [&] {
+    api::GatheredElements<Dim> gathered(context.memory);
+    api::gather<Dim>(elements, {}, gathered, context);
+    const auto cells =
+        grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
+    CellSystem system;
+    system.dimensions = Dim;
+    system.cells.resize(elements.size());
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      system.cell_count[axis] = std::max(1, cells.cell_count[axis]);
+      for (std::size_t k = 0; k < elements.size(); ++k) system.cells[k][axis] = cells.axis(axis)[k];
+    }
+    return system;
+  });
 }
 
 void require_grid(const CellSystem& system) {

@@ -8,6 +8,7 @@
 
 #include <abut/detect.hpp>
 #include <abut/error.hpp>
+#include <abut/trace.hpp>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +79,14 @@ TEST_P(EveryAllocation, OfEveryAlgorithmAndForm) {
       sweep([&] { static_cast<void>(find_contact_pairs(elements, Domain::open(), options)); },
             GetParam());
     }
+  }
+}
+
+TEST_P(EveryAllocation, OfTheCellsOfATrace) {
+  for (const char* name : {"hexagonal_2d", "dense"}) {
+    const scenes::Scene scene = scenes::scene_named(name).make(700, 1);
+    EXPECT_GT(sweep([&] { static_cast<void>(trace::integerise(view_of(scene), {})); }, GetParam()),
+              2U);
   }
 }
 

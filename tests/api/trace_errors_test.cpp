@@ -91,6 +91,11 @@ TEST(Trace, IntegeriseChecksAsADetectionDoes) {
   scene.y[3] = std::numeric_limits<double>::quiet_NaN();
   expect_error(ErrorCode::invalid_input, {"element 3", "y = nan"},
                [&] { static_cast<void>(trace::integerise(view_of(scene), {})); });
+  scene.y[3] = 0.0;
+  options.margin = 0.0;
+  options.max_bytes = 100;
+  expect_error(ErrorCode::limit_exceeded, {"memory bound is 100 bytes"},
+               [&] { static_cast<void>(trace::integerise(view_of(scene), options)); });
 }
 
 /// All algorithms but direct checking meet the same candidates: those of the mask.

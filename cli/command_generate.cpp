@@ -1,6 +1,7 @@
 #include "command_generate.hpp"
 
 #include "human_text.hpp"
+#include "interrupt.hpp"
 #include "io/write_elements.hpp"
 #include "json_text.hpp"
 #include "load_snapshot.hpp"
@@ -40,7 +41,7 @@ std::string json_of_all() {
 void run(const GenerateOptions& options) {
   Console console(options.console);
   const io::Snapshot snapshot = make_scene(options.scene, options.count, options.seed);
-  io::write_elements(options.output, options.output_format, snapshot);
+  io::write_elements(options.output, options.output_format, snapshot, interrupted);
   if (options.output == "-") return;
   console.note(fmt::format("{}: {} of {}; next: abut contacts {}", options.output,
                            elements_text(snapshot), snapshot.source, shell_quoted(options.output)));

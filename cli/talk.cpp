@@ -1,5 +1,6 @@
 #include "talk.hpp"
 
+#include "interrupt.hpp"
 #include "io/output_file.hpp"
 
 #include <cstdio>
@@ -12,7 +13,7 @@ void talk(std::string_view text) noexcept {
 }
 
 void write_out(std::string_view text) {
-  io::OutputFile out("-");
+  io::OutputFile out("-", interrupted);
   out.write(text);
   out.commit();
 }

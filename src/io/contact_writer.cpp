@@ -7,10 +7,11 @@
 
 namespace abut::io {
 
-ContactWriter::ContactWriter(OutputFile& file, const ContactOutput& output,
-                             const Snapshot& snapshot, std::span<const ContactPair> pairs)
-    : file_(file),
-      progress_(output.progress),
+ContactWriter::ContactWriter(const ContactOutput& output, const Snapshot& snapshot,
+                             std::span<const ContactPair> pairs)
+    : progress_(output.progress),
+      now_{"write", 0, pairs.size()},
+      file_(output.path, [this] { return is_cancelled(); }),
       snapshot_(snapshot),
       elements_(snapshot.elements()),
       pairs_(pairs),
@@ -34,10 +35,15 @@ void ContactWriter::finish() {
 void ContactWriter::wrote(std::uint64_t pairs) {
   constexpr std::uint64_t pairs_between_calls = 65536;
   hand_on();
-  if (!progress_ || pairs % pairs_between_calls != 0) return;
-  if (progress_({"write", pairs, pairs_.size()}) == ProgressAction::proceed) return;
+  if (pairs % pairs_between_calls != 0) return;
+  now_.done = pairs;
+  if (!is_cancelled()) return;
   throw Error(ErrorCode::cancelled,
               fmt::format("cancelled after writing {} of {} contact pairs", pairs, pairs_.size()));
+}
+
+bool ContactWriter::is_cancelled() const {
+  return progress_ && progress_(now_) == ProgressAction::cancel;
 }
 
 }  // namespace abut::io

@@ -15,8 +15,10 @@ namespace abut::io {
 /// What every format of contacts writes from, and the way out.
 class ContactWriter {
  public:
-  ContactWriter(OutputFile& file, const ContactOutput& output, const Snapshot& snapshot,
+  ContactWriter(const ContactOutput& output, const Snapshot& snapshot,
                 std::span<const ContactPair> pairs);
+  ContactWriter(const ContactWriter&) = delete;
+  ContactWriter& operator=(const ContactWriter&) = delete;
 
   [[nodiscard]] const Snapshot& snapshot() const noexcept { return snapshot_; }
   [[nodiscard]] std::span<const ContactPair> pairs() const noexcept { return pairs_; }
@@ -33,9 +35,15 @@ class ContactWriter {
   /// Tells the progress hook, now and then, how many pairs are written.
   void wrote(std::uint64_t pairs);
 
+  /// The file appears.
+  void commit() { file_.commit(); }
+
  private:
-  OutputFile& file_;
+  [[nodiscard]] bool is_cancelled() const;
+
   const ProgressHook& progress_;
+  Progress now_;
+  OutputFile file_;
   const Snapshot& snapshot_;
   ElementView elements_;
   std::span<const ContactPair> pairs_;

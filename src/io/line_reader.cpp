@@ -50,9 +50,11 @@ void LineReader::open(const std::string& path) {
       name_ = quoted(path);
       fail("a file name cannot hold a NUL byte");
     }
-    do {
+    for (;;) {
       descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
-    } while (descriptor_ < 0 && errno == EINTR);
+      if (descriptor_ >= 0 || errno != EINTR) break;
+      report(true);
+    }
     if (descriptor_ < 0) {
       fail(fmt::format("cannot be opened ({}); check the name and its permissions", reason(errno)));
     }

@@ -35,7 +35,8 @@ bool cannot_sync(int error) {
 
 }  // namespace
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path, GiveUp give_up)
+    : path_(std::move(path)), give_up_(std::move(give_up)) {
   const bool has_nul = path_.find('\0') != std::string::npos;
   if (has_nul) path_ = quoted(path_);
   if (has_nul || path_.empty()) fail("name", EINVAL);
@@ -69,6 +70,7 @@ void OutputFile::open_standard_output(int descriptor) {
 
 void OutputFile::open_straight() {
   do {
+    stop_if_given_up();
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
   } while (descriptor_ < 0 && errno == EINTR);
   if (descriptor_ < 0) fail("open", errno);
@@ -110,6 +112,7 @@ void OutputFile::write(std::string_view bytes) {
 void OutputFile::flush() {
   std::string_view rest = buffer_;
   while (!rest.empty()) {
+    stop_if_given_up();
     const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
     if (count >= 0) {
       rest.remove_prefix(static_cast<std::size_t>(count));
@@ -124,6 +127,11 @@ void OutputFile::flush() {
     fail("write to", error);
   }
   buffer_.clear();
+}
+
+void OutputFile::stop_if_given_up() const {
+  if (!give_up_ || !give_up_()) return;
+  throw Error(ErrorCode::cancelled, fmt::format("cancelled while writing {}", name()));
 }
 
 void OutputFile::sync() const {
@@ -141,6 +149,7 @@ void OutputFile::commit() {
   if (temporary_.empty()) return close();
   sync();
   close();
+  stop_if_given_up();
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename to", errno);
   temporary_.clear();
   // The new name must outlive a crash too. A folder that cannot be opened cannot be synced.
@@ -156,10 +165,13 @@ void OutputFile::discard() noexcept {
   temporary_.clear();
 }
 
+std::string OutputFile::name() const {
+  return path_ == "-" ? "standard output" : path_;
+}
+
 void OutputFile::fail(std::string_view action, int error) const {
-  const std::string name = path_ == "-" ? "standard output" : path_;
   throw Error(ErrorCode::output_failed,
-              fmt::format("{}: cannot {} it ({}); choose another place or free some room", name,
+              fmt::format("{}: cannot {} it ({}); choose another place or free some room", name(),
                           action, std::generic_category().message(error)));
 }
 

@@ -1,19 +1,24 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace abut::io {
+
+/// Whether the writing is to be given up.
+using GiveUp = std::function<bool()>;
 
 /// Output that appears whole or not at all: written to a fresh temporary name beside the target,
 /// synced and renamed by `commit`; removed if destroyed before. A link is followed and what it
 /// points to is replaced; an existing file keeps its permissions. "-" is standard output; it,
 /// devices and pipes are written straight, as far as the writing gets.
 /// Every failure, that of closing included, throws Error{output_failed}; a closed pipe on standard
-/// output throws ClosedPipe, if the program ignores SIGPIPE.
+/// output throws ClosedPipe, if the program ignores SIGPIPE. `give_up` is asked before each system
+/// call that may block and when a signal has interrupted one; yes throws Error{cancelled}.
 class OutputFile {
  public:
-  explicit OutputFile(std::string path);
+  explicit OutputFile(std::string path, GiveUp give_up = {});
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -26,12 +31,15 @@ class OutputFile {
   void open_straight();
   void open_temporary();
   void flush();
+  void stop_if_given_up() const;
   void sync() const;
   void close();
   void discard() noexcept;
+  [[nodiscard]] std::string name() const;
   [[noreturn]] void fail(std::string_view action, int error) const;
 
-  std::string path_;       ///< as given, for messages
+  std::string path_;  ///< as given, for messages
+  GiveUp give_up_;
   std::string target_;     ///< what the links of `path_` lead to
   std::string temporary_;  ///< empty if written straight
   int descriptor_ = -1;

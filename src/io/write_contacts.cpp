@@ -2,7 +2,6 @@
 
 #include "io/contact_writer.hpp"
 #include "io/number_text.hpp"
-#include "io/output_file.hpp"
 #include "io/suffix.hpp"
 
 #include <abut/error.hpp>
@@ -53,8 +52,7 @@ ContactFormat contact_format(std::string_view name, std::string_view path) {
 void write_contacts(const ContactOutput& output, const Snapshot& snapshot,
                     std::span<const ContactPair> pairs) {
   validate(output, snapshot, pairs);
-  OutputFile file(output.path);
-  ContactWriter writer(file, output, snapshot, pairs);
+  ContactWriter writer(output, snapshot, pairs);
   switch (output.format) {
     case ContactFormat::csv:
       write_contacts_csv(writer);
@@ -66,7 +64,7 @@ void write_contacts(const ContactOutput& output, const Snapshot& snapshot,
       write_contacts_vtp(writer);
       break;
   }
-  file.commit();
+  writer.commit();
 }
 
 }  // namespace abut::io

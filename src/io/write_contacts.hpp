@@ -24,7 +24,7 @@ struct ContactOutput {
   std::string path;  ///< "-" is standard output
   ContactFormat format = ContactFormat::csv;
   IdColumns ids = IdColumns::without;
-  ProgressHook progress;  ///< phase "write"; pairs
+  ProgressHook progress;  ///< phase "write"; pairs; asked again before each system call
 };
 
 /// Writes the pairs in the order given, with their gaps.

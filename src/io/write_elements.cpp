@@ -109,10 +109,11 @@ void write_xyz(OutputFile& file, const Snapshot& snapshot) {
 
 }  // namespace
 
-void write_elements(const std::string& path, std::string_view format, const Snapshot& snapshot) {
+void write_elements(const std::string& path, std::string_view format, const Snapshot& snapshot,
+                    const GiveUp& give_up) {
   const ElementFormat chosen = element_format(format, path);
   require_finite(snapshot);
-  OutputFile file(path);
+  OutputFile file(path, give_up);
   switch (chosen) {
     case ElementFormat::csv:
       write_csv(file, snapshot);

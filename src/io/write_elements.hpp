@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/output_file.hpp"
 #include "io/snapshot.hpp"
 
 #include <string>
@@ -10,8 +11,9 @@ namespace abut::io {
 /// Writes elements so that `read_snapshot` gives the same bits back: CSV (`x,y[,z],radius`),
 /// LAMMPS text dump or extended XYZ, by name or suffix ("-" and no suffix: CSV).
 /// A snapshot has no box: the dump gets the one around the centres, and no axis is periodic.
-/// Throws Error{output_failed}, Error{wrong_usage}, and Error{invalid_input} for numbers that are
-/// not finite.
-void write_elements(const std::string& path, std::string_view format, const Snapshot& snapshot);
+/// Throws Error{output_failed}, Error{wrong_usage}, Error{cancelled} if given up, and
+/// Error{invalid_input} for numbers that are not finite.
+void write_elements(const std::string& path, std::string_view format, const Snapshot& snapshot,
+                    const GiveUp& give_up = {});
 
 }  // namespace abut::io

@@ -1,8 +1,11 @@
 """One row and more for each exit code of the design."""
 
+import array
+import fcntl
 import os
 import signal
 import subprocess
+import termios
 import time
 
 import pytest
@@ -168,6 +171,50 @@ def test_130_while_reading_standard_input():
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=60)
     assert (process.returncode, errors) == (130, b"abut: interrupted\n")
+
+
+def wait_until_stalled(process):
+    """Until the pipe on standard output is full and the process sleeps, writing more."""
+    full = fcntl.fcntl(process.stdout, fcntl.F_GETPIPE_SZ)
+    waiting = array.array("i", [0])
+    while waiting[0] < full or not waits_in(process.pid):
+        assert process.poll() is None
+        fcntl.ioctl(process.stdout, termios.FIONREAD, waiting)
+        time.sleep(0.01)
+
+
+def after_one_interrupt(process):
+    """Exit code and standard error."""
+    process.send_signal(signal.SIGINT)
+    try:
+        return process.wait(timeout=60), process.stderr.read()
+    finally:
+        process.kill()
+
+
+@pytest.mark.parametrize("arguments", [
+    ["contacts", YADE, "-o", "-"], ["generate", "gas", "--count", "9000"],
+    ["compare", YADE, "--json"]])
+def test_130_while_a_pipe_stalls(arguments):
+    """One Ctrl-C is enough where nobody reads on."""
+    if arguments[0] == "compare":
+        arguments = [*arguments, "--algorithms", ",".join(["rows"] * 500)]
+    with subprocess.Popen([os.environ["ABUT"], *arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, env=environment()) as process:
+        wait_until_stalled(process)
+        assert after_one_interrupt(process) == (130, b"abut: interrupted\n")
+
+
+@pytest.mark.parametrize("arguments", [["contacts", "fifo"], ["contacts", YADE, "-o", "fifo"]])
+def test_130_while_nobody_opens_the_other_end(tmp_path, arguments):
+    os.mkfifo(tmp_path / "fifo")
+    with subprocess.Popen([os.environ["ABUT"], *arguments], cwd=tmp_path, stderr=subprocess.PIPE,
+                          env=environment()) as process:
+        asleep = 0
+        while asleep < 10:
+            time.sleep(0.01)
+            asleep = asleep + 1 if waits_in(process.pid) else 0
+        assert after_one_interrupt(process) == (130, b"abut: interrupted\n")
 
 
 def waits_in(pid):

@@ -59,6 +59,24 @@ TEST(OutputFile, WithoutCommitTheOldFileStays) {
   EXPECT_EQ(scratch.file_count(), 1u);
 }
 
+TEST(OutputFile, GivenUpItLeavesNoHalfFile) {
+  const Scratch scratch;
+  const std::string path = scratch.file("a.csv", "old");
+  // Asked once a buffer of 1 MiB and once before the file appears.
+  for (int last = 0; last < 4; ++last) {
+    int asked = 0;
+    const std::string sentence = sentence_of(ErrorCode::cancelled, [&] {
+      OutputFile file(path, [&] { return asked++ == last; });
+      for (int part = 0; part < 3; ++part) file.write(std::string(1 << 20, 'x'));
+      file.commit();
+    });
+    EXPECT_EQ(sentence, "cancelled while writing " + path);
+    EXPECT_EQ(asked, last + 1);
+    EXPECT_EQ(text_of(path), "old");
+    EXPECT_EQ(scratch.file_count(), 1u);
+  }
+}
+
 TEST(OutputFile, NamesWithoutFolder) {
   const Scratch scratch;
   const fs::path before = fs::current_path();

@@ -120,7 +120,9 @@ TEST(WriteContacts, ProgressCountsPairsAndCancelLeavesNoFile) {
                            [&done, second](const Progress& progress) {
                              EXPECT_EQ(progress.phase, "write");
                              EXPECT_EQ(progress.total, 200'000u);
-                             done.push_back(progress.done);
+                             // Before each system call it is asked with the same number again.
+                             const std::uint64_t last = done.empty() ? 0 : done.back();
+                             if (progress.done != last) done.push_back(progress.done);
                              return done.size() == 2 ? second : ProgressAction::proceed;
                            }};
     };

@@ -15,6 +15,7 @@
 #include "base/sphere_predicate.hpp"
 
 #include "base/bits.hpp"
+#include "base/doubled.hpp"
 #include "base/exact_accumulator.hpp"
 #include "base/exact_stages.hpp"
 
@@ -77,38 +78,6 @@ std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere
     return std::nullopt;
   return distance_squared <= reach_squared;
 }
-
-namespace {
-
-/// high + low, exactly; |low| <= u |high|.
-struct Doubled {
-  double high;
-  double low;
-};
-
-/// a + b (D. E. Knuth, The Art of Computer Programming, volume 2, 4.2.2, theorem B).
-Doubled two_sum(double a, double b) noexcept {
-  const double sum = a + b;
-  const double b_seen = sum - a;
-  return {sum, (a - (sum - b_seen)) + (b - b_seen)};
-}
-
-/// value * value (T. J. Dekker, as above), for 2^-480 <= |value| <= 2^480.
-Doubled two_square(double value) noexcept {
-  const double scaled = 134217729.0 * value;  // 2^27 + 1
-  const double high = scaled - (scaled - value);
-  const double low = value - high;
-  const double square = value * value;
-  return {square, ((high * high - square) + 2.0 * high * low) + low * low};
-}
-
-/// (high + low)^2 but for a relative error of 2^-103.
-Doubled square(const Doubled& value) noexcept {
-  const Doubled square = two_square(value.high);
-  return {square.high, square.low + 2.0 * value.high * value.low};
-}
-
-}  // namespace
 
 // THE ERROR, in units of S^2, with |D^2 - S^2| < S^2 / 2 as the filter left it. Differences and
 // sums of radii are exact pairs; the margin makes the reach err by 2^-104. Squares err by 2^-103 of

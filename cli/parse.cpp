@@ -93,6 +93,34 @@ void add_input_format(CLI::App& app, InputOptions& input) {
             [&input](const std::string& text) { input.format = text; });
 }
 
+/// The options of a file that elements are read from.
+void add_input(CLI::App& app, InputOptions& input) {
+  add_input_format(app, input);
+  add_frame_and_radius(app, input);
+  add_periodic(app, input);
+}
+
+void add_file_or_scene(CLI::App& app, FileOrScene& source) {
+  app.add_option("FILE|SCENE", source.input.path, "elements to read; with --count a scene")
+      ->required();
+  add_value(app, "--count", "N", "number of elements of the scene",
+            [&source](const std::string& text) {
+              source.count = number<std::uint64_t>("--count", text, "a whole number");
+            });
+  add_value(app, "--seed", "S", "seed of the scene; default 1", [&source](const std::string& text) {
+    source.seed = number<std::uint64_t>("--seed", text, "a whole number");
+  });
+}
+
+void add_algorithm_list(CLI::App& app, std::vector<Algorithm>& list,
+                        const std::string& description) {
+  add_value(app, "--algorithms", "A,B", description, [&list](const std::string& text) {
+    for (const std::string& name : CLI::detail::split(text, ',')) {
+      list.push_back(info(algorithm_named(name)).algorithm);
+    }
+  });
+}
+
 void add_margin(CLI::App& app, double& margin) {
   add_value(app, "--margin", "D", "pairs at most D apart count too; default 0",
             [&margin](const std::string& text) { margin = length("--margin", text); });
@@ -241,27 +269,12 @@ void add_compare(CLI::App& app, Command& command) {
       "abut compare packing.csv\n"
       "abut compare gas --count 20000 --algorithms munjiza_nbs,sorting_array");
   auto options = hand_over<CompareOptions>(sub, command);
-  sub.add_option("FILE|SCENE", options->input.path, "elements to read; with --count a scene")
-      ->required();
-  add_value(sub, "--count", "N", "number of elements of the scene",
-            [options](const std::string& text) {
-              options->count = number<std::uint64_t>("--count", text, "a whole number");
-            });
-  add_value(sub, "--seed", "S", "seed of the scene; default 1", [options](const std::string& text) {
-    options->seed = number<std::uint64_t>("--seed", text, "a whole number");
-  });
-  add_value(sub, "--algorithms", "A,B", "only these; default all that can",
-            [options](const std::string& text) {
-              for (const std::string& name : CLI::detail::split(text, ',')) {
-                options->algorithms.push_back(info(algorithm_named(name)).algorithm);
-              }
-            });
+  add_file_or_scene(sub, options->source);
+  add_algorithm_list(sub, options->algorithms, "only these; default all that can");
   add_json(sub, options->listing);
   add_margin(sub, options->margin);
   add_max_memory(sub, options->max_bytes);
-  add_input_format(sub, options->input);
-  add_frame_and_radius(sub, options->input);
-  add_periodic(sub, options->input);
+  add_input(sub, options->source.input);
   add_console(sub, options->console);
 }
 
@@ -280,9 +293,7 @@ void add_explain(CLI::App& app, Command& command) {
       sub.add_option("FILE", options->input.path, "a small file; - is standard input");
   CLI::Option* book = add_mark(sub, "--book", "the book's own example, numbered as in the book");
   add_margin(sub, options->margin);
-  add_input_format(sub, options->input);
-  add_frame_and_radius(sub, options->input);
-  add_periodic(sub, options->input);
+  add_input(sub, options->input);
   add_console(sub, options->console);
   sub.callback([&command, options, file, book] {
     if ((file->count() > 0) == (book->count() > 0)) {

@@ -72,7 +72,8 @@ template <int Dim>
                              : -std::numeric_limits<std::int32_t>::max();
   }
   const auto limit = (std::int64_t{1} << bits) - 1;
-  return static_cast<std::int32_t>(static_cast<std::int64_t>(random() % (2 * limit + 1)) - limit);
+  return static_cast<std::int32_t>(
+      std::uniform_int_distribution<std::int64_t>(-limit, limit)(random));
 }
 
 template <int Dim>

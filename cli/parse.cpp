@@ -145,15 +145,18 @@ bool is_contact_format(std::string_view name) {
   return name == "csv" || name == "json" || name == "vtp";
 }
 
+int thread_count(const std::string& text) {
+  static constexpr std::string_view wanted = "a whole number, at least 1";
+  const int count = number<int>("--threads", text, wanted);
+  if (count < 1) reject("--threads", text, wanted);
+  return count;
+}
+
 void add_detection(CLI::App& app, Options& detection) {
   add_value(app, "--algorithm", "NAME", "one of 'abut algorithms', or auto, the default",
             [&detection](const std::string& text) { detection.algorithm = algorithm_named(text); });
   add_value(app, "--threads", "N", "number of threads; the algorithms of the book use one",
-            [&detection](const std::string& text) {
-              static constexpr std::string_view wanted = "a whole number, at least 1";
-              detection.threads = number<int>("--threads", text, wanted);
-              if (detection.threads < 1) reject("--threads", text, wanted);
-            });
+            [&detection](const std::string& text) { detection.threads = thread_count(text); });
   add_value(app, "--simd", "LEVEL",
             "instruction set of rows: auto, the default, scalar, sse4, avx2, avx512 or neon",
             [&detection](const std::string& text) { detection.simd = simd_named(text); });
@@ -278,6 +281,36 @@ void add_compare(CLI::App& app, Command& command) {
   add_console(sub, options->console);
 }
 
+void add_bench(CLI::App& app, Command& command) {
+  CLI::App& sub =
+      *app.add_subcommand("bench", "measures algorithms on a file or scene, in a few seconds");
+  sub.footer(
+      "abut bench packing.csv\n"
+      "abut bench dense --count 1000000 --algorithms rows --threads 1,2,4");
+  auto options = hand_over<BenchOptions>(sub, command);
+  add_file_or_scene(sub, options->source);
+  add_algorithm_list(sub, options->algorithms,
+                     "only these; default rows, and the others unless their first call takes "
+                     "longer than 0.5 s");
+  add_value(sub, "--threads", "N,M", "numbers of threads; default 1 and what OpenMP takes",
+            [options](const std::string& text) {
+              for (const std::string& one : CLI::detail::split(text, ',')) {
+                options->threads.push_back(thread_count(one));
+              }
+            });
+  add_value(sub, "--repetitions", "R", "calls after the first; default as many as 4 s in all allow",
+            [options](const std::string& text) {
+              static constexpr std::string_view wanted = "a whole number, at least 1";
+              options->repetitions = number<std::size_t>("--repetitions", text, wanted);
+              if (*options->repetitions == 0) reject("--repetitions", text, wanted);
+            });
+  add_json(sub, options->listing);
+  add_margin(sub, options->margin);
+  add_max_memory(sub, options->max_bytes);
+  add_input(sub, options->source.input);
+  add_console(sub, options->console);
+}
+
 void add_explain(CLI::App& app, Command& command) {
   CLI::App& sub = *app.add_subcommand("explain", "walks through an algorithm of the book");
   sub.footer(
@@ -345,6 +378,7 @@ Command parse(int argc, const char* const* argv) {
   add_info(app, command);
   add_generate(app, command);
   add_compare(app, command);
+  add_bench(app, command);
   add_explain(app, command);
   add_algorithms(app, command);
   add_version(app, command);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "command_algorithms.hpp"
+#include "command_bench.hpp"
 #include "command_compare.hpp"
 #include "command_contacts.hpp"
 #include "command_explain.hpp"
@@ -19,8 +20,8 @@ struct HelpText {
 };
 
 using Command =
-    std::variant<HelpText, AlgorithmsOptions, CompareOptions, ContactsOptions, ExplainOptions,
-                 GenerateOptions, InfoOptions, SceneListOptions, VersionOptions>;
+    std::variant<HelpText, AlgorithmsOptions, BenchOptions, CompareOptions, ContactsOptions,
+                 ExplainOptions, GenerateOptions, InfoOptions, SceneListOptions, VersionOptions>;
 
 /// What the command line asks for. Throws Error{wrong_usage}.
 [[nodiscard]] Command parse(int argc, const char* const* argv);

@@ -28,6 +28,7 @@ def test_0_empty_input(abut, text):
     assert done.returncode == 0 and "contact pairs  0" in done.stdout
     assert abut("contacts", "-", "--count", stdin=text).stdout == "0\n"
     assert abut("compare", "-", stdin=text).returncode == 0
+    assert abut("bench", "-", "--repetitions", "1", stdin=text).returncode == 0
     assert abut("explain", "munjiza_nbs", "-", stdin=text).returncode == 0
 
 
@@ -71,6 +72,11 @@ def test_0_empty_input(abut, text):
     (["compare", "gas"], "--count"),
     (["compare", YADE, "--algorithms", "munjiza_nbs,fast"], "fast"),
     (["compare", YADE, "--algorithms", "auto"], "auto"),
+    (["bench", "gas"], "--count"),
+    (["bench", YADE, "--algorithms", "auto"], "auto"),
+    (["bench", YADE, "--threads", "1,0"], "--threads 0"),
+    (["bench", YADE, "--threads", "1,,2"], "--threads"),
+    (["bench", YADE, "--repetitions", "0"], "--repetitions 0"),
     (["explain", "munjiza_nbs"], "--book"),
     (["explain", "rows", "--book"], "no example of rows"),
     (["explain", "munjiza_nbs", YADE, "--book"], "--book"),
@@ -97,6 +103,9 @@ def test_4_limits(fails, abut, tmp_path):
     assert "screening_array" in sentence and "bytes" in sentence and "rows" in sentence
     assert "1000000000000" in fails(4, "generate", "gas", "--count", "1000000000000")
     fails(4, "explain", "munjiza_nbs", YADE)
+    done = abut("bench", YADE, "--max-memory", "10K")
+    assert done.returncode == 4 and "no algorithm ran" in done.stderr
+    assert "not run\n  rows: " in done.stdout and "first call" not in done.stdout
     assert not out.exists()
 
 
@@ -143,6 +152,18 @@ def test_7_different_pairs(abut):
     assert json_form.returncode == 7 and '"equal": false' in json_form.stdout
 
 
+def test_7_different_pairs_in_bench(abut):
+    broken = environment(LD_PRELOAD=os.environ["WRONG_DIGEST"],
+                         ASAN_OPTIONS="verify_asan_link_order=0")
+    arguments = ["bench", YADE, "--algorithms", "munjiza_nbs", "--repetitions", "1"]
+    done = abut(*arguments, env=broken)
+    assert done.returncode == 7 and "all the same" not in done.stdout
+    assert done.stderr.startswith("abut: munjiza_nbs on 1 thread (canonical) and munjiza_nbs on 1 "
+                                  "thread (as_found) found different pairs, 10,658 and 10,658")
+    json_form = abut(*arguments, "--json", env=broken)
+    assert json_form.returncode == 7 and '"equal": false' in json_form.stdout
+
+
 @pytest.mark.parametrize("kind", [signal.SIGINT, signal.SIGTERM])
 def test_130_interrupted(long_search, tmp_path, kind):
     """In the midst of a search that would take minutes; the bar shows that it has begun."""
@@ -158,6 +179,19 @@ def test_130_interrupted(long_search, tmp_path, kind):
     assert process.returncode == 130 and out == b""
     assert rest.endswith(b"\rabut: interrupted\n"), "the bar is gone before the sentence"
     assert list(tmp_path.iterdir()) == []
+
+
+def test_130_interrupts_a_measurement(long_search):
+    """It is no algorithm that took too long."""
+    arguments = ["bench", long_search[1], "--algorithms", "direct_check", "--progress", "bar"]
+    with subprocess.Popen([os.environ["ABUT"], *arguments], stderr=subprocess.PIPE,
+                          stdout=subprocess.PIPE, env=environment()) as process:
+        seen = b""
+        while b"search" not in seen:
+            seen += os.read(process.stderr.fileno(), 1000)
+        code, errors = after_one_interrupt(process)
+        assert (code, process.stdout.read()) == (130, b"")
+        assert errors.endswith(b"abut: interrupted\n")
 
 
 def test_130_while_reading_standard_input():

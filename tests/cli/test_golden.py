@@ -23,7 +23,7 @@ def test_explain_file(abut, golden, algorithm):
 
 
 @pytest.mark.parametrize(
-    "command", ["", "contacts", "info", "generate", "compare", "explain", "algorithms"])
+    "command", ["", "contacts", "info", "generate", "compare", "bench", "explain", "algorithms"])
 def test_help(abut, golden, command):
     done = abut(*command.split(), "--help")
     assert (done.returncode, done.stderr) == (0, "")
@@ -69,6 +69,16 @@ def test_info(abut, golden, name):
 def test_compare(abut, golden):
     text = without_measurements(abut("compare", "-", stdin=DISCS).stdout)
     golden("compare_discs", re.sub(r"(?<=\S) {2,}", "  ", text))
+
+
+def test_bench(abut, golden):
+    """What is measured, in which order; what of several is the best is not told by its name."""
+    text = abut("bench", "-", "--algorithms", "rows,direct_check", "--threads", "1,2",
+                "--repetitions", "3", stdin=DISCS).stdout
+    text = re.sub(r"^  \w+ +\d+(  (count|half list|full list))", r"  best\1", text, flags=re.M)
+    text = re.sub(r"(canonical|as_found|count|list) +[-.,\d ]+$", r"\1 <numbers>", text,
+                  flags=re.M)
+    golden("bench_discs", re.sub(r"(?<=\S) {2,}", "  ", text))
 
 
 def test_version(abut):

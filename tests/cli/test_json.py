@@ -54,6 +54,63 @@ def test_lists(abut):
     assert len(json.loads(abut("generate", "--list", "--json").stdout)["scenes"]) >= 10
 
 
+def bench(abut, *arguments, stdin=b""):
+    return json.loads(abut("bench", *arguments, "--json", stdin=stdin).stdout)
+
+
+def test_bench(abut):
+    found = bench(abut, YADE, "--algorithms", "munjiza_nbs,rows", "--threads", "2,1,2",
+                  "--repetitions", "2")
+    assert list(found) == ["input", "elements", "dimensions", "build", "equal", "runs"]
+    assert found["equal"] is True and (found["elements"], found["dimensions"]) == (5000, 3)
+    assert found["build"].startswith("abut ")
+    ran = [run for run in found["runs"] if "not_run" not in run]
+    lists = [run for run in ran if run["result"] in ("canonical", "as_found")]
+    assert [(run["algorithm"], run["threads"], run["result"]) for run in lists] == [
+        ("munjiza_nbs", 1, "canonical"), ("munjiza_nbs", 1, "as_found"),
+        ("rows", 2, "canonical"), ("rows", 2, "as_found"),
+        ("rows", 1, "canonical"), ("rows", 1, "as_found")]
+    assert [run["result"] for run in ran[len(lists):]] == ["count", "half list", "full list"]
+    best = min(lists[::2], key=lambda run: run["ns_per_element"]["median"])
+    for run in ran:
+        time = run["ns_per_element"]
+        assert list(time) == ["first", "median", "minimum"]
+        assert time["first"] > 0 and time["median"] >= time["minimum"] > 0
+        assert run["repetitions"] == 2 and run["contact_pairs"] == 10658
+        assert run["candidate_tests_per_element"] >= 10658 / 5000
+        assert run["peak_bytes_per_element"] >= 32
+    assert {(run["algorithm"], run["threads"]) for run in ran[len(lists):]} == {
+        (best["algorithm"], best["threads"])}
+    digests = {run["digest"] for run in ran if run["result"] != "count"}
+    assert len(digests) == 1 and ran[len(lists)]["digest"] is None
+    assert [(run["algorithm"], run["threads_asked"], run["not_run"])
+            for run in found["runs"] if "not_run" in run] == [
+        ("munjiza_nbs", 1, "uses 1 thread here"), ("munjiza_nbs", 2, "uses 1 thread here"),
+        ("rows", 2, "uses 2 threads here")]
+
+
+def test_bench_chooses(abut):
+    """Rows always; the others as far as they are fast and fit; names what is left out, and why."""
+    found = bench(abut, "sparse", "--count", "60000", "--repetitions", "1")
+    reasons = {run["algorithm"]: run["not_run"] for run in found["runs"] if "not_run" in run}
+    assert reasons["direct_check"] == "takes longer than 0.5 s; ask for it with --algorithms"
+    assert reasons["screening_array"].startswith("screening_array would need ")
+    assert "rows" not in reasons and found["equal"] is True
+    assert {run["algorithm"] for run in found["runs"]} == set(ALGORITHMS)
+
+
+def test_bench_chooses_how_often(abut):
+    runs = bench(abut, "-", "--algorithms", "direct_check", stdin=DISCS)["runs"]
+    assert all(3 <= run["repetitions"] <= 1001 for run in runs)
+
+
+def test_bench_of_nothing(abut):
+    found = bench(abut, "-", "--repetitions", "1", stdin="x,y,z,radius\n")
+    assert found["elements"] == 0 and found["equal"] is True
+    for run in found["runs"]:
+        assert run["contact_pairs"] == 0 and run["ns_per_element"]["first"] is None
+
+
 def test_compare(abut):
     found = json.loads(abut("compare", "gas", "--count", "500", "--json").stdout)
     assert found["equal"] is True and found["elements"] == 500

@@ -3,7 +3,8 @@
 The blocks of a page run one after the other in one empty folder that holds examples/data. Standard
 output and standard error are shown together, as on a terminal. A command may fail only where the
 next one is `echo $?`. A line `...` stands for any lines. Durations are masked, and what follows the
-tuning of `rows`: bytes of memory and its candidate tests.
+tuning of `rows`: bytes of memory and its candidate tests; so are all numbers of `bench`, and which
+algorithm was the best.
 """
 
 import argparse
@@ -18,7 +19,7 @@ import tempfile
 import blocks
 
 MARK = "@@ next command @@"
-COMMANDS = ("contacts", "info", "generate", "compare", "explain", "algorithms")
+COMMANDS = ("contacts", "info", "generate", "compare", "bench", "explain", "algorithms")
 
 
 def commands_of(block):
@@ -42,6 +43,8 @@ def masked(line):
     """A line with durations, bytes, tests of `rows` masked, and runs of blanks as one."""
     line = re.sub(r'("(?:\w+_)?(?:read|search|write|total|seconds|gather|order)": ?)[-+.e\d]+',
                   r"\1<time>", line)
+    line = re.sub(r"^( *\w+ +\d+ +(?:canonical|as_found) ).*", r"\1<work>", line)
+    line = re.sub(r"^ *\w+ +\d+ +(count|half list|full list) .*", r"<best> \1 <work>", line)
     line = re.sub(r"\b\d+(\.\d+)?(e[-+]\d+)? ?(ns|µs|us|ms|s)\b", "<time>", line)
     line = re.sub(r"\b\d+(\.\d+)? [kMG]?B\b", "<bytes>", line)
     line = re.sub(r'("(?:peak_bytes|candidate_tests)": ?)\d+', r"\1<work>", line)

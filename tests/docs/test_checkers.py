@@ -62,12 +62,17 @@ class Checkers(unittest.TestCase):
         same = [("took 1.5 ms", "took 12 µs"), ('"search": 0.5}', '"search": 1e-05}'),
                 ("work 12 candidate tests, 1.0 kB of", "work 1,234 candidate tests, 9.5 MB of"),
                 ('"peak_bytes": 5, "candidate_tests": 7', '"peak_bytes": 6, "candidate_tests": 8'),
-                (" rows  1 ms  1.5 MB  1,234  7", " rows  2 ms  2.5 kB  5  7")]
+                (" rows  1 ms  1.5 MB  1,234  7", " rows  2 ms  2.5 kB  5  7"),
+                (" rows  2  as_found  1,234  7.5", " rows  2  as_found  34  8"),
+                (" rows  2  half list  1,234  7.5", " binary_tree  1  half list  34  8")]
         for one, other in same:
             self.assertEqual(check_console.masked(one), check_console.masked(other))
         for one, other in [("5 pairs", "6 pairs"), ("gap 0.5", "gap 0.6"), ("1.5 MiB", "2 MiB"),
                          (" rows 1 ms 2 MB 5 7", " rows 1 ms 2 MB 5 8"),
-                         (" munjiza_nbs 1 ms 2 MB 5 7", " munjiza_nbs 1 ms 2 MB 6 7")]:
+                         (" munjiza_nbs 1 ms 2 MB 5 7", " munjiza_nbs 1 ms 2 MB 6 7"),
+                         (" rows 2 canonical 1,234", " munjiza_nbs 2 canonical 1,234"),
+                         (" rows 2 canonical 1,234", " rows 1 canonical 1,234"),
+                         (" rows 2 half list 1,234", " rows 2 full list 1,234")]:
             self.assertNotEqual(check_console.masked(one), check_console.masked(other))
 
     def test_a_console_block_begins_with_a_command(self):

@@ -1,0 +1,80 @@
+#include "timed_detector.hpp"
+
+#include "io/digest.hpp"
+#include "phase_seconds.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace abut::cli {
+namespace {
+
+Options in_order_of(Form form, Options options) {
+  options.order = form == Form::as_found ? Order::as_found : Order::canonical;
+  return options;
+}
+
+}  // namespace
+
+std::string_view name_of(Form form) {
+  switch (form) {
+    case Form::as_found:
+      return "as_found";
+    case Form::count:
+      return "count";
+    case Form::half_list:
+      return "half list";
+    case Form::full_list:
+      return "full list";
+    case Form::canonical:
+      break;
+  }
+  return "canonical";
+}
+
+TimedDetector::TimedDetector(const ElementView& elements, const Options& options, Form form)
+    : elements_(elements), form_(form), detector_(in_order_of(form, options)) {}
+
+void TimedDetector::set_progress(ProgressHook hook) {
+  Options options = detector_.options();
+  options.progress = std::move(hook);
+  detector_.set_options(std::move(options));
+}
+
+double TimedDetector::call() {
+  PhaseStopwatch stopwatch;
+  if (form_ == Form::count) {
+    statistics_ = detector_.count_contact_pairs(elements_);
+  } else if (form_ == Form::half_list || form_ == Form::full_list) {
+    const auto kind = form_ == Form::half_list ? NeighborListKind::half : NeighborListKind::full;
+    neighbors_ = &detector_.build_neighbor_list(elements_, Domain::open(), kind);
+  } else {
+    pairs_ = &detector_.find_contact_pairs(elements_);
+  }
+  const double seconds = stopwatch.lap();
+  if (neighbors_ != nullptr) statistics_ = neighbors_->statistics();
+  if (pairs_ != nullptr) statistics_ = pairs_->statistics();
+  return seconds;
+}
+
+std::string TimedDetector::digest() const {
+  return form_ == Form::count ? "" : io::digest(canonical_pairs());
+}
+
+std::vector<ContactPair> TimedDetector::canonical_pairs() const {
+  std::vector<ContactPair> pairs;
+  if (pairs_ != nullptr) {
+    pairs.assign(pairs_->begin(), pairs_->end());
+    if (form_ == Form::as_found) std::sort(pairs.begin(), pairs.end());
+  }
+  if (neighbors_ != nullptr) {
+    for (std::size_t first = 0; first < neighbors_->size(); ++first) {
+      for (const ElementIndex second : (*neighbors_)[first]) {
+        if (second > first) pairs.push_back({static_cast<ElementIndex>(first), second});
+      }
+    }
+  }
+  return pairs;
+}
+
+}  // namespace abut::cli

@@ -1,0 +1,242 @@
+#include "grid/images.hpp"
+
+#include "base/workers.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace abut::grid {
+namespace {
+
+/// Beyond this, sums could leave the exponent range; natives and ghosts are scaled down.
+constexpr double largest_unscaled = 0x1p960;
+constexpr double scale_down = 0x1p-128;
+
+/// Natives and ghosts are numbered by 32 bits.
+constexpr double most_images = 4294967294.0;
+
+template <int Dim>
+double largest_number(const Bounds<Dim>& bounds, const ReducedLattice<Dim>& lattice,
+                      double margin) {
+  double largest = std::max(bounds.largest_radius, margin);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
+  }
+  for (std::size_t k = 0; k < lattice.count; ++k) largest = std::max(largest, lattice.length[k]);
+  return largest;
+}
+
+/// Elements are moved along the vectors that they spread over more than a cell of. A little more,
+/// a quarter of what ghosts are within, costs fewer ghosts than moving elements costs time.
+template <int Dim>
+std::array<bool, Dim> axes_to_wrap(const ReducedLattice<Dim>& lattice,
+                                   const CellExtent<Dim>& extent, const GhostWindow<Dim>& window,
+                                   double largest_radius) {
+  std::array<bool, Dim> along{};
+  // What overflows is refused by the wrapper, which knows the element.
+  const double farthest = *std::max_element(extent.farthest.begin(), extent.farthest.end());
+  const bool overflows = !std::isfinite(farthest * lattice.scale);
+  for (std::size_t k = 0; k < lattice.count; ++k) {
+    const double spread = extent.upper[k] - extent.lower[k];
+    const double most = 1.0 + 0.25 * std::min(window.width(k, largest_radius), 1.0);
+    along[k] = overflows || !(spread <= most);
+  }
+  return along;
+}
+
+[[noreturn]] void refuse_number_of_images() {
+  throw Error(ErrorCode::limit_exceeded,
+              "more than 4294967294 periodic images are within reach of the cell; make the lattice "
+              "vectors longer, or radii and margin smaller");
+}
+
+/// Images of a box whose first number that is not 0 is positive.
+double positive_images(const ImageBox& box) {
+  const auto wide = [&](std::size_t k) {
+    return static_cast<double>(box.last[k] - box.first[k]) + 1;
+  };
+  const auto above = [&](std::size_t k) { return static_cast<double>(box.last[k]); };
+  return above(0) * wide(1) * wide(2) + above(1) * wide(2) + above(2);
+}
+
+/// A bound from the widest box; where it is too large, the exact number.
+template <int Dim>
+void require_countable(std::span<const base::Sphere<Dim>> natives,
+                       const ReducedLattice<Dim>& lattice, const CellExtent<Dim>& extent,
+                       const GhostWindow<Dim>& window, double largest_radius) {
+  double bound = static_cast<double>(natives.size());
+  for (std::size_t k = 0; k < lattice.count; ++k) {
+    const double farthest =
+        extent.upper[k] - extent.lower[k] + window.width(k, largest_radius) + 2.0;
+    if (!(farthest <= most_cells_away)) refuse_number_of_images();
+    bound *= 2.0 * farthest;
+  }
+  if (bound <= most_images) return;
+  double count = static_cast<double>(natives.size());
+  for (const base::Sphere<Dim>& native : natives) {
+    count += positive_images(window.box_of(window.fractions_of(native), native.radius));
+    if (count > most_images) refuse_number_of_images();
+  }
+}
+
+template <int Dim>
+void append_ghosts(std::span<const base::Sphere<Dim>> natives, std::size_t first, std::size_t last,
+                   const GhostWindow<Dim>& window, base::Array<Ghost>& ghosts) {
+  for (std::size_t i = first; i < last; ++i) {
+    const auto fractions = window.fractions_of(natives[i]);
+    if (window.is_inner(fractions)) continue;
+    for_each_positive_image(
+        window.box_of(fractions, natives[i].radius), [&](const ImageNumbers& image) {
+          ghosts.push_back(
+              {static_cast<std::uint32_t>(i),
+               {static_cast<std::int32_t>(image[0]), static_cast<std::int32_t>(image[1]),
+                static_cast<std::int32_t>(image[2])}});
+        });
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+Images<Dim>::Images(base::MemoryMeter& memory)
+    : memory_(memory),
+      own_natives_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
+      cells_moved_(base::make_array_for_overwrite<CellsMoved>(memory, 0)),
+      own_ghosts_(base::make_array_for_overwrite<Ghost>(memory, 0)) {}
+
+template <int Dim>
+void Images<Dim>::find(std::span<const base::Sphere<Dim>> spheres, const Bounds<Dim>& bounds,
+                       const ReducedLattice<Dim>& lattice, double margin, std::size_t workers) {
+  lattice_ = &lattice;
+  natives_ = spheres;
+  ghosts_ = {};
+  unit_ = 1.0;
+  slack_ = 0.0;
+  moved_any_ = false;
+  if (spheres.empty() || lattice.count == 0) return;
+
+  while (parts_.size() < workers) {
+    parts_.push_back(base::make_array_for_overwrite<Ghost>(memory_, 0));
+  }
+  if (extents_.size() < workers) extents_.resize(workers);
+  place_natives(spheres, bounds, margin, workers);
+  const Reaches reaches{bounds.largest_radius * unit_, margin * unit_};
+  const GhostWindow<Dim> window(lattice, extent_, reaches, lattice.scale / unit_);
+  require_countable(natives_, lattice, extent_, window, reaches.largest_radius);
+  find_ghosts(window, workers);
+
+  slack_ = slack_of(window, reaches.largest_radius);
+}
+
+/// Where no basis vector leads along an axis, nothing is added to coordinates on it.
+template <int Dim>
+double Images<Dim>::slack_of(const GhostWindow<Dim>& window, double largest_radius) const {
+  double magnitude = 0.0;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    double moved = 0.0;
+    for (std::size_t k = 0; k < lattice_->count; ++k) {
+      const double cells =
+          extent_.upper[k] - extent_.lower[k] + window.width(k, largest_radius) + 2.0;
+      moved += cells * std::fabs(steps_[k][axis]);
+    }
+    if (moved > 0.0) magnitude += extent_.farthest[axis] + moved;
+  }
+  return 0x1p-48 * magnitude;
+}
+
+template <int Dim>
+void Images<Dim>::place_natives(std::span<const base::Sphere<Dim>> spheres,
+                                const Bounds<Dim>& bounds, double margin, std::size_t workers) {
+  if (is_aligned(*lattice_)) {
+    extent_ = extent_of(bounds, *lattice_);
+  } else {
+    extent_ = {};
+    base::for_each_worker(workers, [&](std::size_t worker) {
+      const auto [first, last] = base::share_of(worker, workers, spheres.size());
+      CellExtent<Dim> extent;
+      for (std::size_t i = first; i < last; ++i) {
+        extent.include(spheres[i], *lattice_, lattice_->scale);
+      }
+      extents_[worker] = extent;
+    });
+    for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(extents_[worker]);
+  }
+  if (largest_number(bounds, *lattice_, margin) > largest_unscaled) unit_ = scale_down;
+  for (std::size_t k = 0; k < Dim; ++k) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      steps_[k][axis] = lattice_->vectors[k][axis] * unit_;
+    }
+  }
+  const GhostWindow<Dim> window(*lattice_, extent_, {bounds.largest_radius, margin},
+                                lattice_->scale);
+  const auto along = axes_to_wrap(*lattice_, extent_, window, bounds.largest_radius);
+  moved_any_ = std::count(along.begin(), along.end(), true) > 0;
+  if (moved_any_ || unit_ != 1.0) move_natives(spheres, along, workers);
+}
+
+template <int Dim>
+void Images<Dim>::move_natives(std::span<const base::Sphere<Dim>> spheres,
+                               const std::array<bool, Dim>& along, std::size_t workers) {
+  base::make_room(own_natives_, spheres.size());
+  base::make_room(cells_moved_, spheres.size());
+  const Wrapper<Dim> wrapper(*lattice_, along);
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, spheres.size());
+    CellExtent<Dim> extent;
+    for (std::size_t i = first; i < last; ++i) {
+      base::Sphere<Dim> sphere = spheres[i];
+      cells_moved_[i] = wrapper.wrap(sphere, i);
+      for (double& x : sphere.center) x *= unit_;
+      sphere.radius *= unit_;
+      own_natives_[i] = sphere;
+      extent.include(sphere, *lattice_, lattice_->scale / unit_);
+    }
+    extents_[worker] = extent;
+  });
+  extent_ = {};
+  for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(extents_[worker]);
+  natives_ = {own_natives_.data(), spheres.size()};
+}
+
+template <int Dim>
+void Images<Dim>::find_ghosts(const GhostWindow<Dim>& window, std::size_t workers) {
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, natives_.size());
+    parts_[worker].clear();
+    append_ghosts(natives_, first, last, window, parts_[worker]);
+  });
+  if (workers == 1) {
+    ghosts_ = parts_[0];
+    return;
+  }
+  std::size_t count = 0;
+  for (std::size_t worker = 0; worker < workers; ++worker) count += parts_[worker].size();
+  base::make_room(own_ghosts_, count);
+  auto end = own_ghosts_.begin();
+  for (std::size_t worker = 0; worker < workers; ++worker) {
+    end = std::copy(parts_[worker].begin(), parts_[worker].end(), end);
+  }
+  ghosts_ = {own_ghosts_.data(), count};
+}
+
+template <int Dim>
+base::ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
+                                            const std::array<std::int32_t, 3>& image) const {
+  ImageNumbers numbers{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    numbers[k] = image[k];
+    if (moved_any_) numbers[k] += std::int64_t{cells_moved_[i][k]} - cells_moved_[j][k];
+  }
+  if (const auto shift = lattice_->shift_of(numbers)) return *shift;
+  throw Error(ErrorCode::invalid_input,
+              "elements " + std::to_string(i) + " and " + std::to_string(j) +
+                  " pair across more than 2147483647 lattice vectors; move them into one cell");
+}
+
+template class Images<2>;
+template class Images<3>;
+
+}  // namespace abut::grid

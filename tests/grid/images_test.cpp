@@ -1,0 +1,369 @@
+// Natives and ghosts against all images in rational numbers.
+
+#include "grid/images.hpp"
+
+#include "grid/lattices.hpp"
+#include "grid/periodic_search.hpp"
+
+#include <abut/error.hpp>
+
+#include <gtest/gtest.h>
+
+namespace abut::test {
+namespace {
+
+template <class Dimension>
+class Images : public testing::Test {};
+
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(Images, Dimensions);
+
+/// Elements in the cell, or up to `cells_away` cells outside, and off the open axes by a little.
+template <int Dim>
+PeriodicSystem<Dim> random_system(const base::Lattice& lattice, std::size_t count,
+                                  double largest_radius, double cells_away, Random& random) {
+  PeriodicSystem<Dim> system;
+  system.lattice = lattice;
+  const grid::ReducedLattice<Dim> reduced(lattice);
+  for (std::size_t i = 0; i < count; ++i) {
+    base::Sphere<Dim> sphere{};
+    for (double& x : sphere.center) x = 0.0;
+    for (std::size_t k = 0; k < reduced.count; ++k) {
+      double fraction = uniform(random, 0.0, 1.0);
+      // On the faces, too.
+      if (random() % 8 == 0) fraction = 0.0;
+      const double cells =
+          cells_away == 0.0 ? 0.0 : std::nearbyint(uniform(random, -cells_away, cells_away));
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        sphere.center[axis] += (fraction + cells) * reduced.vectors[k][axis];
+      }
+    }
+    if (reduced.count < Dim) {
+      for (double& x : sphere.center) x += uniform(random, -0.3, 0.3);
+    }
+    sphere.radius = random() % 4 == 0 ? 0.0 : uniform(random, 0.0, largest_radius);
+    system.spheres.push_back(sphere);
+  }
+  if (random() % 3 == 0) system.margin = uniform(random, 0.0, 0.5 * largest_radius);
+  return system;
+}
+
+template <int Dim>
+double shortest_height(const base::Lattice& lattice) {
+  const grid::ReducedLattice<Dim> reduced(lattice);
+  double shortest = HUGE_VAL;
+  for (std::size_t k = 0; k < reduced.count; ++k) {
+    shortest = std::min(shortest, reduced.height[k]);
+  }
+  return shortest;
+}
+
+template <int Dim>
+void compare(const PeriodicSystem<Dim>& system, std::size_t& pairs) {
+  const auto expected = pairs_by_rationals(system);
+  ASSERT_EQ(pairs_by_images(system), expected);
+  ASSERT_EQ(pairs_by_boxes(system), expected);
+  pairs += expected.size();
+}
+
+TYPED_TEST(Images, OfSmallReach) {
+  constexpr int dim = TypeParam::value;
+  Random random(91);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 250; ++round) {
+    const auto named = random_lattice<dim>(random);
+    const double radius = uniform(random, 0.02, 0.3) * shortest_height<dim>(named.lattice);
+    // Where c has 2^20 a in it, a million c are too many.
+    const bool skewed = named.kind == std::string("skewed by many vectors");
+    const double cells_away = std::array{0.0, 1.0, 3.0, skewed ? 300.0 : 1e6}[random() % 4];
+    const auto system =
+        random_system<dim>(named.lattice, 1 + random() % 30, radius, cells_away, random);
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
+  }
+  EXPECT_GT(pairs, 1000u);
+}
+
+TYPED_TEST(Images, OfReachBeyondTheCell) {
+  constexpr int dim = TypeParam::value;
+  Random random(92);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 120; ++round) {
+    const auto named = random_lattice<dim>(random);
+    const double radius = uniform(random, 0.5, 2.0) * shortest_height<dim>(named.lattice);
+    const double cells_away = round % 2 == 0 ? 0.0 : 500.0;
+    const auto system =
+        random_system<dim>(named.lattice, 1 + random() % 6, radius, cells_away, random);
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
+  }
+  EXPECT_GT(pairs, 2000u);
+}
+
+TYPED_TEST(Images, OfOneElement) {
+  constexpr int dim = TypeParam::value;
+  Random random(93);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 200; ++round) {
+    const auto named = random_lattice<dim>(random);
+    const double radius = uniform(random, 0.3, 1.4) * shortest_height<dim>(named.lattice);
+    const auto system = random_system<dim>(named.lattice, 1, radius, round % 3 * 300, random);
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
+  }
+  EXPECT_GT(pairs, 100u);
+}
+
+/// Elements that touch exactly, or miss by one unit, through the faces.
+TYPED_TEST(Images, OfElementsThatTouchAcrossFaces) {
+  constexpr int dim = TypeParam::value;
+  Random random(94);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 150; ++round) {
+    PeriodicSystem<dim> system;
+    for (std::size_t k = 0; k < dim; ++k) {
+      system.lattice.periodic[k] = k == 0 || random() % 3 != 0;
+      for (std::size_t axis = 0; axis < dim; ++axis) {
+        const int off = static_cast<int>(random() % 3) - 1;
+        system.lattice.vectors[k][axis] = k == axis ? 4.0 : axis < k ? off : 0.0;
+      }
+    }
+    const double far = round % 2 == 0 ? 0.0 : 0x1p20;
+    for (std::size_t i = 0; i < 12; ++i) {
+      base::Sphere<dim> sphere{};
+      for (double& x : sphere.center) x = static_cast<double>(random() % 8) * 0.5 + far;
+      sphere.radius = random() % 3 == 0 ? std::nextafter(0.5, 0.0) : 0.5;
+      system.spheres.push_back(sphere);
+    }
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << "round " << round;
+  }
+  EXPECT_GT(pairs, 400u);
+}
+
+TYPED_TEST(Images, AtEveryScale) {
+  constexpr int dim = TypeParam::value;
+  Random random(95);
+  std::size_t pairs = 0;
+  for (int exponent = -980; exponent <= 1010; exponent += 30) {
+    const auto named = random_lattice<dim>(random);
+    const double radius = 0.3 * shortest_height<dim>(named.lattice);
+    auto system =
+        random_system<dim>(named.lattice, 8, radius, round(uniform(random, 0, 2)), random);
+    for (auto& sphere : system.spheres) {
+      for (double& x : sphere.center) x = std::ldexp(x, exponent);
+      sphere.radius = std::ldexp(sphere.radius, exponent);
+    }
+    for (auto& vector : system.lattice.vectors) {
+      for (double& x : vector) x = std::ldexp(x, exponent);
+    }
+    system.margin = std::ldexp(system.margin, exponent);
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " 2^" << exponent;
+  }
+  EXPECT_GT(pairs, 50u);
+}
+
+TYPED_TEST(Images, DoNotDependOnTheNumberOfWorkers) {
+  constexpr int dim = TypeParam::value;
+  Random random(96);
+  const auto named = random_lattice<dim>(random);
+  const double radius = 0.2 * shortest_height<dim>(named.lattice);
+  const auto system = random_system<dim>(named.lattice, 40, radius, 2.0, random);
+  const grid::ReducedLattice<dim> reduced(system.lattice);
+  base::MemoryMeter memory;
+  grid::Images<dim> one(memory);
+  one.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, 1);
+  ASSERT_GT(one.ghosts().size(), 10u);
+  for (const std::size_t workers : {2u, 3u, 7u, 50u}) {
+    grid::Images<dim> several(memory);
+    several.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, workers);
+    ASSERT_EQ(several.ghosts().size(), one.ghosts().size());
+    for (std::size_t k = 0; k < one.ghosts().size(); ++k) {
+      ASSERT_EQ(several.ghosts()[k].element, one.ghosts()[k].element);
+      ASSERT_EQ(several.ghosts()[k].image, one.ghosts()[k].image);
+    }
+    ASSERT_EQ(several.slack(), one.slack());
+  }
+}
+
+TYPED_TEST(Images, AreFoundAgainInTheSameMemory) {
+  constexpr int dim = TypeParam::value;
+  Random random(97);
+  const auto named = random_lattice<dim>(random);
+  const double radius = 0.2 * shortest_height<dim>(named.lattice);
+  const auto system = random_system<dim>(named.lattice, 40, radius, 2.0, random);
+  const grid::ReducedLattice<dim> reduced(system.lattice);
+  base::MemoryMeter memory;
+  grid::Images<dim> images(memory);
+  for (const std::size_t workers : {1u, 2u}) {
+    images.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, workers);
+    const std::uint64_t held = memory.held();
+    images.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, workers);
+    EXPECT_EQ(memory.held(), held);
+    EXPECT_GT(held, 0u);
+  }
+}
+
+/// The sites of a cubic lattice of m^3 cells in a periodic box.
+PeriodicSystem<3> crystal(const std::vector<std::array<double, 3>>& sites, int m, double radius) {
+  PeriodicSystem<3> system;
+  for (std::size_t k = 0; k < 3; ++k) system.lattice.vectors[k][k] = m;
+  system.lattice.periodic = {true, true, true};
+  for (int x = 0; x < m; ++x) {
+    for (int y = 0; y < m; ++y) {
+      for (int z = 0; z < m; ++z) {
+        for (const auto& site : sites) {
+          system.spheres.push_back({{x + site[0], y + site[1], z + site[2]}, radius});
+        }
+      }
+    }
+  }
+  return system;
+}
+
+/// The smallest double with (2 r)^2 >= square.
+double smallest_that_touches(const mpq_class& square) {
+  double radius = std::sqrt(square.get_d()) / 2;
+  const auto touches = [&](double r) { return 4 * mpq_class(r) * mpq_class(r) >= square; };
+  while (touches(radius)) radius = std::nextafter(radius, 0.0);
+  while (!touches(radius)) radius = std::nextafter(radius, 1.0);
+  return radius;
+}
+
+TEST(PeriodicCrystals, HaveTheirNumbersOfContacts) {
+  struct Crystal {
+    const char* name;
+    std::vector<std::array<double, 3>> sites;
+    mpq_class square_of_distance;
+    std::size_t contacts_of_cell;
+  };
+  const Crystal crystals[] = {
+      {"simple cubic", {{0, 0, 0}}, 1, 3},
+      {"body-centered", {{0, 0, 0}, {.5, .5, .5}}, mpq_class(3, 4), 8},
+      {"face-centered", {{0, 0, 0}, {0, .5, .5}, {.5, 0, .5}, {.5, .5, 0}}, mpq_class(1, 2), 24},
+  };
+  for (const Crystal& kind : crystals) {
+    const double radius = smallest_that_touches(kind.square_of_distance);
+    for (int m = 1; m <= 3; ++m) {
+      const auto cells = static_cast<std::size_t>(m * m * m);
+      auto system = crystal(kind.sites, m, radius);
+      const auto pairs = pairs_by_images(system);
+      EXPECT_EQ(pairs.size(), kind.contacts_of_cell * cells) << kind.name << ' ' << m;
+      EXPECT_EQ(pairs, pairs_by_rationals(system)) << kind.name << ' ' << m;
+      system = crystal(kind.sites, m, std::nextafter(radius, 0.0));
+      EXPECT_EQ(pairs_by_images(system).size(), 0u) << kind.name << ' ' << m;
+    }
+  }
+}
+
+TEST(PeriodicCrystals, OneSphereTouchesItsOwnImages) {
+  const auto pairs = pairs_by_images(crystal({{0, 0, 0}}, 1, 0.5));
+  const std::vector<FoundPair> expected{{0, 0, {0, 0, 1}}, {0, 0, {0, 1, 0}}, {0, 0, {1, 0, 0}}};
+  EXPECT_EQ(pairs, expected);
+}
+
+TEST(PeriodicCrystals, MovingAnElementByLatticeVectorsChangesItsShiftsOnly) {
+  auto system = crystal({{0, 0, 0}, {.5, .5, .5}}, 2, 0.5);
+  const auto before = pairs_by_images(system);
+  system.spheres[3].center[0] += 2.0 * 1000000;
+  system.spheres[3].center[2] -= 2.0 * 7;
+  std::vector<FoundPair> expected;
+  for (FoundPair pair : before) {
+    // x_3 grew by 10^6 a - 7 c: n by as much as i, by minus as much as j.
+    const int sign = (pair.i == 3 ? 1 : 0) - (pair.j == 3 ? 1 : 0);
+    pair.shift.x += sign * 1000000;
+    pair.shift.z -= sign * 7;
+    expected.push_back(pair);
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(pairs_by_images(system), expected);
+}
+
+TEST(ImagesOfAnOrthogonalCell, LeaveElementsWhereTheyAre) {
+  auto system = crystal({{0, 0, 0}}, 10, 0.5);
+  for (auto& sphere : system.spheres) sphere.center[1] -= 1000.0;
+  const grid::ReducedLattice<3> reduced(system.lattice);
+  base::MemoryMeter memory;
+  grid::Images<3> images(memory);
+  images.find(system.spheres, bounds_of(system.spheres), reduced, 0.0, 1);
+  EXPECT_EQ(images.natives().data(), system.spheres.data());
+  // Faces of the positive half: one layer of 100 in z, and in y and x with the layers beside it.
+  // Of 10 layers one lies within reach of the next cell, one of the last.
+  std::size_t expected = 0;
+  for (int x = 0; x <= 1; ++x) {
+    for (int y = x > 0 ? -1 : 0; y <= 1; ++y) {
+      for (int z = x > 0 || y > 0 ? -1 : 1; z <= 1; ++z) {
+        expected += (x == 0 ? 10u : 1u) * (y == 0 ? 10u : 1u) * (z == 0 ? 10u : 1u);
+      }
+    }
+  }
+  EXPECT_EQ(images.ghosts().size(), expected);
+}
+
+TEST(ImagesOfAnOrthogonalCell, OneTenthOfACellOutsideIsWrapped) {
+  auto system = crystal({{0, 0, 0}}, 10, 0.5);
+  system.spheres[7].center[2] = 11.0;
+  const grid::ReducedLattice<3> reduced(system.lattice);
+  base::MemoryMeter memory;
+  grid::Images<3> images(memory);
+  images.find(system.spheres, bounds_of(system.spheres), reduced, 0.0, 1);
+  ASSERT_NE(images.natives().data(), system.spheres.data());
+  EXPECT_EQ(images.natives()[7].center[2], 1.0);
+  EXPECT_EQ(images.natives()[8].center[2], 8.0);
+  EXPECT_EQ(images.shift_between(7, 8), (ImageShift{0, 0, 1}));
+  EXPECT_EQ(images.shift_between(8, 7), (ImageShift{0, 0, -1}));
+}
+
+template <class Act>
+std::string error_of(ErrorCode code, Act&& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ImagesOfFarElements, AreRefusedBeyond31Bits) {
+  PeriodicSystem<2> system;
+  system.lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
+  system.lattice.periodic = {true, false, false};
+  system.spheres = {{{0.25, 0.0}, 0.5}, {{2147483647.25, 1e300}, 0.5}};
+  EXPECT_EQ(pairs_by_images(system).size(), 2u) << "each with itself";
+  system.spheres[1] = {{2147483000.25, 0.0}, 0.5};
+  EXPECT_EQ(pairs_by_images(system).size(), 2u + 3u);
+  system.spheres.push_back({{-2147483647.5, 1.0}, 0.0});
+  system.spheres.push_back({{0.5, -1e10}, 0.0});
+  system.spheres.push_back({{2147483648.5, 1.0}, 0.0});
+  system.spheres.push_back({{1e300, 1.0}, 0.0});
+  EXPECT_EQ(error_of(ErrorCode::invalid_input, [&] { (void)pairs_by_images(system); }),
+            "element 2 has x = -2147483647.5; it lies more than 2147483647 cells outside of the "
+            "periodic cell: move it into the cell, or correct the lattice");
+  system.spheres[2].center[0] = 0.0;
+  EXPECT_EQ(error_of(ErrorCode::invalid_input, [&] { (void)pairs_by_images(system); })
+                .find("element 4 has x = 2147483648.5; "),
+            0u);
+}
+
+TEST(ImagesOfFarElements, ShiftsBeyond31BitsAreRefused) {
+  PeriodicSystem<2> system;
+  system.lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
+  system.lattice.periodic = {true, true, false};
+  system.spheres = {{{-2147483000.0, 0.0}, 0.25}, {{2147483000.25, 0.0}, 0.25}};
+  EXPECT_EQ(error_of(ErrorCode::invalid_input, [&] { (void)pairs_by_images(system); }),
+            "elements 0 and 1 pair across more than 2147483647 lattice vectors; move them into one "
+            "cell");
+}
+
+TEST(ImagesOfLargeReach, AreCountedBeforeTheyAreStored) {
+  PeriodicSystem<2> system;
+  system.lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
+  system.lattice.periodic = {true, true, false};
+  for (const double radius : {1e5, 1e10, 1e300}) {
+    system.spheres = {{{0.0, 0.0}, radius}};
+    EXPECT_EQ(error_of(ErrorCode::limit_exceeded, [&] { (void)pairs_by_images(system); })
+                  .find("more than 4294967294 periodic images are within reach of the cell"),
+              0u)
+        << radius;
+  }
+}
+
+}  // namespace
+}  // namespace abut::test

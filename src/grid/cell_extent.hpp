@@ -2,37 +2,25 @@
 
 #include "base/sphere_predicate.hpp"
 #include "grid/bounds.hpp"
-#include "grid/reduced_lattice.hpp"
+#include "grid/fraction_map.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 namespace abut::grid {
 
 /// The fractional coordinates that occur among some elements, and their farthest coordinates.
 template <int Dim>
 struct CellExtent {
-  std::array<double, Dim> lower = filled(std::numeric_limits<double>::infinity());
-  std::array<double, Dim> upper = filled(-std::numeric_limits<double>::infinity());
-  std::array<double, Dim> farthest{};  ///< on each axis of space, of either sign
+  using Vector = std::array<double, Dim>;
 
-  void include(std::size_t k, double fraction) noexcept {
-    lower[k] = std::min(lower[k], fraction);
-    upper[k] = std::max(upper[k], fraction);
-  }
-
-  void include(const base::Sphere<Dim>& sphere, const ReducedLattice<Dim>& lattice,
-               double scale) noexcept {
-    for (std::size_t k = 0; k < lattice.count; ++k) {
-      include(k, lattice.fraction(k, sphere.center, scale));
-    }
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      farthest[axis] = std::max(farthest[axis], std::fabs(sphere.center[axis]));
-    }
-  }
+  Vector lower = filled(std::numeric_limits<double>::infinity());
+  Vector upper = filled(-std::numeric_limits<double>::infinity());
+  Vector farthest{};  ///< on each axis of space, of either sign
 
   void include(const CellExtent& others) noexcept {
     for (std::size_t k = 0; k < Dim; ++k) {
@@ -43,33 +31,42 @@ struct CellExtent {
   }
 
  private:
-  static constexpr std::array<double, Dim> filled(double value) noexcept {
-    std::array<double, Dim> result{};
+  static constexpr Vector filled(double value) noexcept {
+    Vector result{};
     result.fill(value);
     return result;
   }
 };
 
-/// Where each basis vector lies along one axis, the box of the elements has the extent: fractions
-/// ascend or descend with the coordinate, in rounded numbers too.
 template <int Dim>
-[[nodiscard]] bool is_aligned(const ReducedLattice<Dim>& lattice) noexcept {
-  for (std::size_t k = 0; k < lattice.count; ++k) {
-    if (std::count(lattice.dual[k].begin(), lattice.dual[k].end(), 0.0) != Dim - 1) return false;
-  }
-  return true;
+[[nodiscard]] CellExtent<Dim> extent_of(std::span<const base::Sphere<Dim>> spheres,
+                                        const FractionMap<Dim>& fractions) noexcept {
+  return with_count<Dim>(fractions.count, [&](auto count) {
+    const FractionMap<Dim> map = fractions;  // a copy that nothing can change
+    CellExtent<Dim> extent;
+    for (const base::Sphere<Dim>& sphere : spheres) {
+      for (std::size_t k = 0; k < count(); ++k) {
+        const double fraction = map(k, sphere.center);
+        extent.lower[k] = std::min(extent.lower[k], fraction);
+        extent.upper[k] = std::max(extent.upper[k], fraction);
+      }
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        extent.farthest[axis] = std::max(extent.farthest[axis], std::fabs(sphere.center[axis]));
+      }
+    }
+    return extent;
+  });
 }
 
+/// Where basis vectors are aligned the box of the elements has their extent, in rounded numbers
+/// too.
 template <int Dim>
 [[nodiscard]] CellExtent<Dim> extent_of(const Bounds<Dim>& bounds,
-                                        const ReducedLattice<Dim>& lattice) noexcept {
-  CellExtent<Dim> extent;
-  for (const auto& corner : {bounds.lower, bounds.upper}) {
-    base::Sphere<Dim> sphere{};
-    std::copy(corner.begin(), corner.end(), sphere.center);
-    extent.include(sphere, lattice, lattice.scale);
-  }
-  return extent;
+                                        const FractionMap<Dim>& fractions) noexcept {
+  std::array<base::Sphere<Dim>, 2> corners{};
+  std::copy(bounds.lower.begin(), bounds.lower.end(), corners[0].center);
+  std::copy(bounds.upper.begin(), bounds.upper.end(), corners[1].center);
+  return extent_of<Dim>(std::span<const base::Sphere<Dim>>(corners), fractions);
 }
 
 }  // namespace abut::grid

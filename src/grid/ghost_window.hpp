@@ -2,8 +2,8 @@
 
 #include "base/sphere_predicate.hpp"
 #include "grid/cell_extent.hpp"
+#include "grid/fraction_map.hpp"
 #include "grid/image_box.hpp"
-#include "grid/reduced_lattice.hpp"
 
 #include <array>
 #include <cmath>
@@ -11,13 +11,6 @@
 #include <cstdint>
 
 namespace abut::grid {
-
-/// The periodic image of an element moved by `image` vectors of the reduced basis. The first of
-/// these numbers that is not 0 is positive.
-struct Ghost {
-  std::uint32_t element;
-  std::array<std::int32_t, 3> image;
-};
 
 /// What reaches are made of, in the unit of the natives.
 struct Reaches {
@@ -31,67 +24,75 @@ struct Reaches {
 template <int Dim>
 class GhostWindow {
  public:
-  /// `extent` is that of the natives; `scale` makes the lattice's own unit of theirs.
+  /// `extent` is that of the natives, which are given times `unit`.
   GhostWindow(const ReducedLattice<Dim>& lattice, const CellExtent<Dim>& extent,
-              const Reaches& reaches, double scale) noexcept
-      : lattice_(lattice), extent_(extent), scale_(scale) {
+              const Reaches& reaches, double unit) noexcept
+      : fractions_(lattice, unit), extent_(extent) {
+    const double scale = lattice.scale / unit;
     const double common = reaches.largest_radius * scale + reaches.margin * scale;
     double lengths = common + reaches.largest_radius * scale;
     for (std::size_t k = 0; k < lattice.count; ++k) lengths += lattice.length[k] * lattice.scale;
     for (std::size_t k = 0; k < lattice.count; ++k) {
-      const double magnitude =
-          lattice.magnitude(k, extent.farthest, scale) + lattice.dual_length[k] * lengths;
-      per_radius_[k] = lattice.dual_length[k] * (1.0 + 0x1p-38);
-      least_[k] = lattice.dual_length[k] * common + 0x1p-38 * magnitude + 0x1p-40;
-      const double widest = width(k, reaches.largest_radius);
-      inner_lower_[k] = extent.upper[k] + widest - 1.0;
-      inner_upper_[k] = extent.lower[k] - widest + 1.0;
+      const double dual_length = lattice.dual_length[k];
+      const double magnitude = fractions_.magnitude(k, extent.farthest) + dual_length * lengths;
+      per_radius_[k] = dual_length * scale * (1.0 + 0x1p-38);
+      least_[k] = dual_length * common + 0x1p-38 * magnitude + 0x1p-40;
+      widest_[k] = width(k, reaches.largest_radius);
+      inner_lower_[k] = extent.upper[k] + widest_[k] - 1.0;
+      inner_upper_[k] = extent.lower[k] - widest_[k] + 1.0;
     }
   }
 
-  /// How far outside of the natives an image may be along vector k.
+  /// How far outside of the natives an image may be along vector k; and with the largest radius.
   [[nodiscard]] double width(std::size_t k, double radius) const noexcept {
-    return per_radius_[k] * (radius * scale_) + least_[k];
+    return per_radius_[k] * radius + least_[k];
+  }
+  [[nodiscard]] double widest(std::size_t k) const noexcept { return widest_[k]; }
+
+  /// Numbers of images are less than this.
+  [[nodiscard]] double most_cells(std::size_t k) const noexcept {
+    return extent_.upper[k] - extent_.lower[k] + widest_[k] + 2.0;
   }
 
-  using Fractions = std::array<double, Dim>;
-
-  [[nodiscard]] Fractions fractions_of(const base::Sphere<Dim>& native) const noexcept {
-    Fractions fractions{};
-    for (std::size_t k = 0; k < lattice_.count; ++k) {
-      fractions[k] = lattice_.fraction(k, native.center, scale_);
-    }
-    return fractions;
-  }
-
-  /// So far inside that no image can matter, whatever the radius.
-  [[nodiscard]] bool is_inner(const Fractions& fractions) const noexcept {
-    bool inner = true;
-    for (std::size_t k = 0; k < lattice_.count; ++k) {
-      inner = inner && fractions[k] > inner_lower_[k] && fractions[k] < inner_upper_[k];
-    }
-    return inner;
-  }
-
-  /// Of a native; the native itself, image 0, is always in the box.
-  [[nodiscard]] ImageBox box_of(const Fractions& fractions, double radius) const noexcept {
+  /// The images of a native that may be within reach; the native itself, image 0, is one of them.
+  [[nodiscard]] ImageBox box_of(const base::Sphere<Dim>& native) const noexcept {
     ImageBox box;
-    for (std::size_t k = 0; k < lattice_.count; ++k) {
-      const double outside = width(k, radius);
-      box.first[k] =
-          static_cast<std::int64_t>(std::ceil(extent_.lower[k] - fractions[k] - outside));
-      box.last[k] =
-          static_cast<std::int64_t>(std::floor(extent_.upper[k] - fractions[k] + outside));
+    for (std::size_t k = 0; k < fractions_.count; ++k) {
+      const double fraction = fractions_(k, native.center);
+      const double outside = width(k, native.radius);
+      box.first[k] = static_cast<std::int64_t>(std::ceil(extent_.lower[k] - fraction - outside));
+      box.last[k] = static_cast<std::int64_t>(std::floor(extent_.upper[k] - fraction + outside));
     }
     return box;
   }
 
+  /// Writes the numbers of those natives of a block that have images in their box; returns how
+  /// many. The others lie so far inside that no image can matter, whatever the radius.
+  std::size_t outer_of(std::span<const base::Sphere<Dim>> natives,
+                       std::uint32_t* numbers) const noexcept {
+    return with_count<Dim>(fractions_.count, [&](auto count) {
+      const GhostWindow window = *this;  // a copy that nothing can change
+      std::size_t found = 0;
+      for (std::size_t i = 0; i < natives.size(); ++i) {
+        int outer = 0;
+        for (std::size_t k = 0; k < count(); ++k) {
+          const double fraction = window.fractions_(k, natives[i].center);
+          outer |= static_cast<int>(!(fraction > window.inner_lower_[k]));
+          outer |= static_cast<int>(!(fraction < window.inner_upper_[k]));
+        }
+        numbers[found] = static_cast<std::uint32_t>(i);
+        found += static_cast<std::size_t>(outer);
+      }
+      return found;
+    });
+  }
+
  private:
-  const ReducedLattice<Dim>& lattice_;
+  FractionMap<Dim> fractions_;
   CellExtent<Dim> extent_;
-  double scale_;
   std::array<double, Dim> per_radius_{};
   std::array<double, Dim> least_{};
+  std::array<double, Dim> widest_{};
   std::array<double, Dim> inner_lower_{};
   std::array<double, Dim> inner_upper_{};
 };

@@ -1,33 +1,22 @@
 #pragma once
 
-#include "base/sphere_predicate.hpp"
 #include "grid/reduced_lattice.hpp"
 
 #include <cstdint>
-#include <optional>
 
 namespace abut::grid {
 
 /// Largest number of cells that an element or an image may lie away.
 inline constexpr double most_cells_away = 2147483647.0;
 
-/// Images first[k] <= m_k <= last[k]; 0 where a lattice has no k-th vector.
+/// Images first[k] <= m_k <= last[k], with 0 among them; 0 where a lattice has no k-th vector.
 struct ImageBox {
   ImageNumbers first{};
   ImageNumbers last{};
 };
 
-/// Calls visit(numbers) for each image of a box, in lexicographic order.
-template <class Visit>
-void for_each_image(const ImageBox& box, Visit&& visit) {
-  for (std::int64_t x = box.first[0]; x <= box.last[0]; ++x) {
-    for (std::int64_t y = box.first[1]; y <= box.last[1]; ++y) {
-      for (std::int64_t z = box.first[2]; z <= box.last[2]; ++z) visit(ImageNumbers{x, y, z});
-    }
-  }
-}
-
-/// The same for those images only whose first number that is not 0 is positive.
+/// Calls visit(numbers), in lexicographic order, for each image of a box whose first number that is
+/// not 0 is positive: of m and -m one.
 template <class Visit>
 void for_each_positive_image(const ImageBox& box, Visit&& visit) {
   for (std::int64_t x = 0; x <= box.last[0]; ++x) {
@@ -40,13 +29,13 @@ void for_each_positive_image(const ImageBox& box, Visit&& visit) {
   }
 }
 
-/// A box that holds every image of b, in terms of the reduced basis, within reach of a, wherever
-/// the two are; nothing where a number would exceed 2^31 - 1. With the exact predicate on each
-/// image this decides one pair completely.
-template <int Dim>
-[[nodiscard]] std::optional<ImageBox> images_near(const base::Sphere<Dim>& a,
-                                                  const base::Sphere<Dim>& b,
-                                                  const ReducedLattice<Dim>& lattice,
-                                                  double margin) noexcept;
+/// How many these are.
+[[nodiscard]] inline double positive_images(const ImageBox& box) noexcept {
+  const auto wide = [&](std::size_t k) {
+    return static_cast<double>(box.last[k] - box.first[k]) + 1.0;
+  };
+  const auto above = [&](std::size_t k) { return static_cast<double>(box.last[k]); };
+  return above(0) * wide(1) * wide(2) + above(1) * wide(2) + above(2);
+}
 
 }  // namespace abut::grid

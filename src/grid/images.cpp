@@ -30,19 +30,16 @@ double largest_number(const Bounds<Dim>& bounds, const ReducedLattice<Dim>& latt
 }
 
 /// Elements are moved along the vectors that they spread over more than a cell of. A little more,
-/// a quarter of what ghosts are within, costs fewer ghosts than moving elements costs time.
+/// a quarter of what ghosts are within, costs fewer ghosts than moving elements costs time. What
+/// overflows is left to the wrapper, which knows the element.
 template <int Dim>
-std::array<bool, Dim> axes_to_wrap(const ReducedLattice<Dim>& lattice,
-                                   const CellExtent<Dim>& extent, const GhostWindow<Dim>& window,
-                                   double largest_radius) {
+std::array<bool, Dim> axes_to_wrap(const FractionMap<Dim>& fractions, const CellExtent<Dim>& extent,
+                                   const GhostWindow<Dim>& window) {
   std::array<bool, Dim> along{};
-  // What overflows is refused by the wrapper, which knows the element.
-  const double farthest = *std::max_element(extent.farthest.begin(), extent.farthest.end());
-  const bool overflows = !std::isfinite(farthest * lattice.scale);
-  for (std::size_t k = 0; k < lattice.count; ++k) {
+  for (std::size_t k = 0; k < fractions.count; ++k) {
     const double spread = extent.upper[k] - extent.lower[k];
-    const double most = 1.0 + 0.25 * std::min(window.width(k, largest_radius), 1.0);
-    along[k] = overflows || !(spread <= most);
+    const bool overflows = !std::isfinite(fractions.magnitude(k, extent.farthest));
+    along[k] = overflows || !(spread <= 1.0 + 0.25 * std::min(window.widest(k), 1.0));
   }
   return along;
 }
@@ -53,48 +50,40 @@ std::array<bool, Dim> axes_to_wrap(const ReducedLattice<Dim>& lattice,
               "vectors longer, or radii and margin smaller");
 }
 
-/// Images of a box whose first number that is not 0 is positive.
-double positive_images(const ImageBox& box) {
-  const auto wide = [&](std::size_t k) {
-    return static_cast<double>(box.last[k] - box.first[k]) + 1;
-  };
-  const auto above = [&](std::size_t k) { return static_cast<double>(box.last[k]); };
-  return above(0) * wide(1) * wide(2) + above(1) * wide(2) + above(2);
-}
-
 /// A bound from the widest box; where it is too large, the exact number.
 template <int Dim>
-void require_countable(std::span<const base::Sphere<Dim>> natives,
-                       const ReducedLattice<Dim>& lattice, const CellExtent<Dim>& extent,
-                       const GhostWindow<Dim>& window, double largest_radius) {
+void require_countable(std::span<const base::Sphere<Dim>> natives, std::size_t vectors,
+                       const GhostWindow<Dim>& window) {
   double bound = static_cast<double>(natives.size());
-  for (std::size_t k = 0; k < lattice.count; ++k) {
-    const double farthest =
-        extent.upper[k] - extent.lower[k] + window.width(k, largest_radius) + 2.0;
-    if (!(farthest <= most_cells_away)) refuse_number_of_images();
-    bound *= 2.0 * farthest;
+  for (std::size_t k = 0; k < vectors; ++k) {
+    if (!(window.most_cells(k) <= most_cells_away)) refuse_number_of_images();
+    bound *= 2.0 * window.most_cells(k);
   }
   if (bound <= most_images) return;
   double count = static_cast<double>(natives.size());
   for (const base::Sphere<Dim>& native : natives) {
-    count += positive_images(window.box_of(window.fractions_of(native), native.radius));
+    count += positive_images(window.box_of(native));
     if (count > most_images) refuse_number_of_images();
   }
 }
 
+/// In blocks: those far inside are passed over without a branch.
 template <int Dim>
 void append_ghosts(std::span<const base::Sphere<Dim>> natives, std::size_t first, std::size_t last,
                    const GhostWindow<Dim>& window, base::Array<Ghost>& ghosts) {
-  for (std::size_t i = first; i < last; ++i) {
-    const auto fractions = window.fractions_of(natives[i]);
-    if (window.is_inner(fractions)) continue;
-    for_each_positive_image(
-        window.box_of(fractions, natives[i].radius), [&](const ImageNumbers& image) {
-          ghosts.push_back(
-              {static_cast<std::uint32_t>(i),
-               {static_cast<std::int32_t>(image[0]), static_cast<std::int32_t>(image[1]),
-                static_cast<std::int32_t>(image[2])}});
-        });
+  constexpr std::size_t block_size = 512;
+  std::array<std::uint32_t, block_size> outer;
+  for (std::size_t begin = first; begin < last; begin += block_size) {
+    const auto block = natives.subspan(begin, std::min(block_size, last - begin));
+    const std::size_t count = window.outer_of(block, outer.data());
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto number = static_cast<std::uint32_t>(begin + outer[k]);
+      for_each_positive_image(window.box_of(natives[number]), [&](const ImageNumbers& image) {
+        ghosts.push_back({number,
+                          {static_cast<std::int32_t>(image[0]), static_cast<std::int32_t>(image[1]),
+                           static_cast<std::int32_t>(image[2])}});
+      });
+    }
   }
 }
 
@@ -124,23 +113,21 @@ void Images<Dim>::find(std::span<const base::Sphere<Dim>> spheres, const Bounds<
   if (extents_.size() < workers) extents_.resize(workers);
   place_natives(spheres, bounds, margin, workers);
   const Reaches reaches{bounds.largest_radius * unit_, margin * unit_};
-  const GhostWindow<Dim> window(lattice, extent_, reaches, lattice.scale / unit_);
-  require_countable(natives_, lattice, extent_, window, reaches.largest_radius);
+  const GhostWindow<Dim> window(lattice, extent_, reaches, unit_);
+  require_countable(natives_, lattice.count, window);
   find_ghosts(window, workers);
 
-  slack_ = slack_of(window, reaches.largest_radius);
+  slack_ = slack_of(window);
 }
 
 /// Where no basis vector leads along an axis, nothing is added to coordinates on it.
 template <int Dim>
-double Images<Dim>::slack_of(const GhostWindow<Dim>& window, double largest_radius) const {
+double Images<Dim>::slack_of(const GhostWindow<Dim>& window) const {
   double magnitude = 0.0;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     double moved = 0.0;
     for (std::size_t k = 0; k < lattice_->count; ++k) {
-      const double cells =
-          extent_.upper[k] - extent_.lower[k] + window.width(k, largest_radius) + 2.0;
-      moved += cells * std::fabs(steps_[k][axis]);
+      moved += window.most_cells(k) * std::fabs(steps_[k][axis]);
     }
     if (moved > 0.0) magnitude += extent_.farthest[axis] + moved;
   }
@@ -150,19 +137,15 @@ double Images<Dim>::slack_of(const GhostWindow<Dim>& window, double largest_radi
 template <int Dim>
 void Images<Dim>::place_natives(std::span<const base::Sphere<Dim>> spheres,
                                 const Bounds<Dim>& bounds, double margin, std::size_t workers) {
-  if (is_aligned(*lattice_)) {
-    extent_ = extent_of(bounds, *lattice_);
+  const FractionMap<Dim> fractions(*lattice_, 1.0);
+  if (fractions.is_aligned()) {
+    extent_ = extent_of(bounds, fractions);
   } else {
-    extent_ = {};
     base::for_each_worker(workers, [&](std::size_t worker) {
       const auto [first, last] = base::share_of(worker, workers, spheres.size());
-      CellExtent<Dim> extent;
-      for (std::size_t i = first; i < last; ++i) {
-        extent.include(spheres[i], *lattice_, lattice_->scale);
-      }
-      extents_[worker] = extent;
+      extents_[worker] = extent_of(spheres.subspan(first, last - first), fractions);
     });
-    for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(extents_[worker]);
+    join_extents(workers);
   }
   if (largest_number(bounds, *lattice_, margin) > largest_unscaled) unit_ = scale_down;
   for (std::size_t k = 0; k < Dim; ++k) {
@@ -170,11 +153,16 @@ void Images<Dim>::place_natives(std::span<const base::Sphere<Dim>> spheres,
       steps_[k][axis] = lattice_->vectors[k][axis] * unit_;
     }
   }
-  const GhostWindow<Dim> window(*lattice_, extent_, {bounds.largest_radius, margin},
-                                lattice_->scale);
-  const auto along = axes_to_wrap(*lattice_, extent_, window, bounds.largest_radius);
+  const GhostWindow<Dim> window(*lattice_, extent_, {bounds.largest_radius, margin}, 1.0);
+  const auto along = axes_to_wrap(fractions, extent_, window);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (moved_any_ || unit_ != 1.0) move_natives(spheres, along, workers);
+}
+
+template <int Dim>
+void Images<Dim>::join_extents(std::size_t workers) {
+  extent_ = {};
+  for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(extents_[worker]);
 }
 
 template <int Dim>
@@ -182,23 +170,21 @@ void Images<Dim>::move_natives(std::span<const base::Sphere<Dim>> spheres,
                                const std::array<bool, Dim>& along, std::size_t workers) {
   base::make_room(own_natives_, spheres.size());
   base::make_room(cells_moved_, spheres.size());
+  natives_ = {own_natives_.data(), spheres.size()};
   const Wrapper<Dim> wrapper(*lattice_, along);
+  const FractionMap<Dim> fractions(*lattice_, unit_);
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
-    CellExtent<Dim> extent;
     for (std::size_t i = first; i < last; ++i) {
       base::Sphere<Dim> sphere = spheres[i];
       cells_moved_[i] = wrapper.wrap(sphere, i);
       for (double& x : sphere.center) x *= unit_;
       sphere.radius *= unit_;
       own_natives_[i] = sphere;
-      extent.include(sphere, *lattice_, lattice_->scale / unit_);
     }
-    extents_[worker] = extent;
+    extents_[worker] = extent_of(natives_.subspan(first, last - first), fractions);
   });
-  extent_ = {};
-  for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(extents_[worker]);
-  natives_ = {own_natives_.data(), spheres.size()};
+  join_extents(workers);
 }
 
 template <int Dim>

@@ -15,6 +15,13 @@
 
 namespace abut::grid {
 
+/// The periodic image of an element moved by `image` vectors of the reduced basis. The first of
+/// these numbers that is not 0 is positive.
+struct Ghost {
+  std::uint32_t element;
+  std::array<std::int32_t, 3> image;
+};
+
 /// What a search in open space needs in order to find every pair of a periodic domain exactly once:
 /// the elements themselves in one cell, the *natives*, and copies of some of them around it, the
 /// *ghosts*. Pairs among natives and of each native with each ghost, its own included, are all the
@@ -76,8 +83,9 @@ class Images {
                      double margin, std::size_t workers);
   void move_natives(std::span<const base::Sphere<Dim>> spheres, const std::array<bool, Dim>& along,
                     std::size_t workers);
+  void join_extents(std::size_t workers);
   void find_ghosts(const GhostWindow<Dim>& window, std::size_t workers);
-  [[nodiscard]] double slack_of(const GhostWindow<Dim>& window, double largest_radius) const;
+  [[nodiscard]] double slack_of(const GhostWindow<Dim>& window) const;
   [[nodiscard]] base::ImageShift shift_between(std::size_t i, std::size_t j,
                                                const std::array<std::int32_t, 3>& image) const;
 

@@ -3,7 +3,6 @@
 #include "base/lattice.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,26 +44,8 @@ struct ReducedLattice {
   Vector height{};                 ///< of the cell above the face without b_k, rounded down
 
   [[nodiscard]] double fraction(std::size_t k, const double* position) const noexcept {
-    return fraction(k, position, scale);
-  }
-  /// Of a position that was multiplied by scale / `scale_of_position` already.
-  [[nodiscard]] double fraction(std::size_t k, const double* position,
-                                double scale_of_position) const noexcept {
-    double sum = dual[k][0] * (position[0] * scale_of_position);
-    for (std::size_t axis = 1; axis < Dim; ++axis) {
-      sum += dual[k][axis] * (position[axis] * scale_of_position);
-    }
-    return sum;
-  }
-
-  /// What fraction() and the error of positions may be off by, relative to which docs/derivations/
-  /// periodic_images.md states it: the magnitudes of the terms of a scalar product.
-  [[nodiscard]] double magnitude(std::size_t k, const Vector& farthest,
-                                 double scale_of_position) const noexcept {
-    double sum = 0.0;
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      sum += std::fabs(dual[k][axis]) * (farthest[axis] * scale_of_position);
-    }
+    double sum = dual[k][0] * (position[0] * scale);
+    for (std::size_t axis = 1; axis < Dim; ++axis) sum += dual[k][axis] * (position[axis] * scale);
     return sum;
   }
 

@@ -57,9 +57,10 @@ void Wrapper<Dim>::move(const double* from, const Cells& cells, double* to) cons
     base::CompensatedSum sum;
     sum.add(from[axis] * lattice_.scale);
     for (std::size_t k = 0; k < lattice_.count; ++k) {
-      if (cells[k] == 0.0) continue;
+      // Mostly, vectors lie along axes and are not rounded.
+      if (cells[k] == 0.0 || vectors_[k][axis] == 0.0) continue;
       sum.add(base::two_product(-cells[k], vectors_[k][axis]));
-      sum.add(-cells[k] * remainders_[k][axis]);
+      if (remainders_[k][axis] != 0.0) sum.add(-cells[k] * remainders_[k][axis]);
     }
     to[axis] = sum.value().high * unscale_;
   }

@@ -96,31 +96,6 @@ template <int Dim>
   return pairs;
 }
 
-/// The same pair by pair, with the box of images near each.
-template <int Dim>
-[[nodiscard]] std::vector<FoundPair> pairs_by_boxes(const PeriodicSystem<Dim>& system) {
-  const grid::ReducedLattice<Dim> reduced(system.lattice);
-  std::vector<FoundPair> pairs;
-  std::uint64_t exact_decisions = 0;
-  for (std::size_t i = 0; i < system.spheres.size(); ++i) {
-    for (std::size_t j = i; j < system.spheres.size(); ++j) {
-      const auto& a = system.spheres[i];
-      const auto& b = system.spheres[j];
-      const auto box = grid::images_near(a, b, reduced, system.margin);
-      if (!box) continue;
-      grid::for_each_image(*box, [&](const grid::ImageNumbers& image) {
-        const auto shift = reduced.shift_of(image);
-        if (!shift || (i == j && *shift <= ImageShift{})) return;
-        if (base::within_reach(a, b, *shift, system.lattice, system.margin, exact_decisions)) {
-          pairs.push_back({i, j, *shift});
-        }
-      });
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
 /// All images within reach, in rational numbers. The numbers m of the basis vectors are enumerated
 /// within |f_k - m_k| <= reach / height_k, with exact fractional coordinates f and heights rounded
 /// down: moving by the reach changes f_k by no more.

@@ -39,7 +39,6 @@ class GhostWindow {
       least_[k] = dual_length * common + 0x1p-38 * magnitude + 0x1p-40;
       widest_[k] = width(k, reaches.largest_radius);
       inner_lower_[k] = extent.upper[k] + widest_[k] - 1.0;
-      inner_upper_[k] = extent.lower[k] - widest_[k] + 1.0;
     }
   }
 
@@ -66,8 +65,9 @@ class GhostWindow {
     return box;
   }
 
-  /// Writes the numbers of those natives of a block that have images in their box; returns how
-  /// many. The others lie so far inside that no image can matter, whatever the radius.
+  /// Writes the numbers of those natives of a block that may have positive images in their box;
+  /// returns how many. A positive image has some m_k >= 1, so that its native lies within the reach
+  /// of the cell's lower faces, whatever the radius.
   std::size_t outer_of(std::span<const base::Sphere<Dim>> natives,
                        std::uint32_t* numbers) const noexcept {
     return with_count<Dim>(fractions_.count, [&](auto count) {
@@ -78,7 +78,6 @@ class GhostWindow {
         for (std::size_t k = 0; k < count(); ++k) {
           const double fraction = window.fractions_(k, natives[i].center);
           outer |= static_cast<int>(!(fraction > window.inner_lower_[k]));
-          outer |= static_cast<int>(!(fraction < window.inner_upper_[k]));
         }
         numbers[found] = static_cast<std::uint32_t>(i);
         found += static_cast<std::size_t>(outer);
@@ -94,7 +93,6 @@ class GhostWindow {
   std::array<double, Dim> least_{};
   std::array<double, Dim> widest_{};
   std::array<double, Dim> inner_lower_{};
-  std::array<double, Dim> inner_upper_{};
 };
 
 }  // namespace abut::grid

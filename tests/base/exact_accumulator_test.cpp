@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace abut::test {
@@ -90,6 +93,93 @@ TEST(ExactAccumulator, RandomSums) {
     const int sign = sign_of(products);
     ASSERT_EQ(sign, sign_by_rationals(products)) << "seed 31, trial " << trial;
     ++signs[sign + 1];
+  }
+  EXPECT_GT(*std::min_element(signs, signs + 3), 500);
+}
+
+TEST(ExactAccumulator, FactorsOf64Bits) {
+  Random random(32);
+  std::uniform_int_distribution<std::int64_t> factors(-std::numeric_limits<std::int64_t>::max());
+  for (int trial = 0; trial < 5000; ++trial) {
+    const double a = extreme_number(random);
+    const std::int64_t factor = factors(random) >> (random() % 64);
+    const mpq_class exact = mpq_class(a) * mpq_class(a) * mpq_class(std::to_string(factor));
+    // What a double holds of it is taken away; its sign is that of the rest.
+    const double part = a * static_cast<double>(factor);
+    if (!std::isfinite(part)) continue;
+    ExactAccumulator<2> sum;
+    sum.add_product(a, a, factor);
+    sum.add_product(a, part, -1);
+    const mpq_class rest = exact - mpq_class(a) * mpq_class(part);
+    ASSERT_EQ(sum.sign(), sgn(rest)) << trial;
+  }
+}
+
+TEST(ExactAccumulator, SumsOfSingleNumbersAreRoundedOnce) {
+  Random random(33);
+  std::uint64_t rounded = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    ExactAccumulator<1> sum;
+    mpq_class exact = 0;
+    for (std::size_t k = 1 + random() % 4; k > 0; --k) {
+      // Close in size, so that bits overlap; or anything.
+      const double a = trial % 4 == 0 ? extreme_number(random)
+                                      : std::ldexp(uniform(random, -1.0, 1.0), trial % 2000 - 1070);
+      const std::int64_t factor = static_cast<std::int64_t>(random() >> (random() % 64)) / 2;
+      sum.add(a, factor);
+      exact += mpq_class(a) * mpq_class(std::to_string(factor));
+    }
+    const double value = sum.rounded();
+    if (!std::isfinite(value)) {
+      ASSERT_GT(abs(exact), mpq_class(std::numeric_limits<double>::max()));
+      continue;
+    }
+    const mpq_class off = abs(exact - mpq_class(value));
+    for (const double neighbor :
+         {std::nextafter(value, HUGE_VAL), std::nextafter(value, -HUGE_VAL)}) {
+      if (!std::isfinite(neighbor)) continue;
+      const mpq_class other = abs(exact - mpq_class(neighbor));
+      ASSERT_LE(off, other) << trial;
+      const bool even = (std::bit_cast<std::uint64_t>(value) & 1) == 0;
+      ASSERT_TRUE(off < other || even) << "a tie goes to the even number, " << trial;
+    }
+    rounded += off != 0 ? 1 : 0;
+  }
+  EXPECT_GT(rounded, 2000u);
+}
+
+TEST(ExactAccumulator, RoundsTiesToEven) {
+  for (const double sign : {1.0, -1.0}) {
+    ExactAccumulator<1> sum;
+    sum.add(sign, 1);
+    sum.add(sign * 0x1p-53, 1);
+    EXPECT_EQ(sum.rounded(), sign);
+    sum.add(sign * 0x1p-1074, 1);
+    EXPECT_EQ(sum.rounded(), sign * (1.0 + 0x1p-52));
+    sum.add(sign * 0x1p-1074, -1);
+    sum.add(sign * 0x1p-52, 1);
+    EXPECT_EQ(sum.rounded(), sign * (1.0 + 0x1p-51));
+  }
+}
+
+TEST(ExactAccumulator, ProductsOfThree) {
+  Random random(34);
+  int signs[3] = {0, 0, 0};
+  for (int trial = 0; trial < 10000; ++trial) {
+    ExactAccumulator<3> sum;
+    mpq_class exact = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double a = extreme_number(random);
+      const double b = extreme_number(random);
+      const double c = extreme_number(random);
+      sum.add_product(a, b, c, 1);
+      // Of some, all but the last places is taken away again.
+      const double d = random() % 2 == 0 ? c : std::nextafter(c, 0.0);
+      sum.add_product(b, d, a, -1);
+      exact += mpq_class(a) * mpq_class(b) * (mpq_class(c) - mpq_class(d));
+    }
+    ASSERT_EQ(sum.sign(), sgn(exact)) << trial;
+    ++signs[sgn(exact) + 1];
   }
   EXPECT_GT(*std::min_element(signs, signs + 3), 500);
 }

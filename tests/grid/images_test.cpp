@@ -136,6 +136,46 @@ TYPED_TEST(Images, OfElementsThatTouchAcrossFaces) {
   EXPECT_GT(pairs, 400u);
 }
 
+/// Two elements whose distance, through some image, is the reach but for a few last places.
+template <int Dim>
+PeriodicSystem<Dim> planted_system(const base::Lattice& lattice, double cells_away,
+                                   Random& random) {
+  PeriodicSystem<Dim> system = random_system<Dim>(lattice, 2, 0.0, cells_away, random);
+  base::Sphere<Dim>& a = system.spheres[0];
+  base::Sphere<Dim>& b = system.spheres[1];
+  const grid::ReducedLattice<Dim> reduced(lattice);
+  const double size = shortest_height<Dim>(lattice);
+  mpf_class distance(0, 300);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    mpq_class image = 0;
+    for (std::size_t k = 0; k < reduced.count; ++k) {
+      image += mpq_class(reduced.vectors[k][axis]) + mpq_class(reduced.remainders[k][axis]);
+    }
+    b.center[axis] = a.center[axis] + uniform(random, -0.4, 0.4) * size - image.get_d();
+    const mpq_class component = mpq_class(a.center[axis]) - mpq_class(b.center[axis]) - image;
+    distance += component * component;
+  }
+  distance = sqrt(distance);
+  system.margin = 0.0;
+  a.radius = 0.4 * distance.get_d();
+  b.radius = moved_by_ulps(distance.get_d() - a.radius, static_cast<int>(random() % 5) - 2);
+  return system;
+}
+
+TYPED_TEST(Images, OfReachesPlantedAtTheDistance) {
+  constexpr int dim = TypeParam::value;
+  Random random(98);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const auto named = random_lattice<dim>(random);
+    const bool skewed = named.kind == std::string("skewed by many vectors");
+    const double cells_away = std::array{0.0, 1.0, skewed ? 300.0 : 1e6}[random() % 3];
+    const auto system = planted_system<dim>(named.lattice, cells_away, random);
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
+  }
+  EXPECT_GT(pairs, 500u);
+}
+
 TYPED_TEST(Images, AtEveryScale) {
   constexpr int dim = TypeParam::value;
   Random random(95);

@@ -1,6 +1,7 @@
 // Small systems at the edges of numbers and of grids, each against the oracle.
 
 #include "support/algorithm_list.hpp"
+#include "support/rows_variants.hpp"
 #include "support/same_pairs.hpp"
 #include "support/scene_view.hpp"
 
@@ -150,6 +151,10 @@ class Extremes : public ::testing::TestWithParam<Extreme> {
         EXPECT_TRUE(by_heads && refused_with_advice(error)) << error.what();
       }
     }
+    EXPECT_TRUE(rows_agree(expected, view_of(scene), GetParam().margin, {1, 2, 3, 7, 16}));
+    if (!fits_float(scene)) return;
+    const Float32Scene narrow(scene);
+    EXPECT_TRUE(rows_agree(expected, narrow.view(), GetParam().margin, {1, 2, 3, 7, 16}));
   }
 };
 

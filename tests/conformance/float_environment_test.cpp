@@ -2,6 +2,7 @@
 // as before when the call returns or throws.
 
 #include "support/algorithm_list.hpp"
+#include "support/rows_variants.hpp"
 #include "support/same_pairs.hpp"
 #include "support/scene_view.hpp"
 
@@ -119,6 +120,8 @@ class FloatEnvironment : public ::testing::TestWithParam<Mode> {
       EXPECT_TRUE(same_canonical_pairs(expected, found.pairs())) << name_of(algorithm);
       expect_mode(GetParam(), rounding, flush);
     }
+    const Caller caller(GetParam());
+    EXPECT_TRUE(rows_agree(expected, view_of(scene), 0.0, {1, 2, 3, 7, 16}));
   }
 };
 

@@ -1,6 +1,7 @@
 // The same elements through every layout of memory that a view can describe.
 
 #include "support/algorithm_list.hpp"
+#include "support/rows_variants.hpp"
 #include "support/same_pairs.hpp"
 #include "support/scene_view.hpp"
 
@@ -52,6 +53,7 @@ class Layouts : public ::testing::Test {
       const auto found = find_contact_pairs(elements, Domain::open(), {.algorithm = algorithm});
       EXPECT_TRUE(same_canonical_pairs(expected, found.pairs()));
     }
+    EXPECT_TRUE(rows_agree(expected, elements, 0.0, {1, 2, 3, 7, 16}));
   }
 };
 

@@ -49,14 +49,14 @@ std::string algorithm_line(const StoredScene& scene, std::string_view name, cons
 }
 
 /// The ways to run an algorithm that must not show in its result: of `rows` every SIMD level that
-/// this processor has, with one thread and with three.
+/// this processor has, with 1, 2, 3, 7 and 16 threads.
 std::vector<Options> variants_of(Algorithm algorithm, double margin) {
   const Options plain{.algorithm = algorithm, .margin = margin};
   if (algorithm != Algorithm::rows) return {plain};
   std::vector<Options> result;
   for (const Simd level : simd_levels()) {
     if (!available(level)) continue;
-    for (const int threads : {1, 3}) {
+    for (const int threads : {1, 2, 3, 7, 16}) {
       result.push_back(plain);
       result.back().simd = level;
       result.back().threads = threads;

@@ -1,6 +1,7 @@
 #include "properties/systems.hpp"
 
 #include "support/algorithm_list.hpp"
+#include "support/rows_variants.hpp"
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>
@@ -10,6 +11,13 @@
 #include <string>
 
 namespace abut::testing {
+namespace {
+
+Scene rounded_to_float(const Scene& scene) {
+  return Float32Scene(scene).widened;
+}
+
+}  // namespace
 
 rc::Gen<Scene> system_on(double unit, int most) {
   return rc::gen::exec([unit, most] {
@@ -29,15 +37,30 @@ rc::Gen<Scene> system_on(double unit, int most) {
 }
 
 rc::Gen<Scene> any_system() {
-  return rc::gen::mapcat(rc::gen::element(exact_unit, 0.1, 0x1.6a09e667f3bcdp-1),
-                         [](double unit) { return system_on(unit); });
+  const auto units = rc::gen::element(exact_unit, 0.1, 0x1.6a09e667f3bcdp-1);
+  return rc::gen::mapcat(rc::gen::pair(units, rc::gen::arbitrary<bool>()), [](const auto& drawn) {
+    const auto [unit, rounded] = drawn;
+    return rounded ? rc::gen::map(system_on(unit), rounded_to_float) : system_on(unit);
+  });
 }
 
 PairVector pairs_of(const Scene& scene, Algorithm algorithm, double margin) {
-  Options options;
-  options.algorithm = algorithm;
-  options.margin = margin;
-  const PairList list = find_contact_pairs(view_of(scene), Domain::open(), options);
+  Options options{.algorithm = algorithm, .margin = margin};
+  if (algorithm == Algorithm::rows) {
+    options.simd = *rc::gen::elementOf(simd_levels_here());
+    // Often one: to start many takes longer than such small systems.
+    options.threads = *rc::gen::weightedElement<int>({{4, 1}, {1, 2}, {1, 3}, {1, 7}, {1, 16}});
+  }
+  const bool as_float = fits_float(scene) && *rc::gen::arbitrary<bool>();
+  RC_LOG() << name_of(options.simd) << ", " << options.threads << " threads, "
+           << (as_float ? "float" : "double") << std::endl;
+  const PairList list =
+      as_float ? find_contact_pairs(Float32Scene(scene).view(), Domain::open(), options)
+               : find_contact_pairs(view_of(scene), Domain::open(), options);
+  if (algorithm == Algorithm::rows) {
+    RC_ASSERT(list.statistics().simd == options.simd);
+    RC_ASSERT(list.statistics().threads == options.threads);
+  }
   return {list.begin(), list.end()};
 }
 

@@ -23,10 +23,11 @@ inline constexpr double exact_unit = 0.25;
 /// Up to `most` elements on multiples of `unit`.
 [[nodiscard]] rc::Gen<Scene> system_on(double unit, int most = 40);
 
-/// On multiples of 1/4, of 0.1 or of sqrt(1/2).
+/// On multiples of 1/4, of 0.1 or of sqrt(1/2), as they are or rounded to float.
 [[nodiscard]] rc::Gen<Scene> any_system();
 
-/// Pairs of the library, canonical.
+/// Pairs of the library, canonical. `rows` runs at any SIMD level there is with 1, 2, 3, 7 or 16
+/// threads; what fits float is handed over as float or double. To be called within a property.
 [[nodiscard]] PairVector pairs_of(const Scene& scene, Algorithm algorithm, double margin = 0.0);
 
 /// Runs `relation(algorithm)` for all algorithms that carry the system.

@@ -4,7 +4,11 @@
 
 #include <abut/element_view.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace abut::testing {
@@ -42,6 +46,17 @@ class Float32Scene {
 
   std::vector<float> x_, y_, z_, radius_;
 };
+
+/// Whether all numbers of a scene are floats, so that rounding it changes none.
+[[nodiscard]] inline bool fits_float(const scenes::Scene& scene) {
+  const auto is_float = [](double number) {
+    return std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max()) &&
+           static_cast<double>(static_cast<float>(number)) == number;
+  };
+  return std::ranges::all_of(
+      std::array{&scene.x, &scene.y, &scene.z, &scene.radius},
+      [&](const std::vector<double>* column) { return std::ranges::all_of(*column, is_float); });
+}
 
 /// Short scenes written by hand: one braced list an element.
 struct HandMade {

@@ -5,6 +5,7 @@
 #include "grid/fraction_map.hpp"
 #include "grid/image_box.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -32,6 +33,7 @@ class GhostWindow {
     const double common = reaches.largest_radius * scale + reaches.margin * scale;
     double lengths = common + reaches.largest_radius * scale;
     for (std::size_t k = 0; k < lattice.count; ++k) lengths += lattice.length[k] * lattice.scale;
+    lengths += 0x1p-20 * (farthest_along(lattice, extent) * scale);
     for (std::size_t k = 0; k < lattice.count; ++k) {
       const double dual_length = lattice.dual_length[k];
       const double magnitude = fractions_.magnitude(k, extent.farthest) + dual_length * lengths;
@@ -87,6 +89,19 @@ class GhostWindow {
   }
 
  private:
+  /// The farthest coordinate on an axis along which some vector leads.
+  static double farthest_along(const ReducedLattice<Dim>& lattice,
+                               const CellExtent<Dim>& extent) noexcept {
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < lattice.count; ++k) {
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        if (lattice.vectors[k][axis] == 0.0) continue;
+        farthest = std::max(farthest, extent.farthest[axis]);
+      }
+    }
+    return farthest;
+  }
+
   FractionMap<Dim> fractions_;
   CellExtent<Dim> extent_;
   std::array<double, Dim> per_radius_{};

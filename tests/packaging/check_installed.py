@@ -53,7 +53,9 @@ def wrong_library(prefix, kind, version):
             yield f"the library needs {needed}; it may link nothing but the standard library, Highway and OpenMP"
     for line in output("nm", "-DC", "--defined-only", str(libraries[0])).splitlines():
         symbol = re.sub(r"^(vtable|typeinfo|typeinfo name) for ", "", line.split(" ", 2)[2])
-        if symbol.startswith(("std::", "__odr_asan", "__asan", "__start", "__stop")):
+        # The name of a function template stands behind the type that it returns.
+        name = re.split(r"[<(]", symbol)[0].split(" ")[-1]
+        if name.startswith(("std::", "__odr_asan", "__asan", "__start", "__stop")):
             continue  # inline code of the standard library, marks of the sanitizers
         if not symbol.startswith("abut::") or symbol.startswith(INNER):
             yield f"the library exports {symbol}, which is not public (ABUT_API)"

@@ -86,8 +86,8 @@ constexpr std::array<RegistryRow, 6> table{{
       true},
      munjiza_nbs_2d_runs,
      munjiza_nbs_3d_runs},
-    {{Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N", "at most 15 N", "", 2, 3,
-      false, false},
+    {{Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N", "at most 24 N + 32768",
+      "", 2, 3, false, false},
      rows_runs<2>,
      rows_runs<3>},
 }};

@@ -8,6 +8,7 @@
 #include <abut/element_view.hpp>
 #include <abut/error.hpp>
 #include <abut/export.hpp>
+#include <abut/image_shift.hpp>
 #include <abut/neighbor_list.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>

@@ -6,6 +6,7 @@
 #include <abut/options.hpp>
 #include <abut/pair_list.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <type_traits>
@@ -14,11 +15,14 @@
 namespace abut {
 
 /// All contact pairs: i < j with |x_i - x_j| <= r_i + r_j + margin, decided as in real arithmetic
-/// on the given numbers; each pair once. docs/contract.md states it in full.
+/// on the given numbers; each pair once. In a periodic domain: each image of j within reach of i,
+/// and of i itself one of each two opposite ones. docs/contract.md states it in full.
 ///
 /// Throws Error:
 ///  invalid_input   a NaN, an infinity or a negative radius: the first bad element and field
-///  wrong_usage     an option out of range, or an algorithm that cannot carry what was asked
+///                  elements so far out that an image shift would leave 32 bits
+///  wrong_usage     an option out of range, an algorithm that cannot carry what was asked, a domain
+///                  of other dimensions than the elements
 ///  limit_exceeded  max_pairs or the memory bound, with the bytes needed
 ///  cancelled       the progress hook asked to stop
 /// On any error nothing is returned and nothing has changed.
@@ -37,9 +41,16 @@ using WorkerNumber = int;
 /// Receives pairs in batches, in as_found order.
 using PairBatchVisitor = std::function<void(std::span<const ContactPair>, WorkerNumber)>;
 
+/// The same with the image shift of each pair, zeros in an open domain.
+using ShiftedBatchVisitor =
+    std::function<void(std::span<const ContactPair>, std::span<const ImageShift>, WorkerNumber)>;
+
 /// Delivers the pairs to a visitor as they are found, without storing them.
 ABUT_API Statistics for_each_batch(const ElementView& elements, const Domain& domain,
                                    const Options& options, const PairBatchVisitor& visitor);
+ABUT_API Statistics for_each_shifted_batch(const ElementView& elements, const Domain& domain,
+                                           const Options& options,
+                                           const ShiftedBatchVisitor& visitor);
 
 /// Calls `visitor(pair)` or `visitor(pair, worker)` once for each contact pair, in as_found order.
 /// An exception from the visitor stops the detection and passes through.
@@ -61,9 +72,34 @@ requires std::invocable<Visitor&, ContactPair> ||
                         });
 }
 
+/// Calls `visitor(pair, shift)` or `visitor(pair, shift, worker)` likewise.
+template <class Visitor>
+requires std::invocable<Visitor&, ContactPair, ImageShift> ||
+    std::invocable<Visitor&, ContactPair, ImageShift, WorkerNumber>
+        Statistics for_each_shifted_pair(const ElementView& elements, const Domain& domain,
+                                         const Options& options, Visitor&& visitor) {
+  return for_each_shifted_batch(
+      elements, domain, options,
+      [&visitor](std::span<const ContactPair> pairs, std::span<const ImageShift> shifts,
+                 WorkerNumber worker) {
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+          if constexpr (std::invocable<Visitor&, ContactPair, ImageShift, WorkerNumber>) {
+            visitor(pairs[k], shifts[k], worker);
+          } else {
+            static_cast<void>(worker);
+            visitor(pairs[k], shifts[k]);
+          }
+        }
+      });
+}
+
 /// distance − (r_i + r_j), whatever the margin. Correctly signed: <= 0 exactly if the two elements
 /// touch. One fixed sequence of operations: the same bits everywhere. Both numbers must be <
 /// size().
 [[nodiscard]] ABUT_API double gap(const ElementView& elements, ContactPair pair);
+
+/// The same for `pair.second` moved by `shift`, which must be 0 on axes that are not periodic.
+[[nodiscard]] ABUT_API double gap(const ElementView& elements, const Domain& domain,
+                                  ContactPair pair, const ImageShift& shift);
 
 }  // namespace abut

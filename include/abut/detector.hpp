@@ -39,6 +39,8 @@ class ABUT_API Detector {
 
   Statistics for_each_batch(const ElementView& elements, const Domain& domain,
                             const PairBatchVisitor& visitor);
+  Statistics for_each_shifted_batch(const ElementView& elements, const Domain& domain,
+                                    const ShiftedBatchVisitor& visitor);
 
   /// The list is valid until the next call that returns one.
   const NeighborList& build_neighbor_list(const ElementView& elements, const Domain& domain,

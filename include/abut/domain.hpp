@@ -2,16 +2,99 @@
 
 #include <abut/export.hpp>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
 namespace abut {
 
-/// The space that the elements live in. Open: unbounded on every axis; the grid follows the
-/// elements, so no bounds are asked for.
-class Domain {
+/// In place of a length: an axis that is not periodic.
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// Axes of a domain; of a lattice its vectors a, b, c in this order.
+enum class Axes : std::uint8_t { none = 0, x = 1, y = 2, xy = 3, z = 4, xz = 5, yz = 6, xyz = 7 };
+
+/// The space that the elements live in: open, or periodic along up to three lattice vectors, which
+/// are in the unit of the positions. Elements may lie anywhere, also many cells outside: a domain
+/// has no origin, only its vectors count.
+///
+/// The makers throw Error{invalid_input} for vectors that are not finite, are zero or span no cell
+/// (decided exactly), and Error{wrong_usage} for axes that are not there.
+class ABUT_API Domain {
  public:
+  using Vector = std::array<double, 3>;
+
+  /// Unbounded on every axis; the grid follows the elements, so no bounds are asked for.
   [[nodiscard]] static constexpr Domain open() noexcept { return Domain{}; }
+
+  /// A rectangle or block, written `periodic({lx, ly})` or `periodic({lx, ly, lz})`: lengths > 0,
+  /// or `unbounded` for an axis that is not periodic.
+  template <std::size_t Dim>
+  requires(Dim == 2 || Dim == 3) [[nodiscard]] static Domain
+      periodic(const double (&lengths)[Dim]) {
+    return sheared(three(lengths), Dim, 0.0);
+  }
+  template <std::size_t Dim>
+  requires(Dim == 2 || Dim == 3) [[nodiscard]] static Domain
+      periodic(const std::array<double, Dim>& lengths) {
+    return sheared(three(lengths), Dim, 0.0);
+  }
+
+  /// Any two or three independent vectors, in any order and orientation, however skewed. Vectors of
+  /// axes that are not periodic are ignored.
+  [[nodiscard]] static Domain lattice(const std::array<double, 2>& a,
+                                      const std::array<double, 2>& b, Axes periodic = Axes::xy);
+  [[nodiscard]] static Domain lattice(const Vector& a, const Vector& b, const Vector& c,
+                                      Axes periodic = Axes::xyz);
+
+  /// Lees-Edwards shear at one instant: the image across y is moved by `shift` along x, that is
+  /// b = (shift, ly, 0). The shift is taken as given, never wrapped, so that image shifts stay
+  /// continuous through time; the contact pairs do not mind. `ly` must be bounded.
+  template <std::size_t Dim>
+  requires(Dim == 2 || Dim == 3) [[nodiscard]] static Domain
+      lees_edwards(const double (&lengths)[Dim], double shift) {
+    return sheared(three(lengths), Dim, shift);
+  }
+  template <std::size_t Dim>
+  requires(Dim == 2 || Dim == 3) [[nodiscard]] static Domain
+      lees_edwards(const std::array<double, Dim>& lengths, double shift) {
+    return sheared(three(lengths), Dim, shift);
+  }
+
+  /// 2 or 3; 0 for an open domain, which fits both.
+  [[nodiscard]] constexpr int dimensions() const noexcept { return dimensions_; }
+
+  [[nodiscard]] constexpr bool is_periodic() const noexcept { return axes_ != Axes::none; }
+  [[nodiscard]] constexpr bool is_periodic(int axis) const noexcept {
+    return (static_cast<unsigned>(axes_) >> axis & 1U) != 0;
+  }
+  [[nodiscard]] constexpr Axes periodic_axes() const noexcept { return axes_; }
+
+  /// The lattice vector of axis 0, 1 or 2; of an axis that is not periodic zeros.
+  [[nodiscard]] constexpr const Vector& vector(int axis) const noexcept {
+    return vectors_[static_cast<std::size_t>(axis)];
+  }
+
+  friend constexpr bool operator==(const Domain&, const Domain&) = default;
 
  private:
   constexpr Domain() noexcept = default;
+  Domain(const std::array<Vector, 3>& vectors, Axes axes, std::size_t dimensions);
+
+  template <class Lengths>
+  static Vector three(const Lengths& lengths) {
+    Vector result{};
+    std::size_t axis = 0;
+    for (const double length : lengths) result[axis++] = length;
+    return result;
+  }
+
+  static Domain sheared(const Vector& lengths, std::size_t dimensions, double shift);
+
+  std::array<Vector, 3> vectors_{};
+  Axes axes_ = Axes::none;
+  int dimensions_ = 0;
 };
 
 }  // namespace abut

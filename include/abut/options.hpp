@@ -13,8 +13,14 @@ namespace abut {
 
 /// Order of the pairs that are returned.
 enum class Order {
-  canonical,  ///< ascending by (first, second): the same bytes from every algorithm
+  canonical,  ///< ascending by (first, second, shift): the same bytes from every algorithm
   as_found,   ///< as the algorithm meets them: deterministic, but its own
+};
+
+/// Whether a list of contacts holds the image shift of each, for periodic domains.
+enum class Shifts {
+  none,    ///< a pair of several images within reach is listed as often as it has such images
+  stored,  ///< 12 bytes more a pair
 };
 
 /// No limit on the number of pairs.
@@ -27,6 +33,8 @@ inline constexpr std::uint64_t automatic_memory_bound = 0;
 struct Options {
   Algorithm algorithm = Algorithm::automatic;
   Order order = Order::canonical;
+
+  Shifts shifts = Shifts::none;
 
   /// Elements within this distance of touching are contact pairs too; finite, >= 0, in the unit
   /// of the positions.

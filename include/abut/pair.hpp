@@ -13,7 +13,8 @@ using ElementIndex = std::uint32_t;
 /// Counts and offsets of pairs are always 64 bits wide.
 using PairCount = std::uint64_t;
 
-/// Two elements that touch or lie within reach of each other; first < second.
+/// Two elements that touch or lie within reach of each other; first < second. In a periodic domain
+/// also an element and an image of itself: first = second.
 struct ContactPair {
   ElementIndex first = 0;
   ElementIndex second = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <abut/export.hpp>
+#include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 #include <abut/statistics.hpp>
 
@@ -52,12 +53,17 @@ struct PageAllocator {
 /// Pairs in a row.
 using PairArray = std::vector<ContactPair, detail::PageAllocator<ContactPair>>;
 
+/// Image shifts in a row.
+using ShiftArray = std::vector<ImageShift, detail::PageAllocator<ImageShift>>;
+
 /// The contact pairs of one detection, each once, in the order that was asked for.
 class PairList {
  public:
   PairList() = default;
   PairList(PairArray pairs, Statistics statistics)
       : pairs_(std::move(pairs)), statistics_(std::move(statistics)) {}
+  PairList(PairArray pairs, ShiftArray shifts, Statistics statistics)
+      : pairs_(std::move(pairs)), shifts_(std::move(shifts)), statistics_(std::move(statistics)) {}
 
   [[nodiscard]] PairCount size() const noexcept { return pairs_.size(); }
   [[nodiscard]] bool empty() const noexcept { return pairs_.empty(); }
@@ -66,12 +72,17 @@ class PairList {
   [[nodiscard]] auto end() const noexcept { return pairs_.end(); }
   [[nodiscard]] std::span<const ContactPair> pairs() const noexcept { return pairs_; }
 
+  /// Of each pair the shift n for which `second`, moved by n, is within reach of `first`. Empty
+  /// unless Options::shifts asks for them; zeros in an open domain.
+  [[nodiscard]] std::span<const ImageShift> shifts() const noexcept { return shifts_; }
+
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
 
  private:
   friend class Detector;
 
   PairArray pairs_;
+  ShiftArray shifts_;
   Statistics statistics_;
 };
 

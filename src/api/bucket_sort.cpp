@@ -8,7 +8,8 @@ namespace abut::api {
 namespace {
 
 /// Writes the pairs of one element by their second. Few of them: the place of each is the number of
-/// smaller ones, counted without a branch that depends on the data.
+/// smaller ones, and of equal ones before it, counted without a branch that depends on the data.
+template <Repeats repeats>
 void place_partners(std::span<const ContactPair> pairs, std::span<ContactPair> target) {
   constexpr std::size_t few = 16;
   if (pairs.size() > few) {
@@ -18,15 +19,33 @@ void place_partners(std::span<const ContactPair> pairs, std::span<ContactPair> t
     return;
   }
   for (const ContactPair& pair : pairs) {
-    std::size_t smaller = 0;
-    for (const ContactPair& other : pairs) smaller += other.second < pair.second ? 1 : 0;
-    target[smaller] = pair;
+    std::size_t before = 0;
+    for (const ContactPair& other : pairs) before += other.second < pair.second ? 1 : 0;
+    if constexpr (repeats == Repeats::possible) {
+      for (const ContactPair* other = pairs.data(); other != &pair; ++other) {
+        before += other->second == pair.second ? 1 : 0;
+      }
+    }
+    target[before] = pair;
+  }
+}
+
+/// Writes the pairs of each element, which end where `ends` says.
+template <Repeats repeats>
+void place_all(std::span<const ContactPair> by_first, std::span<const std::uint32_t> ends,
+               std::span<ContactPair> target) {
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends) {
+    place_partners<repeats>(by_first.subspan(begin, end - begin),
+                            target.subspan(begin, end - begin));
+    begin = end;
   }
 }
 
 }  // namespace
 
-void BucketSort::sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width) {
+void BucketSort::sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width,
+                      Repeats repeats) {
   if (pairs.size() > std::numeric_limits<std::uint32_t>::max()) {
     return std::sort(pairs.begin(), pairs.end());
   }
@@ -39,12 +58,8 @@ void BucketSort::sort(std::span<ContactPair> pairs, std::size_t first_element, s
   for (std::uint32_t& end : ends) begin += std::exchange(end, begin);
   // Where an element's pairs begin becomes where they end.
   for (const ContactPair& pair : pairs) by_first_[end_[pair.first - first_element]++] = pair;
-  begin = 0;
-  for (const std::uint32_t end : ends) {
-    place_partners(std::span<const ContactPair>(by_first_).subspan(begin, end - begin),
-                   pairs.subspan(begin, end - begin));
-    begin = end;
-  }
+  if (repeats == Repeats::never) return place_all<Repeats::never>(by_first_, ends, pairs);
+  place_all<Repeats::possible>(by_first_, ends, pairs);
 }
 
 }  // namespace abut::api

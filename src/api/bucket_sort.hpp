@@ -10,6 +10,9 @@
 
 namespace abut::api {
 
+/// Whether equal pairs may come, for several images of one element.
+enum class Repeats { never, possible };
+
 /// Counting sort by the first element, then each element's few partners. It keeps its arrays.
 class BucketSort {
  public:
@@ -18,7 +21,8 @@ class BucketSort {
         by_first_(base::make_array_for_overwrite<ContactPair>(memory, 0)) {}
 
   /// First elements are first_element .. first_element + width - 1.
-  void sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width);
+  void sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width,
+            Repeats repeats = Repeats::never);
 
  private:
   base::Array<std::uint32_t> end_;

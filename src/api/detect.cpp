@@ -6,29 +6,38 @@
 
 namespace abut {
 
-PairList find_contact_pairs(const ElementView& elements, const Domain&, const Options& options) {
+PairList find_contact_pairs(const ElementView& elements, const Domain& domain,
+                            const Options& options) {
   PairArray pairs;
-  Statistics statistics = api::Detection().list_pairs(elements, options, pairs);
-  return PairList(std::move(pairs), std::move(statistics));
+  ShiftArray shifts;
+  Statistics statistics = api::Detection().list_pairs({elements, domain, options}, pairs, shifts);
+  return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
 }
 
-Statistics for_each_batch(const ElementView& elements, const Domain&, const Options& options,
+Statistics for_each_batch(const ElementView& elements, const Domain& domain, const Options& options,
                           const PairBatchVisitor& visitor) {
-  return api::Detection().visit_batches(elements, options, visitor);
+  return api::Detection().visit_batches({elements, domain, options}, api::visitors_of(visitor));
+}
+
+Statistics for_each_shifted_batch(const ElementView& elements, const Domain& domain,
+                                  const Options& options, const ShiftedBatchVisitor& visitor) {
+  return api::Detection().visit_batches({elements, domain, options}, api::visitors_of(visitor));
 }
 
 Statistics count_contact_pairs(const ElementView& elements, const Domain& domain,
                                const Options& options) {
-  return for_each_batch(elements, domain, options, {});
+  return api::Detection().visit_batches({elements, domain, options}, {});
 }
 
-NeighborList build_neighbor_list(const ElementView& elements, const Domain&, NeighborListKind kind,
-                                 const Options& options) {
+NeighborList build_neighbor_list(const ElementView& elements, const Domain& domain,
+                                 NeighborListKind kind, const Options& options) {
   NeighborList::Offsets offsets;
   NeighborList::Neighbors neighbors;
-  Statistics statistics =
-      api::Detection().list_neighbors(elements, options, kind, offsets, neighbors);
-  return NeighborList(std::move(offsets), std::move(neighbors), std::move(statistics));
+  ShiftArray shifts;
+  Statistics statistics = api::Detection().list_neighbors({elements, domain, options}, kind,
+                                                          offsets, neighbors, shifts);
+  return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
+                      std::move(statistics));
 }
 
 }  // namespace abut

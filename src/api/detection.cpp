@@ -2,6 +2,7 @@
 
 #include "api/choose_algorithm.hpp"
 #include "api/lack_of_memory.hpp"
+#include "api/lattice_of.hpp"
 #include "api/list_neighbors.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
@@ -15,6 +16,7 @@
 
 #include <abut/error.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 
@@ -86,11 +88,11 @@ class ResultRoom {
 }  // namespace
 
 template <class Body>
-Statistics Detection::guarded(const ElementView& elements, const Options& options, Body&& body) {
+Statistics Detection::guarded(const Request& request, Body&& body) {
   const base::FloatEnvironment environment;
-  validate(options, elements);
-  memory_.start_anew(memory_bound(options));
-  DetectionContext context(memory_, options.progress);
+  validate(request.options, request.elements, request.domain);
+  memory_.start_anew(memory_bound(request.options));
+  DetectionContext context(memory_, request.options.progress);
   try {
     return reporting_lack_of_memory(memory_, [&] {
       Statistics statistics = body(context);
@@ -107,15 +109,20 @@ Statistics Detection::guarded(const ElementView& elements, const Options& option
 }
 
 template <int Dim>
-void Detection::search(const engine::RowsSettings& settings, const Options& options, PairSink& sink,
+void Detection::search(const engine::RowsSettings& settings, const Request& request, PairSink& sink,
                        DetectionContext& context, Statistics& statistics) {
   Arrays<Dim>& own = arrays<Dim>();
+  const Options& options = request.options;
   const Choice choice = options.algorithm == Algorithm::automatic
-                            ? choose_algorithm(own.elements.spheres.size())
+                            ? choose_algorithm(own.elements.spheres.size(), request.domain)
                             : Choice{&row_of(options.algorithm), "asked for"};
   statistics.algorithm = choice.row->info.algorithm;
   statistics.reason = choice.reason;
   context.progress.begin("search", own.elements.spheres.size());
+  const System<Dim> system{own.elements.spheres, own.elements.bounds, settings, own.workspace};
+  if (request.domain.is_periodic()) {
+    return choice.row->runs<Dim>().on_images(system, lattice_of(request.domain), sink, context);
+  }
   if (choice.row->runs<Dim>().on_elements == nullptr) {
     return search_cells<Dim>(*choice.row, own.elements.spheres, own.elements.bounds, options, sink,
                              context);
@@ -124,13 +131,13 @@ void Detection::search(const engine::RowsSettings& settings, const Options& opti
     statistics.threads = static_cast<int>(settings.workers);
     statistics.simd = settings.simd;
   }
-  choice.row->runs<Dim>().on_elements(
-      {own.elements.spheres, own.elements.bounds, settings, own.workspace}, sink, context);
+  choice.row->runs<Dim>().on_elements(system, sink, context);
 }
 
 template <int Dim>
-Statistics Detection::run_in(const ElementView& elements, const Options& options, PairSink& sink,
-                             DetectionContext& context) {
+Statistics Detection::run_in(const Request& request, PairSink& sink, DetectionContext& context) {
+  const ElementView& elements = request.elements;
+  const Options& options = request.options;
   Statistics statistics;
   statistics.elements = elements.size();
   statistics.dimensions = Dim;
@@ -143,23 +150,34 @@ Statistics Detection::run_in(const ElementView& elements, const Options& options
   gather<Dim>(elements, {settings.workers, settings.simd}, arrays<Dim>().elements, context);
   statistics.gather_seconds = stopwatch.lap();
 
-  search<Dim>(settings, options, sink, context, statistics);
+  search<Dim>(settings, request, sink, context, statistics);
   statistics.search_seconds = stopwatch.lap();
   return statistics;
 }
 
-Statistics Detection::run(const ElementView& elements, const Options& options, PairSink& sink,
-                          DetectionContext& context) {
-  return elements.dimensions() == 2 ? run_in<2>(elements, options, sink, context)
-                                    : run_in<3>(elements, options, sink, context);
+Statistics Detection::run(const Request& request, PairSink& sink, DetectionContext& context) {
+  return request.elements.dimensions() == 2 ? run_in<2>(request, sink, context)
+                                            : run_in<3>(request, sink, context);
 }
 
+namespace {
+
+/// Shifts that a search must find: those of open domains are known.
+Shifts shifts_to_find(const Request& request) {
+  return request.domain.is_periodic() ? request.options.shifts : Shifts::none;
+}
+
+std::size_t shift_count(const Request& request, std::size_t entries) {
+  return request.options.shifts == Shifts::stored ? entries : 0;
+}
+
+}  // namespace
+
 template <class Arrange>
-Statistics Detection::find_and_arrange(const ElementView& elements, const Options& options,
-                                       Arrange&& arrange) {
-  return guarded(elements, options, [&](DetectionContext& context) {
-    found_.start_anew(options.max_pairs);
-    Statistics statistics = run(elements, options, found_, context);
+Statistics Detection::find_and_arrange(const Request& request, Arrange&& arrange) {
+  return guarded(request, [&](DetectionContext& context) {
+    found_.start_anew(request.options.max_pairs, shifts_to_find(request));
+    Statistics statistics = run(request, found_, context);
     statistics.contact_pairs = found_.size();
     Stopwatch stopwatch;
     context.progress.begin("order", found_.size());
@@ -169,39 +187,55 @@ Statistics Detection::find_and_arrange(const ElementView& elements, const Option
   });
 }
 
-Statistics Detection::list_pairs(const ElementView& elements, const Options& options,
-                                 PairArray& pairs) {
+Statistics Detection::list_pairs(const Request& request, PairArray& pairs, ShiftArray& shifts) {
   pairs.clear();
-  return find_and_arrange(elements, options, [&](PairPieces pieces, std::size_t workers) {
+  shifts.clear();
+  return find_and_arrange(request, [&](PairPieces pieces, std::size_t workers) {
     const ResultRoom room(pairs, found_.size(), memory_);
-    if (options.order == Order::canonical) {
-      order_.sort(pieces, elements.size(), pairs, workers);
-    } else {
-      order_.join(pieces, pairs, workers);
+    const ResultRoom room_for_shifts(shifts, shift_count(request, found_.size()), memory_);
+    const bool canonical = request.options.order == Order::canonical;
+    if (shifts_to_find(request) == Shifts::stored) {
+      const ImagePieces images{pieces, found_.shift_pieces()};
+      return canonical ? order_.sort(images, request.elements.size(), pairs, shifts, workers)
+                       : order_.join(images, pairs, shifts, workers);
     }
+    std::fill(shifts.begin(), shifts.end(), ImageShift{});
+    if (!canonical) return order_.join(pieces, pairs, workers);
+    const Repeats repeats = request.domain.is_periodic() ? Repeats::possible : Repeats::never;
+    order_.sort(pieces, request.elements.size(), pairs, workers, repeats);
   });
 }
 
-Statistics Detection::visit_batches(const ElementView& elements, const Options& options,
-                                    const PairBatchVisitor& visitor) {
-  return guarded(elements, options, [&](DetectionContext& context) {
-    visiting_.start_anew(options.max_pairs, visitor ? &visitor : nullptr);
-    Statistics statistics = run(elements, options, visiting_, context);
+Statistics Detection::visit_batches(const Request& request, const Visitors& visitors) {
+  return guarded(request, [&](DetectionContext& context) {
+    visiting_.start_anew(request.options.max_pairs, visitors);
+    Statistics statistics = run(request, visiting_, context);
     statistics.contact_pairs = visiting_.count();
     return statistics;
   });
 }
 
-Statistics Detection::list_neighbors(const ElementView& elements, const Options& options,
-                                     NeighborListKind kind, NeighborList::Offsets& offsets,
-                                     NeighborList::Neighbors& neighbors) {
+Statistics Detection::list_neighbors(const Request& request, NeighborListKind kind,
+                                     NeighborList::Offsets& offsets,
+                                     NeighborList::Neighbors& neighbors, ShiftArray& shifts) {
   offsets.clear();
   neighbors.clear();
-  return find_and_arrange(elements, options, [&](PairPieces pieces, std::size_t workers) {
+  shifts.clear();
+  return find_and_arrange(request, [&](PairPieces pieces, std::size_t workers) {
     const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
-    const ResultRoom room_for_offsets(offsets, elements.size() + 2, memory_);
+    const ResultRoom room_for_offsets(offsets, request.elements.size() + 2, memory_);
     const ResultRoom room_for_neighbors(neighbors, entries, memory_);
-    api::list_neighbors(pieces, kind, offsets, neighbors, workers);
+    const ResultRoom room_for_shifts(shifts, shift_count(request, entries), memory_);
+    if (shifts_to_find(request) == Shifts::stored) {
+      while (row_rooms_.size() < workers) {
+        row_rooms_.push_back(base::make_array_for_overwrite<Partner>(memory_, 0));
+      }
+      api::list_neighbors({pieces, found_.shift_pieces()}, kind, offsets, neighbors, shifts,
+                          std::span(row_rooms_).first(workers));
+    } else {
+      std::fill(shifts.begin(), shifts.end(), ImageShift{});
+      api::list_neighbors(pieces, kind, offsets, neighbors, workers);
+    }
     offsets.pop_back();
   });
 }

@@ -2,6 +2,7 @@
 
 #include "api/found_pairs.hpp"
 #include "api/gathered_elements.hpp"
+#include "api/list_neighbors.hpp"
 #include "api/order_pairs.hpp"
 #include "api/visiting_sink.hpp"
 #include "base/detection_context.hpp"
@@ -13,9 +14,14 @@
 #include <abut/detect.hpp>
 #include <abut/neighbor_list.hpp>
 
-#include <functional>
-
 namespace abut::api {
+
+/// What is asked for.
+struct Request {
+  const ElementView& elements;
+  const Domain& domain;
+  const Options& options;
+};
 
 /// The arrays of a detection and its course; kept by a Detector, or used once by a free function.
 class Detection {
@@ -24,15 +30,14 @@ class Detection {
   Detection(const Detection&) = delete;
   Detection& operator=(const Detection&) = delete;
 
-  Statistics list_pairs(const ElementView& elements, const Options& options, PairArray& pairs);
+  /// `shifts` is left empty unless the options ask for them.
+  Statistics list_pairs(const Request& request, PairArray& pairs, ShiftArray& shifts);
 
-  /// Counts only without a visitor.
-  Statistics visit_batches(const ElementView& elements, const Options& options,
-                           const PairBatchVisitor& visitor);
+  Statistics visit_batches(const Request& request, const Visitors& visitors);
 
-  Statistics list_neighbors(const ElementView& elements, const Options& options,
-                            NeighborListKind kind, NeighborList::Offsets& offsets,
-                            NeighborList::Neighbors& neighbors);
+  Statistics list_neighbors(const Request& request, NeighborListKind kind,
+                            NeighborList::Offsets& offsets, NeighborList::Neighbors& neighbors,
+                            ShiftArray& shifts);
 
  private:
   template <int Dim>
@@ -52,23 +57,20 @@ class Detection {
     }
   }
 
-  Statistics run(const ElementView& elements, const Options& options, base::PairSink& sink,
-                 base::DetectionContext& context);
+  Statistics run(const Request& request, base::PairSink& sink, base::DetectionContext& context);
   template <int Dim>
-  Statistics run_in(const ElementView& elements, const Options& options, base::PairSink& sink,
-                    base::DetectionContext& context);
+  Statistics run_in(const Request& request, base::PairSink& sink, base::DetectionContext& context);
   template <int Dim>
-  void search(const engine::RowsSettings& settings, const Options& options, base::PairSink& sink,
+  void search(const engine::RowsSettings& settings, const Request& request, base::PairSink& sink,
               base::DetectionContext& context, Statistics& statistics);
 
   /// Sets the scene for `body(context)` and turns lack of memory into an Error.
   template <class Body>
-  Statistics guarded(const ElementView& elements, const Options& options, Body&& body);
+  Statistics guarded(const Request& request, Body&& body);
 
   /// Finds the pairs, then has `arrange(pieces, workers)` lay them into the caller's arrays.
   template <class Arrange>
-  Statistics find_and_arrange(const ElementView& elements, const Options& options,
-                              Arrange&& arrange);
+  Statistics find_and_arrange(const Request& request, Arrange&& arrange);
 
   base::MemoryMeter memory_;
   Arrays<2> in_2d_{memory_};
@@ -76,6 +78,7 @@ class Detection {
   FoundPairs found_{memory_};
   VisitingSink visiting_;
   PairOrder order_{memory_};
+  RowRooms row_rooms_;
 };
 
 }  // namespace abut::api

@@ -28,26 +28,34 @@ void Detector::set_options(Options options) {
   state_->options = std::move(options);
 }
 
-const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain&) {
+const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain) {
   PairList& list = state_->pairs;
-  list.statistics_ = state_->detection.list_pairs(elements, state_->options, list.pairs_);
+  list.statistics_ =
+      state_->detection.list_pairs({elements, domain, state_->options}, list.pairs_, list.shifts_);
   return list;
 }
 
 Statistics Detector::count_contact_pairs(const ElementView& elements, const Domain& domain) {
-  return for_each_batch(elements, domain, {});
+  return state_->detection.visit_batches({elements, domain, state_->options}, {});
 }
 
-Statistics Detector::for_each_batch(const ElementView& elements, const Domain&,
+Statistics Detector::for_each_batch(const ElementView& elements, const Domain& domain,
                                     const PairBatchVisitor& visitor) {
-  return state_->detection.visit_batches(elements, state_->options, visitor);
+  return state_->detection.visit_batches({elements, domain, state_->options},
+                                         api::visitors_of(visitor));
 }
 
-const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain&,
+Statistics Detector::for_each_shifted_batch(const ElementView& elements, const Domain& domain,
+                                            const ShiftedBatchVisitor& visitor) {
+  return state_->detection.visit_batches({elements, domain, state_->options},
+                                         api::visitors_of(visitor));
+}
+
+const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain& domain,
                                                   NeighborListKind kind) {
   NeighborList& list = state_->neighbors;
-  list.statistics_ = state_->detection.list_neighbors(elements, state_->options, kind,
-                                                      list.offsets_, list.neighbors_);
+  list.statistics_ = state_->detection.list_neighbors({elements, domain, state_->options}, kind,
+                                                      list.offsets_, list.neighbors_, list.shifts_);
   return list;
 }
 

@@ -18,12 +18,14 @@ FoundPairs::~FoundPairs() {
   for (const auto& worker : workers_) {
     for (const Chunk& chunk : worker->chunks) {
       memory_.give_back_pairs(chunk.pairs.size() * sizeof(ContactPair));
+      memory_.give_back_pairs(chunk.shifts.size() * sizeof(ImageShift));
     }
   }
 }
 
-void FoundPairs::start_anew(PairCount limit) {
+void FoundPairs::start_anew(PairCount limit, Shifts shifts) {
   limit_ = limit;
+  shifts_ = shifts;
   total_ = 0;
   for (const auto& worker : workers_) {
     worker->current = 0;
@@ -49,13 +51,32 @@ std::span<ContactPair> FoundPairs::room(std::size_t number) {
   return std::span(chunk.pairs).subspan(chunk.filled);
 }
 
+std::span<ImageShift> FoundPairs::shift_room(std::size_t number) {
+  if (shifts_ == Shifts::none) return {};
+  Worker& worker = *workers_[number];
+  Chunk& chunk = worker.chunks[worker.current];
+  if (chunk.shifts.empty()) make_room_for_shifts(chunk);
+  return std::span(chunk.shifts).subspan(chunk.filled);
+}
+
+void FoundPairs::make_room_for_shifts(Chunk& chunk) {
+  const std::size_t bytes = chunk.pairs.size() * sizeof(ImageShift);
+  memory_.take_for_pairs(bytes);
+  try {
+    chunk.shifts.resize(chunk.pairs.size());
+  } catch (...) {
+    memory_.give_back_pairs(bytes);
+    throw;
+  }
+}
+
 void FoundPairs::add_chunk(Worker& worker) {
   const std::size_t size = worker.chunks.empty()
                                ? smallest_chunk
                                : std::min(2 * worker.chunks.back().pairs.size(), largest_chunk);
   memory_.take_for_pairs(size * sizeof(ContactPair));
   try {
-    worker.chunks.push_back({PairArray(size), 0});
+    worker.chunks.push_back({PairArray(size), 0, {}});
   } catch (...) {
     memory_.give_back_pairs(size * sizeof(ContactPair));
     throw;
@@ -72,6 +93,8 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   Worker& worker = *workers_[origin.worker];
   Chunk& chunk = worker.chunks[worker.current];
   const auto added = std::span<const ContactPair>(chunk.pairs).subspan(chunk.filled, count);
+  const ImageShift* const shifts =
+      shifts_ == Shifts::stored ? chunk.shifts.data() + chunk.filled : nullptr;
   chunk.filled += count;
   if (!worker.segments.empty()) {
     Segment& last = worker.segments.back();
@@ -80,7 +103,7 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
       return;
     }
   }
-  worker.segments.push_back({origin.unit, worker.segments.size(), added});
+  worker.segments.push_back({origin.unit, worker.segments.size(), added, shifts});
 }
 
 std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
@@ -93,7 +116,13 @@ std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
     return a.unit != b.unit ? a.unit < b.unit : a.number < b.number;
   });
   pieces_.clear();
-  for (const Segment& segment : segments_) pieces_.push_back(segment.pairs);
+  shift_pieces_.clear();
+  for (const Segment& segment : segments_) {
+    pieces_.push_back(segment.pairs);
+    if (shifts_ == Shifts::stored) {
+      shift_pieces_.emplace_back(segment.shifts, segment.pairs.size());
+    }
+  }
   return pieces_;
 }
 

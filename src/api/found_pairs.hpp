@@ -24,10 +24,11 @@ class FoundPairs final : public base::PairSink {
   ~FoundPairs() override;
 
   /// Forgets the pairs and keeps the memory.
-  void start_anew(PairCount limit);
+  void start_anew(PairCount limit, Shifts shifts = Shifts::none);
 
   void expect_workers(std::size_t count) override;
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
+  [[nodiscard]] std::span<ImageShift> shift_room(std::size_t worker) override;
   void commit(std::size_t count, const base::Origin& origin) override;
 
   [[nodiscard]] PairCount size() const noexcept { return total_; }
@@ -35,11 +36,16 @@ class FoundPairs final : public base::PairSink {
   /// Contiguous pieces in as_found order.
   /// Valid until the next call or the next pairs.
   [[nodiscard]] std::span<const std::span<const ContactPair>> pieces();
+  /// The shifts of these pieces; empty where shifts are not wanted.
+  [[nodiscard]] std::span<const std::span<const ImageShift>> shift_pieces() const noexcept {
+    return shift_pieces_;
+  }
 
  private:
   struct Chunk {
     PairArray pairs;
     std::size_t filled = 0;
+    ShiftArray shifts;  ///< as many as pairs, or none if none were ever wanted
   };
 
   /// Pairs of one unit that lie together.
@@ -47,6 +53,7 @@ class FoundPairs final : public base::PairSink {
     std::uint64_t unit;
     std::size_t number;  ///< among the worker's own
     std::span<const ContactPair> pairs;
+    const ImageShift* shifts;  ///< of the first of them; null where shifts are not wanted
   };
 
   struct alignas(128) Worker {
@@ -56,13 +63,16 @@ class FoundPairs final : public base::PairSink {
   };
 
   void add_chunk(Worker& worker);
+  void make_room_for_shifts(Chunk& chunk);
 
   base::MemoryMeter& memory_;
   PairCount limit_ = unlimited_pairs;
+  Shifts shifts_ = Shifts::none;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::atomic<PairCount> total_ = 0;
   std::vector<Segment> segments_;
   std::vector<std::span<const ContactPair>> pieces_;
+  std::vector<std::span<const ImageShift>> shift_pieces_;
 };
 
 }  // namespace abut::api

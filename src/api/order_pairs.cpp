@@ -6,11 +6,10 @@
 #include <utility>
 
 namespace abut::api {
-namespace {
 
 /// Ranges of first elements, a power of two wide: few enough that each is written as a stream, and
 /// narrow enough that the pairs of one lie in the cache.
-struct Buckets {
+struct PairOrder::Buckets {
   explicit Buckets(std::size_t element_count) {
     while ((element_count >> shift) >= most) ++shift;
     count = (element_count >> shift) + 1;
@@ -24,38 +23,56 @@ struct Buckets {
   std::size_t count;
 };
 
+namespace {
+
+template <class T>
+void copy_to(std::span<const T> piece, std::span<T> target, std::uint64_t begin) {
+  std::copy(piece.begin(), piece.end(), target.begin() + static_cast<std::ptrdiff_t>(begin));
+}
+
+/// Calls body(k) for each piece of a worker's share.
+template <class Body>
+void for_each_piece(PairPieces pieces, std::size_t worker, std::size_t workers, Body&& body) {
+  const auto [first, last] = base::share_of(worker, workers, pieces.size());
+  for (std::size_t k = first; k < last; ++k) body(k);
+}
+
 }  // namespace
 
-void PairOrder::join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers) {
+void PairOrder::find_begins(PairPieces pieces) {
   base::make_room(begin_, pieces.size());
   std::uint64_t end = 0;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     begin_[k] = end;
     end += pieces[k].size();
   }
-  base::for_each_index(workers, pieces.size(), [&](std::size_t, std::size_t k) {
-    std::copy(pieces[k].begin(), pieces[k].end(),
-              target.begin() + static_cast<std::ptrdiff_t>(begin_[k]));
+}
+
+void PairOrder::join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers) {
+  find_begins(pieces);
+  base::for_each_index(workers, pieces.size(),
+                       [&](std::size_t, std::size_t k) { copy_to(pieces[k], target, begin_[k]); });
+}
+
+void PairOrder::join(const ImagePieces& pieces, std::span<ContactPair> target,
+                     std::span<ImageShift> shifts, std::size_t workers) {
+  find_begins(pieces.pairs);
+  base::for_each_index(workers, pieces.pairs.size(), [&](std::size_t, std::size_t k) {
+    copy_to(pieces.pairs[k], target, begin_[k]);
+    copy_to(pieces.shifts[k], shifts, begin_[k]);
   });
 }
 
-void PairOrder::sort(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
-                     std::size_t workers) {
-  if (target.empty()) return;
-  const Buckets buckets(element_count);
+/// Afterwards each worker's cursor of a bucket is where its first pair there goes.
+void PairOrder::count(PairPieces pieces, const Buckets& buckets, std::size_t workers) {
   base::make_room(cursors_, workers * buckets.count);
   base::make_room(begin_, buckets.count + 1);
-  while (sorts_.size() < workers) sorts_.emplace_back(memory_);
-  const auto for_each_pair = [&](std::size_t worker, auto&& body) {
-    const auto [first, last] = base::share_of(worker, workers, pieces.size());
-    std::uint64_t* const own = cursors_.data() + worker * buckets.count;
-    for (std::size_t k = first; k < last; ++k) {
-      for (const ContactPair& pair : pieces[k]) body(own[buckets.of(pair)], pair);
-    }
-  };
   base::for_each_worker(workers, [&](std::size_t worker) {
-    std::fill_n(cursors_.data() + worker * buckets.count, buckets.count, std::uint64_t{0});
-    for_each_pair(worker, [](std::uint64_t& count, const ContactPair&) { ++count; });
+    std::uint64_t* const own = cursors_.data() + worker * buckets.count;
+    std::fill_n(own, buckets.count, std::uint64_t{0});
+    for_each_piece(pieces, worker, workers, [&](std::size_t k) {
+      for (const ContactPair& pair : pieces[k]) ++own[buckets.of(pair)];
+    });
   });
   std::uint64_t end = 0;
   for (std::size_t b = 0; b < buckets.count; ++b) {
@@ -65,13 +82,48 @@ void PairOrder::sort(PairPieces pieces, std::size_t element_count, std::span<Con
     }
   }
   begin_[buckets.count] = end;
+}
+
+void PairOrder::sort(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
+                     std::size_t workers, Repeats repeats) {
+  if (target.empty()) return;
+  const Buckets buckets(element_count);
+  count(pieces, buckets, workers);
+  while (sorts_.size() < workers) sorts_.emplace_back(memory_);
   base::for_each_worker(workers, [&](std::size_t worker) {
-    for_each_pair(worker,
-                  [&](std::uint64_t& cursor, const ContactPair& pair) { target[cursor++] = pair; });
+    std::uint64_t* const own = cursors_.data() + worker * buckets.count;
+    for_each_piece(pieces, worker, workers, [&](std::size_t k) {
+      for (const ContactPair& pair : pieces[k]) target[own[buckets.of(pair)]++] = pair;
+    });
   });
   base::for_each_index(workers, buckets.count, [&](std::size_t worker, std::size_t b) {
     sorts_[worker].sort(target.subspan(begin_[b], begin_[b + 1] - begin_[b]), b << buckets.shift,
-                        buckets.width());
+                        buckets.width(), repeats);
+  });
+}
+
+void PairOrder::sort(const ImagePieces& pieces, std::size_t element_count,
+                     std::span<ContactPair> target, std::span<ImageShift> shifts,
+                     std::size_t workers) {
+  if (target.empty()) return;
+  const Buckets buckets(element_count);
+  count(pieces.pairs, buckets, workers);
+  while (image_sorts_.size() < workers) image_sorts_.emplace_back(memory_);
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    std::uint64_t* const own = cursors_.data() + worker * buckets.count;
+    for_each_piece(pieces.pairs, worker, workers, [&](std::size_t k) {
+      const auto pairs = pieces.pairs[k];
+      for (std::size_t p = 0; p < pairs.size(); ++p) {
+        const std::uint64_t place = own[buckets.of(pairs[p])]++;
+        target[place] = pairs[p];
+        shifts[place] = pieces.shifts[k][p];
+      }
+    });
+  });
+  base::for_each_index(workers, buckets.count, [&](std::size_t worker, std::size_t b) {
+    const std::uint64_t size = begin_[b + 1] - begin_[b];
+    image_sorts_[worker].sort(target.subspan(begin_[b], size), shifts.subspan(begin_[b], size),
+                              b << buckets.shift, buckets.width());
   });
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "api/bucket_sort.hpp"
+#include "api/image_bucket_sort.hpp"
 #include "base/array.hpp"
 
+#include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
 #include <cstddef>
@@ -15,6 +17,12 @@ namespace abut::api {
 /// Pairs as they were found, in pieces.
 using PairPieces = std::span<const std::span<const ContactPair>>;
 
+/// With their image shifts, piece by piece.
+struct ImagePieces {
+  PairPieces pairs;
+  std::span<const std::span<const ImageShift>> shifts;
+};
+
 /// Brings found pairs into a row, in one order or the other. It keeps its arrays.
 class PairOrder {
  public:
@@ -26,17 +34,28 @@ class PairOrder {
   /// Writes the pairs one after the other; `target` has room for all.
   void join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers);
 
-  /// Writes the pairs, which are distinct, sorted by (first, second): first into ranges of elements
-  /// whose pairs fit into the cache, then each range. Linear in elements + pairs while elements
-  /// have few partners each.
+  /// Writes the pairs sorted by (first, second): first into ranges of elements whose pairs fit into
+  /// the cache, then each range. Linear in elements + pairs while elements have few partners each.
   void sort(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
+            std::size_t workers, Repeats repeats = Repeats::never);
+
+  /// Both with image shifts, which are in the order of the pairs.
+  void join(const ImagePieces& pieces, std::span<ContactPair> target, std::span<ImageShift> shifts,
             std::size_t workers);
+  void sort(const ImagePieces& pieces, std::size_t element_count, std::span<ContactPair> target,
+            std::span<ImageShift> shifts, std::size_t workers);
 
  private:
+  struct Buckets;
+
+  void find_begins(PairPieces pieces);
+  void count(PairPieces pieces, const Buckets& buckets, std::size_t workers);
+
   base::MemoryMeter& memory_;
   base::Array<std::uint64_t> cursors_;
   base::Array<std::uint64_t> begin_;
   std::vector<BucketSort> sorts_;
+  std::vector<ImageBucketSort> image_sorts_;
 };
 
 }  // namespace abut::api

@@ -4,6 +4,7 @@
 #include "api/registry.hpp"
 
 #include "reference/algorithms.hpp"
+#include "reference/direct_check_images.hpp"
 
 #include <abut/error.hpp>
 
@@ -26,6 +27,15 @@ void direct_check_elements(const System<Dim>& system, base::PairSink& sink,
 }
 
 template <int Dim>
+void direct_check_all_images(const System<Dim>& system, const base::Lattice& lattice,
+                             base::PairSink& sink, base::DetectionContext& context) {
+  sink.expect_workers(1);
+  base::ImagePairWriter pairs(sink);
+  direct_check_images<Dim>(system.spheres, lattice, system.settings.margin, pairs, context);
+  pairs.finish();
+}
+
+template <int Dim>
 void trace_direct_check(const grid::CellCoordinates<Dim>& cells, CandidateRecorder& recorder,
                         base::DetectionContext& context) {
   direct_check(cells.element_count(), recorder, context);
@@ -38,6 +48,7 @@ void rows(const System<Dim>& system, base::PairSink& sink, base::DetectionContex
 
 template <int Dim>
 constexpr Runs<Dim> direct_check_runs{.on_elements = direct_check_elements<Dim>,
+                                      .on_images = direct_check_all_images<Dim>,
                                       .trace = trace_direct_check<Dim>};
 
 template <int Dim>
@@ -66,7 +77,7 @@ constexpr Runs<Dim> rows_runs{.on_elements = rows<Dim>};
 
 constexpr std::array<RegistryRow, 6> table{{
     {{Algorithm::direct_check, "direct_check", "every element against every other", "N^2", "0",
-      "77-80", 2, 3, false, true},
+      "77-80", 2, 3, true, true},
      direct_check_runs<2>,
      direct_check_runs<3>},
     {{Algorithm::binary_tree, "binary_tree", "occupied cells as leaves of a tree of halvings",

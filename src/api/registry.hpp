@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/detection_context.hpp"
+#include "base/lattice.hpp"
 #include "base/pair_sink.hpp"
 #include "engine/rows.hpp"
 #include "grid/bounds.hpp"
@@ -26,6 +27,10 @@ struct System {
 template <int Dim>
 struct Runs {
   void (*on_elements)(const System<Dim>&, base::PairSink&, base::DetectionContext&) = nullptr;
+
+  /// In a periodic domain; null where that is not carried.
+  void (*on_images)(const System<Dim>&, const base::Lattice&, base::PairSink&,
+                    base::DetectionContext&) = nullptr;
 
   using Cells = grid::CellCoordinates<Dim>;
   void (*on_cells)(const Cells&, reference::ContactTest<Dim>&, base::DetectionContext&) = nullptr;

@@ -93,7 +93,7 @@ Sink::~Sink() = default;
 
 CellSystem integerise(const ElementView& elements, const Options& options) {
   const base::FloatEnvironment environment;
-  api::validate(options, elements);
+  api::validate(options, elements, Domain::open());
   return elements.dimensions() == 2 ? cells_of<2>(elements, options)
                                     : cells_of<3>(elements, options);
 }

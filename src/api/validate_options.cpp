@@ -1,5 +1,6 @@
 #include "api/validate_options.hpp"
 
+#include "api/registry.hpp"
 #include "base/written.hpp"
 
 #include <abut/error.hpp>
@@ -32,9 +33,31 @@ std::uint64_t machine_memory() {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_size);
 }
 
+void require_carried(Algorithm algorithm, const Domain& domain) {
+  if (!domain.is_periodic() || algorithm == Algorithm::automatic) return;
+  if (row_of(algorithm).info.periodic) return;
+  std::string carriers;
+  for (const RegistryRow& row : registry()) {
+    if (!row.info.periodic) continue;
+    carriers += (carriers.empty() ? "" : " or ") + std::string(row.info.name);
+  }
+  throw Error(ErrorCode::wrong_usage, std::string(name_of(algorithm)) +
+                                          " does not carry periodic domains; take " + carriers +
+                                          ", or auto");
+}
+
 }  // namespace
 
-void validate(const Options& options, const ElementView& elements) {
+void require_dimensions(const ElementView& elements, const Domain& domain) {
+  if (domain.dimensions() == 0 || domain.dimensions() == elements.dimensions()) return;
+  throw Error(ErrorCode::wrong_usage, "a domain of " + std::to_string(domain.dimensions()) +
+                                          " dimensions for elements of " +
+                                          std::to_string(elements.dimensions()) +
+                                          "; give lengths or vectors of " +
+                                          std::to_string(elements.dimensions()) + " numbers");
+}
+
+void validate(const Options& options, const ElementView& elements, const Domain& domain) {
   if (!(options.margin >= 0.0) || std::isinf(options.margin)) {
     throw Error(ErrorCode::invalid_input, "margin = " + base::written(options.margin) +
                                               "; it must be finite and not negative");
@@ -43,6 +66,8 @@ void validate(const Options& options, const ElementView& elements) {
     throw Error(ErrorCode::wrong_usage, "threads = " + std::to_string(options.threads) +
                                             "; give a positive number, or 0 for the default");
   }
+  require_dimensions(elements, domain);
+  require_carried(options.algorithm, domain);
   const std::uint64_t most = most_elements(options.algorithm);
   if (elements.size() > most) {
     throw Error(ErrorCode::limit_exceeded, std::to_string(elements.size()) + " elements; " +

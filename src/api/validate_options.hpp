@@ -1,5 +1,6 @@
 #pragma once
 
+#include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/options.hpp>
 
@@ -8,8 +9,12 @@
 
 namespace abut::api {
 
-/// Throws Error: the first option that is out of range, or too many elements.
-void validate(const Options& options, const ElementView& elements);
+/// Throws Error{wrong_usage} for a periodic domain of other dimensions than the elements.
+void require_dimensions(const ElementView& elements, const Domain& domain);
+
+/// Throws Error: the first option that is out of range, a domain that the elements do not live in
+/// or the algorithm does not carry, or too many elements.
+void validate(const Options& options, const ElementView& elements, const Domain& domain);
 
 /// Bytes that a detection may hold in all: the caller's bound, else what the machine has.
 [[nodiscard]] std::uint64_t memory_bound(const Options& options);

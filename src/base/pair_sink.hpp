@@ -1,5 +1,6 @@
 #pragma once
 
+#include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
 #include <cstddef>
@@ -30,6 +31,10 @@ class PairSink {
   /// Room for pairs, this worker's own until it commits.
   [[nodiscard]] virtual std::span<ContactPair> room(std::size_t worker) = 0;
 
+  /// Room for their image shifts, parallel to the room for pairs that was asked for last. Empty
+  /// where shifts are not wanted; they need not be written then.
+  [[nodiscard]] virtual std::span<ImageShift> shift_room(std::size_t) { return {}; }
+
   /// The first `count` pairs of the worker's room are found; it must ask for room anew.
   virtual void commit(std::size_t count, const Origin& origin) = 0;
 
@@ -39,7 +44,7 @@ class PairSink {
   PairSink& operator=(const PairSink&) = default;
 };
 
-/// A single worker's pen.
+/// A single worker's pen, for pairs of an open domain.
 class PairWriter {
  public:
   explicit PairWriter(PairSink& sink) : sink_(sink), room_(sink.room(0)) {}
@@ -61,6 +66,38 @@ class PairWriter {
  private:
   PairSink& sink_;
   std::span<ContactPair> room_;
+  std::size_t filled_ = 0;
+};
+
+/// The same for pairs of a periodic domain.
+class ImagePairWriter {
+ public:
+  explicit ImagePairWriter(PairSink& sink) : sink_(sink) { take_room(); }
+
+  void push(ContactPair pair, const ImageShift& shift) {
+    room_[filled_] = pair;
+    if (!shifts_.empty()) shifts_[filled_] = shift;
+    if (++filled_ < room_.size()) return;
+    finish();
+    take_room();
+  }
+
+  /// Commits the rest; nothing is pushed after it.
+  void finish() {
+    const std::size_t count = filled_;
+    filled_ = 0;
+    if (count > 0) sink_.commit(count, {});
+  }
+
+ private:
+  void take_room() {
+    room_ = sink_.room(0);
+    shifts_ = sink_.shift_room(0);
+  }
+
+  PairSink& sink_;
+  std::span<ContactPair> room_;
+  std::span<ImageShift> shifts_;
   std::size_t filled_ = 0;
 };
 

@@ -8,17 +8,27 @@
 namespace abut::io {
 
 ContactWriter::ContactWriter(const ContactOutput& output, const Snapshot& snapshot,
-                             std::span<const ContactPair> pairs)
+                             std::span<const ContactPair> pairs, const ContactImages& images)
     : progress_(output.progress),
       now_{"write", 0, pairs.size()},
       file_(output.path, [this] { return is_cancelled(); }),
       snapshot_(snapshot),
       elements_(snapshot.elements()),
       pairs_(pairs),
+      images_(images),
       with_ids_(output.ids == IdColumns::with) {}
 
-double ContactWriter::gap(const ContactPair& pair) const {
-  return abut::gap(elements_, pair);
+double ContactWriter::gap(std::uint64_t k) const {
+  return is_periodic() ? abut::gap(elements_, images_.domain, pairs_[k], images_.shifts[k])
+                       : abut::gap(elements_, pairs_[k]);
+}
+
+std::vector<std::string_view> ContactWriter::column_names() const {
+  std::vector<std::string_view> names{"i", "j"};
+  if (with_ids_) names.insert(names.end(), {"id_i", "id_j"});
+  if (is_periodic()) names.insert(names.end(), {"nx", "ny", "nz"});
+  names.push_back("gap");
+  return names;
 }
 
 void ContactWriter::hand_on() {

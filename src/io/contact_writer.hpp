@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace abut::io {
 
@@ -16,14 +18,23 @@ namespace abut::io {
 class ContactWriter {
  public:
   ContactWriter(const ContactOutput& output, const Snapshot& snapshot,
-                std::span<const ContactPair> pairs);
+                std::span<const ContactPair> pairs, const ContactImages& images);
   ContactWriter(const ContactWriter&) = delete;
   ContactWriter& operator=(const ContactWriter&) = delete;
 
   [[nodiscard]] const Snapshot& snapshot() const noexcept { return snapshot_; }
   [[nodiscard]] std::span<const ContactPair> pairs() const noexcept { return pairs_; }
   [[nodiscard]] bool with_ids() const noexcept { return with_ids_; }
-  [[nodiscard]] double gap(const ContactPair& pair) const;
+  [[nodiscard]] bool is_periodic() const noexcept { return images_.domain.is_periodic(); }
+  [[nodiscard]] const Domain& domain() const noexcept { return images_.domain; }
+  /// Of pair k; zeros in an open domain.
+  [[nodiscard]] ImageShift shift(std::uint64_t k) const {
+    return is_periodic() ? images_.shifts[k] : ImageShift{};
+  }
+  [[nodiscard]] double gap(std::uint64_t k) const;
+
+  /// Names of the columns of a table of the pairs.
+  [[nodiscard]] std::vector<std::string_view> column_names() const;
 
   /// The text written next; `wrote`, `hand_on` and `finish` pass it on to the file.
   [[nodiscard]] std::string& text() noexcept { return text_; }
@@ -47,6 +58,7 @@ class ContactWriter {
   const Snapshot& snapshot_;
   ElementView elements_;
   std::span<const ContactPair> pairs_;
+  const ContactImages& images_;
   bool with_ids_;
   std::string text_;
 };

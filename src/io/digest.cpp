@@ -25,7 +25,7 @@ void require(bool done) {
 
 }  // namespace
 
-std::string digest(std::span<const ContactPair> pairs) {
+std::string digest(std::span<const ContactPair> pairs, std::span<const ImageShift> shifts) {
   const std::unique_ptr<EVP_MD_CTX, FreeContext> context(EVP_MD_CTX_new());
   require(context != nullptr);
   require(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1);
@@ -35,9 +35,14 @@ std::string digest(std::span<const ContactPair> pairs) {
     require(EVP_DigestUpdate(context.get(), block.data(), block.size()) == 1);
     block.clear();
   };
-  for (const ContactPair& pair : pairs) {
-    append_little_endian(pair.first, block);
-    append_little_endian(pair.second, block);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    append_little_endian(pairs[k].first, block);
+    append_little_endian(pairs[k].second, block);
+    if (!shifts.empty()) {
+      append_little_endian(shifts[k].x, block);
+      append_little_endian(shifts[k].y, block);
+      append_little_endian(shifts[k].z, block);
+    }
     if (block.size() >= block_bytes) flush();
   }
   flush();

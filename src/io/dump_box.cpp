@@ -12,7 +12,7 @@
 namespace abut::io {
 namespace {
 
-using BoxLine = std::array<double, 3>;  // low, high, tilt
+using BoxLine = std::array<double, 3>;  // low, high, tilt; or an edge of a general box
 
 BoxLine read_box_line(LineReader& reader, std::size_t fields) {
   const std::optional<std::string_view> line = reader.next();
@@ -76,6 +76,7 @@ DumpBox read_dump_box(LineReader& reader, std::string_view words_text) {
     box.low[axis] = line[0];
     high[axis] = line[1];
     tilt[axis] = line[2];
+    box.edges[axis] = line;
   }
   if (box.kind == DumpBox::Kind::general) return box;
   box.xy = tilt[0];
@@ -89,6 +90,8 @@ DumpBox read_dump_box(LineReader& reader, std::string_view words_text) {
           fmt::format("the box ends before it begins on axis {}; correct the box", "xyz"[axis]));
     }
   }
+  box.edges = {
+      {{box.length[0], 0.0, 0.0}, {box.xy, box.length[1], 0.0}, {box.xz, box.yz, box.length[2]}}};
   return box;
 }
 

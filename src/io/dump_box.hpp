@@ -7,7 +7,7 @@
 
 namespace abut::io {
 
-/// The box of a frame of a LAMMPS dump: corner and edges, as far as scaled coordinates need them.
+/// The box of a frame of a LAMMPS dump: corner and edges.
 struct DumpBox {
   enum class Kind { orthogonal, triclinic, general };
 
@@ -18,6 +18,7 @@ struct DumpBox {
   double xy = 0.0;
   double xz = 0.0;
   double yz = 0.0;
+  std::array<std::array<double, 3>, 3> edges{};  ///< row by row
 
   /// The point that a scaled one stands for.
   [[nodiscard]] std::array<double, 3> unscaled(const std::array<double, 3>& scaled) const;

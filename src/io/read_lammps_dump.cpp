@@ -144,6 +144,7 @@ Snapshot read_frame(LineReader& reader, const ReadOptions& options) {
   const FrameHeader header = read_frame_header(reader);
   Snapshot snapshot;
   snapshot.periodic = header.box->periodic;
+  snapshot.box = header.box->edges;
   if (*header.count == 0) {
     snapshot.dimensions = names_only_x_and_y(header.columns) ? 2 : 3;
   } else {

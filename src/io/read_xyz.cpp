@@ -76,6 +76,7 @@ Snapshot read_frame(LineReader& reader, const ReadOptions& options) {
   if (!line && count > 0) fail_at_end(reader, 0, count);
   const XyzComment comment = parse_xyz_comment(reader, line.value_or(""));
   snapshot.periodic = comment.periodic;
+  snapshot.box = comment.lattice;
   if (count > 0) read_elements(reader, count, comment, options, snapshot);
   return snapshot;
 }

@@ -19,8 +19,10 @@ struct Snapshot {
   std::vector<double> radius;     ///< one per element
   std::vector<std::int64_t> ids;  ///< the file's own numbers; empty if it has none
 
-  /// Axes on which the file says that its box is periodic.
+  /// Axes on which the file says that its box is periodic, and the edges of the box, row by row;
+  /// its corner is of no account to contacts.
   std::array<bool, 3> periodic{};
+  std::optional<std::array<std::array<double, 3>, 3>> box;
 
   std::string source;            ///< the file's name as given, "standard input" for "-"
   std::string format;            ///< "csv", "lammps_dump", "xyz"

@@ -22,7 +22,13 @@ std::optional<ContactFormat> format_named(std::string_view name) {
 }
 
 void validate(const ContactOutput& output, const Snapshot& snapshot,
-              std::span<const ContactPair> pairs) {
+              std::span<const ContactPair> pairs, const ContactImages& images) {
+  if (images.domain.is_periodic() && images.shifts.size() != pairs.size()) {
+    throw Error(ErrorCode::wrong_usage,
+                fmt::format("{} image shifts for {} contact pairs of a periodic domain; find the "
+                            "pairs with Shifts::stored",
+                            images.shifts.size(), pairs.size()));
+  }
   if (output.ids == IdColumns::with && snapshot.ids.size() != snapshot.size()) {
     throw Error(
         ErrorCode::invalid_input,
@@ -50,9 +56,9 @@ ContactFormat contact_format(std::string_view name, std::string_view path) {
 }
 
 void write_contacts(const ContactOutput& output, const Snapshot& snapshot,
-                    std::span<const ContactPair> pairs) {
-  validate(output, snapshot, pairs);
-  ContactWriter writer(output, snapshot, pairs);
+                    std::span<const ContactPair> pairs, const ContactImages& images) {
+  validate(output, snapshot, pairs, images);
+  ContactWriter writer(output, snapshot, pairs, images);
   switch (output.format) {
     case ContactFormat::csv:
       write_contacts_csv(writer);

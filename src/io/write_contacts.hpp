@@ -2,6 +2,8 @@
 
 #include "io/snapshot.hpp"
 
+#include <abut/domain.hpp>
+#include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 #include <abut/progress.hpp>
 
@@ -27,16 +29,25 @@ struct ContactOutput {
   ProgressHook progress;  ///< phase "write"; pairs; asked again before each system call
 };
 
+/// Which images of a periodic domain the pairs are of; of an open domain nothing need be said.
+struct ContactImages {
+  std::span<const ImageShift> shifts;  ///< one a pair
+  Domain domain = Domain::open();
+};
+
 /// Writes the pairs in the order given, with their gaps.
-///  csv   header i,j,gap (with ids: i,j,id_i,id_j,gap), gap as %.17g
+///  csv   header i,j,gap (with ids: i,j,id_i,id_j,gap), gap as %.17g; in a periodic domain nx,ny,nz
+///        stand before the gap
 ///  json  one object: elements, dimensions, contact_pairs, columns: the names as in CSV, pairs:
 ///        [[i, j, gap], ...], numbers as the shortest texts that read back as the same doubles
 ///  vtp   VTK PolyData: elements as points with radius and coordination number, contacts as lines
-///        with gap, ids where the snapshot has them; double precision, appended raw
+///        with gap, ids where the snapshot has them; double precision, appended raw. In a periodic
+///        domain lines carry their shift, and the line of a pair with a shift ends in a point of
+///        its own, the image of j; `image` tells such points, which repeat j's data
 /// Throws Error{output_failed}; Error{invalid_input} if ids are asked for and not there,
-/// Error{wrong_usage} for an element that is not there; Error{cancelled}. A failed write leaves no
-/// file and the old one untouched.
+/// Error{wrong_usage} for an element or shift that is not there; Error{cancelled}. A failed write
+/// leaves no file and the old one untouched.
 void write_contacts(const ContactOutput& output, const Snapshot& snapshot,
-                    std::span<const ContactPair> pairs);
+                    std::span<const ContactPair> pairs, const ContactImages& images = {});
 
 }  // namespace abut::io

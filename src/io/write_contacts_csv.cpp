@@ -1,27 +1,40 @@
 #include "io/contact_writer.hpp"
 #include "io/text_output.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace abut::io {
+namespace {
+
+void append_field(std::integral auto value, std::string& text) {
+  append_integer(value, text);
+  text += ',';
+}
+
+}  // namespace
 
 void write_contacts_csv(ContactWriter& writer) {
   std::string& text = writer.text();
   const std::vector<std::int64_t>& ids = writer.snapshot().ids;
-  text += writer.with_ids() ? "i,j,id_i,id_j,gap\n" : "i,j,gap\n";
-  std::uint64_t written = 0;
-  for (const ContactPair& pair : writer.pairs()) {
-    append_integer(pair.first, text);
-    text += ',';
-    append_integer(pair.second, text);
-    text += ',';
+  text += fmt::format("{}\n", fmt::join(writer.column_names(), ","));
+  for (std::uint64_t k = 0; k < writer.pairs().size(); ++k) {
+    const ContactPair& pair = writer.pairs()[k];
+    append_field(pair.first, text);
+    append_field(pair.second, text);
     if (writer.with_ids()) {
-      append_integer(ids[pair.first], text);
-      text += ',';
-      append_integer(ids[pair.second], text);
-      text += ',';
+      append_field(ids[pair.first], text);
+      append_field(ids[pair.second], text);
     }
-    append_17_digits(writer.gap(pair), text);
+    if (writer.is_periodic()) {
+      const ImageShift shift = writer.shift(k);
+      append_field(shift.x, text);
+      append_field(shift.y, text);
+      append_field(shift.z, text);
+    }
+    append_17_digits(writer.gap(k), text);
     text += '\n';
-    writer.wrote(++written);
+    writer.wrote(k + 1);
   }
   writer.finish();
 }

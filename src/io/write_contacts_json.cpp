@@ -2,35 +2,46 @@
 #include "io/text_output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace abut::io {
+namespace {
+
+void append_entry(std::integral auto value, std::string& text) {
+  append_integer(value, text);
+  text += ", ";
+}
+
+}  // namespace
 
 void write_contacts_json(ContactWriter& writer) {
   std::string& text = writer.text();
   const std::vector<std::int64_t>& ids = writer.snapshot().ids;
   text += fmt::format(
-      "{{\n\"elements\": {},\n\"dimensions\": {},\n\"contact_pairs\": {},\n\"columns\": {},\n"
-      "\"pairs\": [",
+      "{{\n\"elements\": {},\n\"dimensions\": {},\n\"contact_pairs\": {},\n\"columns\": "
+      "[\"{}\"],\n\"pairs\": [",
       writer.snapshot().size(), writer.snapshot().dimensions, writer.pairs().size(),
-      writer.with_ids() ? R"(["i", "j", "id_i", "id_j", "gap"])" : R"(["i", "j", "gap"])");
-  std::uint64_t written = 0;
-  for (const ContactPair& pair : writer.pairs()) {
-    text += written == 0 ? "\n[" : ",\n[";
-    append_integer(pair.first, text);
-    text += ", ";
-    append_integer(pair.second, text);
-    text += ", ";
+      fmt::join(writer.column_names(), "\", \""));
+  for (std::uint64_t k = 0; k < writer.pairs().size(); ++k) {
+    const ContactPair& pair = writer.pairs()[k];
+    text += k == 0 ? "\n[" : ",\n[";
+    append_entry(pair.first, text);
+    append_entry(pair.second, text);
     if (writer.with_ids()) {
-      append_integer(ids[pair.first], text);
-      text += ", ";
-      append_integer(ids[pair.second], text);
-      text += ", ";
+      append_entry(ids[pair.first], text);
+      append_entry(ids[pair.second], text);
     }
-    append_shortest(writer.gap(pair), text);
+    if (writer.is_periodic()) {
+      const ImageShift shift = writer.shift(k);
+      append_entry(shift.x, text);
+      append_entry(shift.y, text);
+      append_entry(shift.z, text);
+    }
+    append_shortest(writer.gap(k), text);
     text += ']';
-    writer.wrote(++written);
+    writer.wrote(k + 1);
   }
-  text += written == 0 ? "]\n}\n" : "\n]\n}\n";
+  text += writer.pairs().empty() ? "]\n}\n" : "\n]\n}\n";
   writer.finish();
 }
 

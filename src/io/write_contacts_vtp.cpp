@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,8 +35,17 @@ class VtpHeader {
   std::uint64_t offset_ = 0;
 };
 
-void write_header(ContactWriter& writer) {
-  const std::uint64_t points = writer.snapshot().size();
+/// Pairs whose line ends in an image of an element: a point of its own behind the elements.
+std::vector<std::uint64_t> pairs_with_image(const ContactWriter& writer) {
+  std::vector<std::uint64_t> numbers;
+  if (!writer.is_periodic()) return numbers;
+  for (std::uint64_t k = 0; k < writer.pairs().size(); ++k) {
+    if (writer.shift(k) != ImageShift{}) numbers.push_back(k);
+  }
+  return numbers;
+}
+
+void write_header(ContactWriter& writer, std::uint64_t points) {
   const std::uint64_t lines = writer.pairs().size();
   writer.text() += fmt::format(
       "<?xml version=\"1.0\"?>\n"
@@ -53,6 +63,7 @@ void write_header(ContactWriter& writer) {
   header.array("Float64", "radius", 1, points);
   header.array("Int32", "coordination_number", 1, points);
   if (!writer.snapshot().ids.empty()) header.array("Int64", "id", 1, points);
+  if (writer.is_periodic()) header.array("Int32", "image", 1, points);
   header.close("PointData");
   header.open("Lines");
   header.array("Int64", "connectivity", 1, 2 * lines);
@@ -60,6 +71,7 @@ void write_header(ContactWriter& writer) {
   header.close("Lines");
   header.open(R"(CellData Scalars="gap")");
   header.array("Float64", "gap", 1, lines);
+  if (writer.is_periodic()) header.array("Int32", "shift", 3, 3 * lines);
   header.close("CellData");
   writer.text() += "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n   _";
 }
@@ -83,41 +95,77 @@ std::vector<std::int32_t> coordination_numbers(const ContactWriter& writer) {
   return numbers;
 }
 
-void write_point_arrays(ContactWriter& writer) {
+/// The image of a pair's second element; rounded, for pictures.
+std::array<double, 3> image_position(const ContactWriter& writer, std::uint64_t pair) {
   const Snapshot& snapshot = writer.snapshot();
-  const std::uint64_t points = snapshot.size();
+  const ElementIndex element = writer.pairs()[pair].second;
+  std::array<double, 3> position{snapshot.x[element], snapshot.y[element],
+                                 snapshot.dimensions == 2 ? 0.0 : snapshot.z[element]};
+  const ImageShift shift = writer.shift(pair);
+  const std::array<std::int32_t, 3> numbers{shift.x, shift.y, shift.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < 3; ++k) {
+      const Domain::Vector& vector = writer.domain().vector(k);
+      position[axis] += numbers[static_cast<std::size_t>(k)] * vector[axis];
+    }
+  }
+  return position;
+}
+
+void write_point_arrays(ContactWriter& writer, const std::vector<std::uint64_t>& images) {
+  const Snapshot& snapshot = writer.snapshot();
+  const std::uint64_t elements = snapshot.size();
+  const std::uint64_t points = elements + images.size();
   const bool flat = snapshot.dimensions == 2;
+  const auto element_of = [&](std::uint64_t point) -> std::uint64_t {
+    return point < elements ? point : writer.pairs()[images[point - elements]].second;
+  };
   write_array(writer, 3 * points, [&](std::uint64_t k) {
-    if (k % 3 == 2) return flat ? 0.0 : snapshot.z[k / 3];
-    return k % 3 == 0 ? snapshot.x[k / 3] : snapshot.y[k / 3];
+    const std::uint64_t point = k / 3;
+    if (point >= elements) return image_position(writer, images[point - elements])[k % 3];
+    if (k % 3 == 2) return flat ? 0.0 : snapshot.z[point];
+    return k % 3 == 0 ? snapshot.x[point] : snapshot.y[point];
   });
-  write_array(writer, points, [&](std::uint64_t k) { return snapshot.radius[k]; });
+  write_array(writer, points, [&](std::uint64_t k) { return snapshot.radius[element_of(k)]; });
   const std::vector<std::int32_t> coordination = coordination_numbers(writer);
-  write_array(writer, points, [&](std::uint64_t k) { return coordination[k]; });
-  if (snapshot.ids.empty()) return;
-  write_array(writer, points, [&](std::uint64_t k) { return snapshot.ids[k]; });
+  write_array(writer, points, [&](std::uint64_t k) { return coordination[element_of(k)]; });
+  if (!snapshot.ids.empty()) {
+    write_array(writer, points, [&](std::uint64_t k) { return snapshot.ids[element_of(k)]; });
+  }
+  if (writer.is_periodic()) {
+    write_array(writer, points, [&](std::uint64_t k) { return std::int32_t{k >= elements}; });
+  }
 }
 
 void write_line_arrays(ContactWriter& writer) {
   const std::span<const ContactPair> pairs = writer.pairs();
   const std::uint64_t lines = pairs.size();
+  std::uint64_t next_image = writer.snapshot().size();
   write_array(writer, 2 * lines, [&](std::uint64_t k) {
     const ContactPair& pair = pairs[k / 2];
-    return static_cast<std::int64_t>(k % 2 == 0 ? pair.first : pair.second);
+    if (k % 2 == 0) return static_cast<std::int64_t>(pair.first);
+    const bool to_image = writer.shift(k / 2) != ImageShift{};
+    return static_cast<std::int64_t>(to_image ? next_image++ : pair.second);
   });
   write_array(writer, lines,
               [&](std::uint64_t k) { return static_cast<std::int64_t>(2 * (k + 1)); });
   write_array(writer, lines, [&](std::uint64_t k) {
     writer.wrote(k + 1);
-    return writer.gap(pairs[k]);
+    return writer.gap(k);
+  });
+  if (!writer.is_periodic()) return;
+  write_array(writer, 3 * lines, [&](std::uint64_t k) {
+    const ImageShift shift = writer.shift(k / 3);
+    return k % 3 == 0 ? shift.x : k % 3 == 1 ? shift.y : shift.z;
   });
 }
 
 }  // namespace
 
 void write_contacts_vtp(ContactWriter& writer) {
-  write_header(writer);
-  write_point_arrays(writer);
+  const std::vector<std::uint64_t> images = pairs_with_image(writer);
+  write_header(writer, writer.snapshot().size() + images.size());
+  write_point_arrays(writer, images);
   write_line_arrays(writer);
   writer.text() += "\n  </AppendedData>\n</VTKFile>\n";
   writer.finish();

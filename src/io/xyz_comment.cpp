@@ -113,6 +113,28 @@ std::array<bool, 3> parse_pbc(const LineReader& reader, std::string_view text) {
   return {yes(axes[0]), yes(axes[1]), yes(axes[2])};
 }
 
+/// Nine numbers, vector after vector.
+std::array<std::array<double, 3>, 3> parse_lattice(const LineReader& reader,
+                                                   std::string_view text) {
+  std::string words(text);
+  for (char& c : words) {
+    if (c == ',' || c == '[' || c == ']' || c == '"') c = ' ';
+  }
+  const std::vector<std::string> numbers = split(words, Separator::blanks);
+  if (numbers.size() != 9) {
+    reader.fail_at_line(
+        fmt::format("Lattice {} is not nine numbers; write it like Lattice=\"9 0 0 0 9 0 0 0 9\"",
+                    quoted(text)));
+  }
+  std::array<std::array<double, 3>, 3> lattice{};
+  for (std::size_t k = 0; k < 9; ++k) {
+    const auto [value, fault] = parse_number(numbers[k]);
+    if (fault != NumberFault::none) reader.fail_at_line(number_complaint(numbers[k], fault));
+    lattice[k / 3][k % 3] = value;
+  }
+  return lattice;
+}
+
 }  // namespace
 
 XyzComment parse_xyz_comment(const LineReader& reader, std::string_view line) {
@@ -121,14 +143,14 @@ XyzComment parse_xyz_comment(const LineReader& reader, std::string_view line) {
   const std::string folded = lower(line);
   const auto holds = [&](const char* key) { return folded.find(key) != std::string::npos; };
   if (!holds("properties=") && !holds("lattice=") && !holds("pbc=")) return comment;
-  bool has_lattice = false;
   std::optional<std::array<bool, 3>> pbc;
   while (const std::optional<KeyValue> pair = take_pair(reader, line)) {
     if (pair->key == "properties") comment.columns = parse_properties(reader, pair->value);
-    if (pair->key == "lattice") has_lattice = true;
+    if (pair->key == "lattice") comment.lattice = parse_lattice(reader, pair->value);
     if (pair->key == "pbc") pbc = parse_pbc(reader, pair->value);
   }
   // A lattice without pbc is periodic on all axes (extended XYZ specification).
+  const bool has_lattice = comment.lattice.has_value();
   comment.periodic = pbc.value_or(std::array{has_lattice, has_lattice, has_lattice});
   return comment;
 }

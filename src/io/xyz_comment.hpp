@@ -15,6 +15,7 @@ struct XyzComment {
   /// The columns of the atoms, the coordinates named x, y, z; nothing in a plain file.
   std::optional<std::vector<std::string>> columns;
   std::array<bool, 3> periodic{};
+  std::optional<std::array<std::array<double, 3>, 3>> lattice;  ///< row by row
 };
 
 /// Reads key=value pairs with the quoting of extended XYZ; a line that holds none of the known keys

@@ -68,6 +68,28 @@ def check(path, points, radii, ids, expected_lines=None):
     return len(lines)
 
 
+def check_periodic(path):
+    """Discs in the cell (3, 0), (1, 9): lines to images end in points of their own."""
+    data = read(path)
+    points = [data.GetPoint(k) for k in range(data.GetNumberOfPoints())]
+    radii = values(data.GetPointData().GetArray("radius"))
+    images = values(data.GetPointData().GetArray("image"))
+    assert images == [0] * 4 + [1] * (len(points) - 4), images
+    lines = lines_of(data)
+    gaps = values(data.GetCellData().GetArray("gap"))
+    shifts = values(data.GetCellData().GetArray("shift"))
+    ends = []
+    for (i, end), gap, n in zip(lines, gaps, zip(shifts[0::3], shifts[1::3], shifts[2::3])):
+        assert abs(math.dist(points[i], points[end]) - radii[i] - radii[end] - gap) < 1e-14
+        moved = (points[end][0] - 3 * n[0] - n[1], points[end][1] - 9 * n[1], 0)
+        ends.append((i, points.index(moved), n))
+        assert (end >= 4) == (n != (0, 0, 0)) and radii[end] == radii[points.index(moved)]
+    # (2.5, 0) has an image at (-0.5, 0), and (9, 9) one at (2, 0).
+    assert ends == [(0, 1, (0, 0, 0)), (0, 2, (-1, 0, 0)), (1, 2, (-1, 0, 0)), (1, 2, (0, 0, 0)),
+                    (1, 3, (-2, -1, 0)), (2, 3, (-2, -1, 0))], ends
+    assert len(points) == 4 + 4
+
+
 def dump_rows(path):
     with open(path) as file:
         text = file.read()
@@ -90,6 +112,7 @@ def main(writer, dump):
         assert count == 4158, count
         check(f"{folder}/discs.vtp", [(0, 0, 0), (1, 0, 0), (2.5, 0, 0), (9, 9, 0)],
               [0.5, 0.75, 0.75, 0.25], None, [(0, 1), (1, 2)])
+        check_periodic(f"{folder}/periodic.vtp")
         check(f"{folder}/alone.vtp", [(1, 1, 1)], [1], None, [])
         check(f"{folder}/nothing.vtp", [], [], None, [])
 

@@ -29,6 +29,14 @@ TEST(Digest, ManyBlocks) {
             "sha256:a445db135b1ce7c2e37c122d10d99cba834a258b0902a4153ef53606a0fc9010");
 }
 
+TEST(Digest, WithImageShifts) {
+  // struct.pack("<IIiii", 0, 0, 1, -2, 3) and (0, 0x01020304, -2147483647, 0, 2147483647)
+  const std::vector<ContactPair> pairs{{0, 0}, {0, 0x01020304}};
+  const std::vector<ImageShift> shifts{{1, -2, 3}, {-2147483647, 0, 2147483647}};
+  EXPECT_EQ(digest(pairs, shifts),
+            "sha256:4ff8ae22122b9ba49c7fcab7eac18fdb7ad94d0a30844a0fa7b0514e87a454bd");
+}
+
 TEST(Digest, OrderMatters) {
   const std::vector<ContactPair> one{{0, 1}, {0, 2}};
   const std::vector<ContactPair> other{{0, 2}, {0, 1}};

@@ -63,6 +63,8 @@ TEST(ReadLammpsDump, ScaledCoordinatesAreUndone) {
   EXPECT_EQ(flat.y, Numbers{14});
 }
 
+using Box = std::array<std::array<double, 3>, 3>;
+
 /// Edges a = (4, 0, 0), b = (xy, 2, 0), c = (xz, yz, 1) at the corner (1, 2, 3); the bounds are
 /// worked out by hand from the eight corners.
 TEST(ReadLammpsDump, TiltsOfATriclinicBoxAreUndone) {
@@ -82,14 +84,16 @@ TEST(ReadLammpsDump, TiltsOfATriclinicBoxAreUndone) {
     EXPECT_EQ(snapshot.y, (Numbers{2, 2, 4, 2 + c.yz, 3 + c.yz / 2}));
     EXPECT_EQ(snapshot.z, (Numbers{3, 3, 3, 4, 3.5}));
     EXPECT_EQ(snapshot.periodic, (std::array{false, true, false}));
+    EXPECT_EQ(snapshot.box, (Box{{{4, 0, 0}, {c.xy, 2, 0}, {c.xz, c.yz, 1}}}));
   }
 }
 
 TEST(ReadLammpsDump, GeneralTriclinicBoxWithPlainCoordinates) {
-  const std::string box = "ITEM: BOX BOUNDS abc origin pp pp ff\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
+  const std::string box = "ITEM: BOX BOUNDS abc origin pp pp ff\n1 2 3 7\n0 1 0 8\n0 0.5 1 9\n";
   const Snapshot snapshot = read_text("a.dump", frame(box, "x y z radius", {"1 2 3 4"}));
   EXPECT_EQ(snapshot.z, Numbers{3});
   EXPECT_EQ(snapshot.periodic, (std::array{true, true, false}));
+  EXPECT_EQ(snapshot.box, (Box{{{1, 2, 3}, {0, 1, 0}, {0, 0.5, 1}}}));
 }
 
 TEST(ReadLammpsDump, EveryFrameCanBeAskedFor) {

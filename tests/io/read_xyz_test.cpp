@@ -51,6 +51,17 @@ TEST(ReadXyz, PeriodicAxesFromPbcElseFromTheLattice) {
   EXPECT_EQ(periodic("a comment"), (std::array{false, false, false}));
 }
 
+TEST(ReadXyz, TheLatticeIsKeptRowByRow) {
+  const auto read = [](std::string_view comment) {
+    return read_text("a.xyz", "1\n" + std::string(comment) + "\nC 1 2 3 1\n");
+  };
+  using Box = std::array<std::array<double, 3>, 3>;
+  const Box expected{{{9, 0.5, 0}, {0, 8, 0}, {-1, 0, 7e-1}}};
+  EXPECT_EQ(read("Lattice=\"9 .5 0 0 8 0 -1 0 7e-1\"").box, expected);
+  EXPECT_EQ(read("lattice='[9, 0.5, 0], [0, 8, 0], [-1, 0, 0.7]' pbc=\"F F F\"").box, expected);
+  EXPECT_FALSE(read("pbc=\"T T T\"").box.has_value());
+}
+
 TEST(ReadXyz, EveryFrameCanBeAskedFor) {
   const std::string text =
       "1\na\nC 10 0 0 1\n2\nb\nC 11 0 0 1\nC 0 0 0 1\n\n0\nc\n1\nd\nC 13 0 0 1";

@@ -25,6 +25,9 @@ Snapshot three_in_a_row() {
 
 const std::vector<ContactPair> two_pairs{{0, 1}, {1, 2}};
 
+const std::vector<ContactPair> three_pairs{{0, 1}, {0, 1}, {2, 2}};
+const std::vector<ImageShift> three_shifts{{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+
 std::string written(ContactFormat format, IdColumns ids, const Snapshot& snapshot,
                     std::span<const ContactPair> pairs) {
   const Scratch scratch;
@@ -52,6 +55,30 @@ TEST(WriteContacts, Json) {
   EXPECT_EQ(written(ContactFormat::json, IdColumns::without, Snapshot{}, {}),
             "{\n\"elements\": 0,\n\"dimensions\": 3,\n\"contact_pairs\": 0,\n"
             "\"columns\": [\"i\", \"j\", \"gap\"],\n\"pairs\": []\n}\n");
+}
+
+TEST(WriteContacts, ImageShiftsOfPeriodicDomains) {
+  const Scratch scratch;
+  const ContactImages images{std::span(three_shifts), Domain::periodic({2.0, unbounded})};
+  const auto text = [&](ContactFormat format, IdColumns ids) {
+    write_contacts({scratch.path("out"), format, ids, {}}, three_in_a_row(), three_pairs, images);
+    return text_of(scratch.path("out"));
+  };
+  EXPECT_EQ(text(ContactFormat::csv, IdColumns::without),
+            "i,j,nx,ny,nz,gap\n0,1,-1,0,0,0\n0,1,0,0,0,0\n2,2,1,0,0,0.5\n");
+  EXPECT_EQ(text(ContactFormat::csv, IdColumns::with),
+            "i,j,id_i,id_j,nx,ny,nz,gap\n0,1,70,-5,-1,0,0,0\n0,1,70,-5,0,0,0,0\n"
+            "2,2,9,9,1,0,0,0.5\n");
+  EXPECT_EQ(
+      text(ContactFormat::json, IdColumns::without),
+      "{\n\"elements\": 3,\n\"dimensions\": 2,\n\"contact_pairs\": 3,\n"
+      "\"columns\": [\"i\", \"j\", \"nx\", \"ny\", \"nz\", \"gap\"],\n"
+      "\"pairs\": [\n[0, 1, -1, 0, 0, 0],\n[0, 1, 0, 0, 0, 0],\n[2, 2, 1, 0, 0, 0.5]\n]\n}\n");
+  const std::string sentence = sentence_of(ErrorCode::wrong_usage, [&] {
+    write_contacts({scratch.path("a"), ContactFormat::csv, IdColumns::without, {}},
+                   three_in_a_row(), three_pairs, {{}, images.domain});
+  });
+  EXPECT_NE(sentence.find("0 image shifts for 3 contact pairs"), std::string::npos) << sentence;
 }
 
 TEST(WriteContacts, OrderIsKept) {

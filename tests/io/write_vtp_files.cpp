@@ -13,10 +13,13 @@ namespace {
 
 using abut::io::Snapshot;
 
-void write(const std::string& path, const Snapshot& snapshot) {
-  const abut::PairList pairs = abut::find_contact_pairs(snapshot.elements());
+void write(const std::string& path, const Snapshot& snapshot,
+           const abut::Domain& domain = abut::Domain::open()) {
+  abut::Options options;
+  options.shifts = abut::Shifts::stored;
+  const abut::PairList pairs = abut::find_contact_pairs(snapshot.elements(), domain, options);
   abut::io::write_contacts({path, abut::io::ContactFormat::vtp, abut::io::IdColumns::without, {}},
-                           snapshot, pairs.pairs());
+                           snapshot, pairs.pairs(), {pairs.shifts(), domain});
 }
 
 void write_all(const std::string& folder) {
@@ -28,6 +31,7 @@ void write_all(const std::string& folder) {
   discs.y = {0, 0, 0, 9};
   discs.radius = {0.5, 0.75, 0.75, 0.25};
   write(folder + "/discs.vtp", discs);
+  write(folder + "/periodic.vtp", discs, abut::Domain::lattice({3, 0}, {1, 9}));
 
   Snapshot alone;
   alone.x = alone.y = alone.z = alone.radius = {1};

@@ -14,25 +14,26 @@
 namespace abut::cli {
 namespace {
 
-/// "2D 3D", with "periodic" where that is carried too.
+/// "2D 3D".
 std::string carries(const AlgorithmInfo& info) {
   std::string text;
   for (int dimensions = info.min_dimensions; dimensions <= info.max_dimensions; ++dimensions) {
     text += fmt::format("{}{}D", text.empty() ? "" : " ", dimensions);
   }
-  return info.periodic ? text + " periodic" : text;
+  return text;
 }
 
 std::string text_of_all() {
   TextTable table(std::vector<Align>(5, Align::left));
   table.add_row({"algorithm", "time", "carries", "book", "idea"});
-  TextTable memory(std::vector<Align>(2, Align::left));
-  memory.add_row({"algorithm", "memory in integers"});
+  TextTable memory(std::vector<Align>(3, Align::left));
+  memory.add_row({"algorithm", "periodic", "memory in integers"});
   for (const AlgorithmInfo& info : algorithms()) {
     table.add_row({std::string(info.name), std::string(info.time), carries(info),
                    info.book_pages.empty() ? "-" : std::string(info.book_pages),
                    std::string(info.idea)});
-    memory.add_row({std::string(info.name), std::string(info.memory)});
+    memory.add_row(
+        {std::string(info.name), info.periodic ? "yes" : "no", std::string(info.memory)});
   }
   return table.text() + '\n' + memory.text() +
          "\nAll find the same pairs. N elements; n_x, n_y, n_z cells along the axes. Book: pages "

@@ -97,6 +97,7 @@ class Bench {
 void run(const BenchOptions& options) {
   Console console(options.console);
   const io::Snapshot snapshot = load_snapshot(options.source, console);
+  require_open(options.source.input.domain, snapshot, "bench");
   const std::vector<Measurement> measurements = Bench(options, snapshot, console).run();
   console.finish();
   const std::vector<Answer> answers = answers_of(measurements);

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace abut::cli {
@@ -36,44 +37,59 @@ struct Run {
   }
 };
 
-Run run_one(Algorithm algorithm, const CompareOptions& options, const io::Snapshot& snapshot,
+/// What all are compared on.
+struct Subject {
+  const io::Snapshot& snapshot;
+  const Domain& domain;
+};
+
+Run run_one(Algorithm algorithm, const CompareOptions& options, const Subject& subject,
             Console& console) {
   Run run;
   run.algorithm = algorithm;
   Options detection;
   detection.algorithm = algorithm;
+  detection.shifts = subject.domain.is_periodic() ? Shifts::stored : Shifts::none;
   detection.margin = options.margin;
   detection.max_bytes = options.max_bytes;
   detection.progress = console.progress();
   try {
-    const PairList pairs = find_contact_pairs(snapshot.elements(), Domain::open(), detection);
+    const PairList pairs =
+        find_contact_pairs(subject.snapshot.elements(), subject.domain, detection);
     run.statistics = pairs.statistics();
-    run.digest = io::digest(pairs.pairs());
+    run.digest = io::digest(pairs.pairs(), pairs.shifts());
   } catch (const Error& error) {
     run.refusal = refusal(error);
   }
   return run;
 }
 
-std::vector<Run> run_all(const CompareOptions& options, const io::Snapshot& snapshot,
-                         Console& console) {
+Run not_run(Algorithm algorithm, std::string refusal) {
+  Run run;
+  run.algorithm = algorithm;
+  run.refusal = std::move(refusal);
+  return run;
+}
+
+std::vector<Run> run_all(const CompareOptions& options, const Subject& subject, Console& console) {
   std::vector<Run> runs;
   if (!options.algorithms.empty()) {
     for (const Algorithm algorithm : options.algorithms) {
-      runs.push_back(run_one(algorithm, options, snapshot, console));
+      runs.push_back(run_one(algorithm, options, subject, console));
     }
     return runs;
   }
   for (const AlgorithmInfo& row : algorithms()) {
-    if (row.algorithm == Algorithm::direct_check && snapshot.size() > most_for_direct_check) {
-      Run left_out;
-      left_out.algorithm = row.algorithm;
-      left_out.refusal = fmt::format("left out above {}; ask for it with --algorithms",
-                                     counted(most_for_direct_check, "element"));
-      runs.push_back(left_out);
-      continue;
+    if (subject.domain.is_periodic() && !row.periodic) {
+      runs.push_back(not_run(row.algorithm, "does not carry periodic domains"));
+    } else if (row.algorithm == Algorithm::direct_check &&
+               subject.snapshot.size() > most_for_direct_check) {
+      runs.push_back(
+          not_run(row.algorithm, fmt::format("left out above {}; ask for it with --algorithms",
+                                             counted(most_for_direct_check, "element"))));
+    } else {
+      runs.push_back(run_one(row.algorithm, options, subject, console));
     }
-    runs.push_back(run_one(row.algorithm, options, snapshot, console));
   }
   return runs;
 }
@@ -140,7 +156,8 @@ std::string json_of(const io::Snapshot& snapshot, const std::vector<Run>& runs,
 void run(const CompareOptions& options) {
   Console console(options.console);
   const io::Snapshot snapshot = load_snapshot(options.source, console);
-  const std::vector<Run> runs = run_all(options, snapshot, console);
+  const Domain domain = domain_of(options.source.input.domain, snapshot);
+  const std::vector<Run> runs = run_all(options, {snapshot, domain}, console);
   console.finish();
   const std::vector<Answer> answers = answers_of(runs);
   write_out(options.listing == Listing::json ? json_of(snapshot, runs, answers)

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace abut::cli {
@@ -28,7 +29,6 @@ io::ContactFormat output_format(const ContactsOptions& options) {
 
 io::Snapshot read(const ContactsOptions& options, Console& console) {
   io::Snapshot snapshot = load_snapshot(options.input, console);
-  require_carried_box(options.input, snapshot);
   if (options.ids && snapshot.ids.empty() && snapshot.size() > 0) {
     throw Error(
         ErrorCode::wrong_usage,
@@ -38,26 +38,40 @@ io::Snapshot read(const ContactsOptions& options, Console& console) {
 }
 
 /// Pairs are stored unless only their number is asked for.
-PairList detect(const ContactsOptions& options, const io::Snapshot& snapshot, Console& console) {
+PairList detect(const ContactsOptions& options, const io::Snapshot& snapshot, const Domain& domain,
+                Console& console) {
   Options detection = options.detection;
   detection.progress = console.progress();
   if (options.report == Report::count && options.output.empty()) {
-    return {{}, count_contact_pairs(snapshot.elements(), Domain::open(), detection)};
+    return {{}, count_contact_pairs(snapshot.elements(), domain, detection)};
   }
-  return find_contact_pairs(snapshot.elements(), Domain::open(), detection);
+  detection.shifts = domain.is_periodic() ? Shifts::stored : Shifts::none;
+  return find_contact_pairs(snapshot.elements(), domain, detection);
 }
 
 void write(const ContactsOptions& options, io::ContactFormat format, const io::Snapshot& snapshot,
-           const PairList& pairs, Console& console) {
+           const Domain& domain, const PairList& pairs, Console& console) {
   const auto ids = options.ids ? io::IdColumns::with : io::IdColumns::without;
-  io::write_contacts({options.output, format, ids, console.progress()}, snapshot, pairs.pairs());
+  io::write_contacts({options.output, format, ids, console.progress()}, snapshot, pairs.pairs(),
+                     {pairs.shifts(), domain});
 }
 
 std::string digest_line(const ContactsOptions& options, const PairList& pairs) {
-  if (options.detection.order == Order::canonical) return io::digest(pairs.pairs()) + '\n';
-  std::vector<ContactPair> canonical(pairs.begin(), pairs.end());
+  if (options.detection.order == Order::canonical) {
+    return io::digest(pairs.pairs(), pairs.shifts()) + '\n';
+  }
+  std::vector<std::pair<ContactPair, ImageShift>> canonical;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    canonical.emplace_back(pairs[k], pairs.shifts().empty() ? ImageShift{} : pairs.shifts()[k]);
+  }
   std::sort(canonical.begin(), canonical.end());
-  return io::digest(canonical) + '\n';
+  std::vector<ContactPair> sorted;
+  std::vector<ImageShift> shifts;
+  for (const auto& [pair, shift] : canonical) {
+    sorted.push_back(pair);
+    if (!pairs.shifts().empty()) shifts.push_back(shift);
+  }
+  return io::digest(sorted, shifts) + '\n';
 }
 
 std::string json_object(const Statistics& statistics, const PhaseSeconds& seconds) {
@@ -72,7 +86,7 @@ std::string json_object(const Statistics& statistics, const PhaseSeconds& second
 }
 
 std::string report_text(const ContactsOptions& options, const io::Snapshot& snapshot,
-                        const PairList& pairs, const PhaseSeconds& seconds) {
+                        const Domain& domain, const PairList& pairs, const PhaseSeconds& seconds) {
   const Statistics& statistics = pairs.statistics();
   switch (options.report) {
     case Report::count:
@@ -84,7 +98,7 @@ std::string report_text(const ContactsOptions& options, const io::Snapshot& snap
     case Report::summary:
       break;
   }
-  return contact_summary(options, snapshot, pairs, seconds);
+  return contact_summary(options, {snapshot, domain, pairs}, seconds);
 }
 
 /// Where the pairs take standard output, the report goes to standard error.
@@ -114,17 +128,18 @@ void run(const ContactsOptions& options) {
   require_other_file(options);
   const io::Snapshot snapshot = read(options, console);
   seconds.read = stopwatch.lap();
-  const PairList pairs = detect(options, snapshot, console);
+  const Domain domain = domain_of(options.input.domain, snapshot);
+  const PairList pairs = detect(options, snapshot, domain, console);
   seconds.search = stopwatch.lap();
   if (!options.output.empty()) {
-    write(options, format, snapshot, pairs, console);
+    write(options, format, snapshot, domain, pairs, console);
     seconds.write = stopwatch.lap();
   }
   seconds.total = seconds.read + seconds.search + seconds.write;
   console.finish();
 
   if (options.report == Report::summary && console.is_quiet()) return;
-  show_report(options, report_text(options, snapshot, pairs, seconds));
+  show_report(options, report_text(options, snapshot, domain, pairs, seconds));
 }
 
 }  // namespace abut::cli

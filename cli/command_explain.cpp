@@ -105,7 +105,7 @@ void run(const ExplainOptions& options) {
   }
   Console console(options.console);
   const io::Snapshot snapshot = load_snapshot(options.input, console);
-  require_carried_box(options.input, snapshot);
+  require_open(options.input.domain, snapshot, "explain");
   console.finish();
   write_out(explain_file(options, snapshot));
 }

@@ -57,13 +57,32 @@ std::string radii_text(const io::Snapshot& snapshot) {
   return text;
 }
 
-std::string next_command(const InfoOptions& options, const io::Snapshot& snapshot) {
+/// The lengths of an upright box, or the vectors of another; nothing where the file names none.
+std::string box_text(const io::Snapshot& snapshot) {
+  if (!snapshot.box.has_value()) return "";
+  const auto dimensions = static_cast<std::size_t>(snapshot.dimensions);
+  std::string lengths;
+  std::string vectors;
+  bool upright = true;
+  for (std::size_t k = 0; k < dimensions; ++k) {
+    const auto& row = (*snapshot.box)[k];
+    std::string numbers;
+    for (std::size_t axis = 0; axis < dimensions; ++axis) {
+      upright = upright && (axis == k || row[axis] == 0.0);
+      numbers += (axis > 0 ? ", " : "") + measure(row[axis]);
+    }
+    lengths += (k > 0 ? " x " : "") + measure(row[k]);
+    vectors += fmt::format("{}{} = ({})", k > 0 ? ", " : "", "abc"[k], numbers);
+  }
+  return (upright ? lengths : vectors) + ", ";
+}
+
+std::string next_command(const InfoOptions& options) {
   std::string command = "abut contacts " + shell_quoted(options.input.path);
   if (options.input.frame.has_value()) command += fmt::format(" --frame {}", *options.input.frame);
   if (options.input.radius.has_value()) {
     command += fmt::format(" --radius {}", *options.input.radius);
   }
-  if (!periodic_axes(snapshot).empty()) command += " --periodic none";
   return command;
 }
 
@@ -86,10 +105,11 @@ std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot) {
     }
     table.add_row({"radii", radii_text(snapshot)});
   }
-  const std::string axes = periodic_axes(snapshot);
-  table.add_row({"box", axes.empty() ? "not periodic" : "periodic in " + axes});
+  const std::string axes = axes_text(periodic_axes(snapshot));
+  table.add_row(
+      {"box", box_text(snapshot) + (axes.empty() ? "not periodic" : "periodic in " + axes)});
   table.add_row({"ids", ids_text(snapshot)});
-  table.add_row({"next", next_command(options, snapshot)});
+  table.add_row({"next", next_command(options)});
   return snapshot.source + '\n' + table.text("  ");
 }
 
@@ -107,13 +127,22 @@ std::string json_of(const io::Snapshot& snapshot) {
                         json_number(mean_radius(snapshot)), json_number(range.most));
   }
   const auto& periodic = snapshot.periodic;
+  std::string box = "null";
+  if (snapshot.box.has_value()) {
+    box = "";
+    for (const auto& row : *snapshot.box) {
+      box += fmt::format("{}[{}, {}, {}]", box.empty() ? "[" : ", ", json_number(row[0]),
+                         json_number(row[1]), json_number(row[2]));
+    }
+    box += "]";
+  }
   return fmt::format(
       "{{\"file\": {}, \"format\": {}, \"frame\": {}, \"frames\": {}, \"elements\": {}, "
       "\"dimensions\": {}, \"center\": {{\"min\": [{}], \"max\": [{}]}}, \"radius\": {}, "
-      "\"periodic\": [{}, {}, {}], \"ids\": {}}}\n",
+      "\"periodic\": [{}, {}, {}], \"box\": {}, \"ids\": {}}}\n",
       json_string(snapshot.source), json_string(snapshot.format), snapshot.frame,
       snapshot.frame_count, snapshot.size(), snapshot.dimensions, least, most, radii, periodic[0],
-      periodic[1], periodic[2], !snapshot.ids.empty());
+      periodic[1], periodic[2], box, !snapshot.ids.empty());
 }
 
 }  // namespace

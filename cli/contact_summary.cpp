@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace abut::cli {
@@ -25,23 +26,28 @@ struct Findings {
   std::uint32_t highest_coordination = 0;
   double smallest_gap = std::numeric_limits<double>::infinity();
   ContactPair closest;
+  ImageShift shift;  ///< of the closest
 };
 
-Findings findings(const io::Snapshot& snapshot, const PairList& pairs) {
+Findings findings(const Contacts& contacts) {
   constexpr std::uint64_t pairs_between_looks = 1 << 20;
   Findings found;
-  std::vector<std::uint32_t> coordination(snapshot.size(), 0);
-  const ElementView elements = snapshot.elements();
-  std::uint64_t seen = 0;
-  for (const ContactPair& pair : pairs) {
-    if (++seen % pairs_between_looks == 0) stop_if_interrupted();
+  std::vector<std::uint32_t> coordination(contacts.snapshot.size(), 0);
+  const ElementView elements = contacts.snapshot.elements();
+  for (std::size_t k = 0; k < contacts.pairs.size(); ++k) {
+    if ((k + 1) % pairs_between_looks == 0) stop_if_interrupted();
+    const ContactPair& pair = contacts.pairs[k];
+    const ImageShift shift = contacts.shift(k);
     ++coordination[pair.first];
     ++coordination[pair.second];
-    const double gap_here = gap(elements, pair);
+    const double gap_here = gap(elements, contacts.domain, pair, shift);
     // Of equal gaps the first in canonical order, whatever the order of the list.
-    if (gap_here < found.smallest_gap || (gap_here == found.smallest_gap && pair < found.closest)) {
+    if (gap_here < found.smallest_gap ||
+        (gap_here == found.smallest_gap &&
+         std::tie(pair, shift) < std::tie(found.closest, found.shift))) {
       found.smallest_gap = gap_here;
       found.closest = pair;
+      found.shift = shift;
     }
   }
   for (const std::uint32_t neighbors : coordination) {
@@ -51,7 +57,16 @@ Findings findings(const io::Snapshot& snapshot, const PairList& pairs) {
   return found;
 }
 
-std::string file_line(const io::Snapshot& snapshot) {
+std::string domain_text(const Contacts& contacts) {
+  if (contacts.domain.is_periodic()) {
+    return ", periodic in " + axes_text(contacts.domain.periodic_axes());
+  }
+  const std::string axes = axes_text(periodic_axes(contacts.snapshot));
+  return axes.empty() ? ", open space" : fmt::format(", periodic in {} but taken as open", axes);
+}
+
+std::string file_line(const Contacts& contacts) {
+  const io::Snapshot& snapshot = contacts.snapshot;
   std::string line = fmt::format("{}: {}", snapshot.source, snapshot.format);
   if (snapshot.frame_count > 1) line += ", " + frame_text(snapshot);
   line += ", " + elements_text(snapshot);
@@ -60,9 +75,7 @@ std::string file_line(const io::Snapshot& snapshot) {
     line += *least == *most ? fmt::format(" of radius {}", measure(*least))
                             : fmt::format(" of radius {} to {}", measure(*least), measure(*most));
   }
-  const std::string axes = periodic_axes(snapshot);
-  line += axes.empty() ? ", open space" : fmt::format(", periodic in {} but taken as open", axes);
-  return line;
+  return line + domain_text(contacts);
 }
 
 std::string share_text(std::uint64_t part, std::uint64_t whole) {
@@ -93,6 +106,10 @@ std::string closest_elements(const io::Snapshot& snapshot, const Findings& found
   if (!snapshot.ids.empty()) {
     text += fmt::format(", ids {} and {}", snapshot.ids[i], snapshot.ids[j]);
   }
+  if (found.shift != ImageShift{}) {
+    text += fmt::format(", image ({}, {}, {}) of the second", found.shift.x, found.shift.y,
+                        found.shift.z);
+  }
   return text;
 }
 
@@ -110,14 +127,14 @@ bool is_vtp(const ContactsOptions& options) {
   return options.output_format == "vtp" || options.output.ends_with(".vtp");
 }
 
-std::string next_command(const ContactsOptions& options, const io::Snapshot& snapshot) {
+std::string next_command(const ContactsOptions& options) {
   if (is_vtp(options) && options.output != "-") return "paraview " + shell_quoted(options.output);
   std::string command = "abut contacts " + shell_quoted(options.input.path);
   if (options.input.frame.has_value()) command += fmt::format(" --frame {}", *options.input.frame);
   if (options.input.radius.has_value()) {
     command += fmt::format(" --radius {}", *options.input.radius);
   }
-  if (!periodic_axes(snapshot).empty()) command += " --periodic none";
+  command += options.input.domain.as_given;
   if (options.detection.margin > 0.0) {
     command += fmt::format(" --margin {}", options.detection.margin);
   }
@@ -126,8 +143,10 @@ std::string next_command(const ContactsOptions& options, const io::Snapshot& sna
 
 }  // namespace
 
-std::string contact_summary(const ContactsOptions& options, const io::Snapshot& snapshot,
-                            const PairList& pairs, const PhaseSeconds& seconds) {
+std::string contact_summary(const ContactsOptions& options, const Contacts& contacts,
+                            const PhaseSeconds& seconds) {
+  const io::Snapshot& snapshot = contacts.snapshot;
+  const PairList& pairs = contacts.pairs;
   const Statistics& statistics = pairs.statistics();
   TextTable table({Align::left, Align::left});
   std::string count = grouped(pairs.size());
@@ -136,7 +155,7 @@ std::string contact_summary(const ContactsOptions& options, const io::Snapshot& 
   }
   table.add_row({"contact pairs", count});
   if (!snapshot.x.empty()) {
-    const Findings found = findings(snapshot, pairs);
+    const Findings found = findings(contacts);
     table.add_row({"coordination", coordination_text(pairs, found)});
     table.add_row({options.detection.margin > 0.0 ? "without a pair" : "touch nothing",
                    share_text(found.elements_without_pair, statistics.elements)});
@@ -157,8 +176,8 @@ std::string contact_summary(const ContactsOptions& options, const io::Snapshot& 
   if (!options.output.empty() && options.output != "-") {
     table.add_row({"written to", options.output});
   }
-  table.add_row({"next", next_command(options, snapshot)});
-  return wrapped(file_line(snapshot), 100, 2) + '\n' + table.text("  ");
+  table.add_row({"next", next_command(options)});
+  return wrapped(file_line(contacts), 100, 2) + '\n' + table.text("  ");
 }
 
 }  // namespace abut::cli

@@ -9,9 +9,19 @@
 
 namespace abut::cli {
 
+/// Elements, where they live, and their contacts.
+struct Contacts {
+  const io::Snapshot& snapshot;
+  const Domain& domain;
+  const PairList& pairs;  ///< with their shifts where the domain is periodic
+
+  [[nodiscard]] ImageShift shift(std::size_t k) const {
+    return pairs.shifts().empty() ? ImageShift{} : pairs.shifts()[k];
+  }
+};
+
 /// What people want to know about a packing at first sight.
-[[nodiscard]] std::string contact_summary(const ContactsOptions& options,
-                                          const io::Snapshot& snapshot, const PairList& pairs,
+[[nodiscard]] std::string contact_summary(const ContactsOptions& options, const Contacts& contacts,
                                           const PhaseSeconds& seconds);
 
 }  // namespace abut::cli

@@ -24,9 +24,7 @@ io::Snapshot load_snapshot(const FileOrScene& source, Console& console) {
     throw Error(ErrorCode::wrong_usage,
                 fmt::format("{} is a scene: say how many elements with --count", name));
   }
-  io::Snapshot snapshot = load_snapshot(source.input, console);
-  require_carried_box(source.input, snapshot);
-  return snapshot;
+  return load_snapshot(source.input, console);
 }
 
 }  // namespace abut::cli

@@ -14,8 +14,7 @@ struct FileOrScene {
   std::uint64_t seed = 1;
 };
 
-/// Throws as load_snapshot, require_carried_box and make_scene do; Error{wrong_usage} for a scene
-/// without a count.
+/// Throws as load_snapshot and make_scene do; Error{wrong_usage} for a scene without a count.
 [[nodiscard]] io::Snapshot load_snapshot(const FileOrScene& source, Console& console);
 
 }  // namespace abut::cli

@@ -65,14 +65,6 @@ void add_json(CLI::App& app, Listing& listing) {
   add_switch(app, "--json", "one JSON object", listing, Listing::json);
 }
 
-PeriodicBox periodic_box(const std::string& text) {
-  if (text == "none") return PeriodicBox::take_as_open;
-  throw Error(ErrorCode::wrong_usage,
-              fmt::format("--periodic {}: periodic boxes are not carried yet; --periodic none "
-                          "takes a periodic box as open",
-                          text));
-}
-
 void add_frame_and_radius(CLI::App& app, InputOptions& input) {
   add_value(app, "--frame", "K", "frame of FILE, from 0, negative from the end; default the last",
             [&input](const std::string& text) {
@@ -82,9 +74,25 @@ void add_frame_and_radius(CLI::App& app, InputOptions& input) {
             [&input](const std::string& text) { input.radius = length("--radius", text); });
 }
 
-void add_periodic(CLI::App& app, InputOptions& input) {
-  add_value(app, "--periodic", "none", "take a box that FILE calls periodic as open",
-            [&input](const std::string& text) { input.periodic_box = periodic_box(text); });
+void add_domain(CLI::App& app, DomainOptions& domain) {
+  const auto add = [&app, &domain](const std::string& name, const std::string& type,
+                                   const std::string& description, auto use) {
+    return add_value(app, name, type, description, [&domain, name, use](const std::string& text) {
+      use(text);
+      domain.as_given += fmt::format(" {} {}", name, text);
+    });
+  };
+  add("--periodic", "AXES",
+      "periodic axes, such as xy, or none for open space; default what FILE says, or all of a box "
+      "that is given",
+      [&domain](const std::string& text) { domain.periodic = axes_named(text); });
+  CLI::Option* box =
+      add("--box", "LX,LY[,LZ]", "lengths of the periodic box; default that of FILE",
+          [&domain](const std::string& text) { domain.box = number_list("--box", text); });
+  CLI::Option* lattice =
+      add("--lattice", "A,B[,C]", "4 or 9 numbers: the vectors of the periodic cell one by one",
+          [&domain](const std::string& text) { domain.lattice = number_list("--lattice", text); });
+  box->excludes(lattice);
 }
 
 void add_input_format(CLI::App& app, InputOptions& input) {
@@ -97,7 +105,7 @@ void add_input_format(CLI::App& app, InputOptions& input) {
 void add_input(CLI::App& app, InputOptions& input) {
   add_input_format(app, input);
   add_frame_and_radius(app, input);
-  add_periodic(app, input);
+  add_domain(app, input.domain);
 }
 
 void add_file_or_scene(CLI::App& app, FileOrScene& source) {
@@ -190,7 +198,7 @@ void add_contacts(CLI::App& app, Command& command) {
   CLI::App& sub = *app.add_subcommand("contacts", "finds which elements of a file touch");
   sub.footer(
       "abut contacts packing.csv\n"
-      "abut contacts pour.dump --frame 0 --periodic none -o contacts.vtp\n"
+      "abut contacts pour.dump --frame 0 -o contacts.vtp\n"
       "abut contacts packing.csv -o - | head");
   auto options = hand_over<ContactsOptions>(sub, command);
   auto format = std::make_shared<std::string>();
@@ -208,7 +216,7 @@ void add_contacts(CLI::App& app, Command& command) {
   add_report(sub, options->report);
   add_detection(sub, options->detection);
   add_frame_and_radius(sub, options->input);
-  add_periodic(sub, options->input);
+  add_domain(sub, options->input.domain);
   add_console(sub, options->console);
   sub.callback([&command, options, format] {
     const bool of_output = !options->output.empty() && is_contact_format(*format);

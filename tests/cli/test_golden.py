@@ -50,7 +50,18 @@ def test_pairs_of_four_discs(abut, golden, name, arguments):
 
 
 @pytest.mark.parametrize("name, arguments", [
+    ("csv", []), ("json", ["--format", "json"])])
+def test_pairs_of_periodic_discs(abut, golden, name, arguments):
+    """In a box that two of them span, and one touches itself."""
+    done = abut("contacts", "-", "-o", "-", "-q", "--box", "4,2", *arguments, stdin=DISCS)
+    assert (done.returncode, done.stderr) == (0, "")
+    golden(f"periodic_discs_{name}", done.stdout)
+
+
+@pytest.mark.parametrize("name, arguments", [
     ("discs", ["-"]),
+    ("periodic_discs", ["-", "--box", "4,2.5", "--periodic", "y"]),
+    ("lammps_periodic", ["lammps_pour.dump"]),
     ("discs_margin", ["-", "--margin", "1"]),
     ("yade", ["yade_settled_5000.csv"]),
     ("lammps", ["lammps_pour.dump", "--periodic", "none"]),

@@ -1,6 +1,7 @@
 """The packings of examples/data against what other programs say about them."""
 
 import hashlib
+import math
 import shutil
 import struct
 import subprocess
@@ -33,12 +34,51 @@ def test_lammps_taken_as_open(abut, algorithm):
     assert (done.returncode, done.stdout) == (0, "4158\n")
 
 
-def test_periodic_box_is_never_silently_open(fails, tmp_path):
-    out = tmp_path / "contacts.csv"
-    for command in (["contacts", LAMMPS, "-o", out], ["contacts", LAMMPS, "--count"],
-                    ["compare", LAMMPS], ["explain", "munjiza_nbs", LAMMPS]):
+def lammps_atoms():
+    """The atoms of the last frame, as LAMMPS names their columns."""
+    text = LAMMPS.read_text()
+    rows = text[text.rindex("ITEM: ATOMS"):].splitlines()
+    return [dict(zip(rows[0].split()[2:], map(float, row.split()))) for row in rows[1:]]
+
+
+def test_periodic_contacts_are_those_that_lammps_counts(abut):
+    atoms = lammps_atoms()
+    rows = [line.split(",") for line in
+            abut("contacts", LAMMPS, "-o", "-", "-q").stdout.splitlines()]
+    assert rows[0] == ["i", "j", "nx", "ny", "nz", "gap"] and len(rows) == 4402
+    own = [0] * len(atoms)
+    for i, j, *shift, gap in rows[1:]:
+        i, j, (nx, ny, nz) = int(i), int(j), map(int, shift)
+        own[i] += 1
+        own[j] += 1
+        a, b = atoms[i], atoms[j]
+        distance = math.hypot(a["x"] - b["x"] - 20 * nx, a["y"] - b["y"] - 20 * ny, a["z"] - b["z"])
+        assert abs(distance - a["radius"] - b["radius"] - float(gap)) < 1e-12 and nz == 0
+    assert own == [round(atom["c_c"]) for atom in atoms]
+
+
+def test_periodic_digest_can_be_recomputed(abut):
+    rows = [tuple(map(int, line.split(",")[:5])) for line in
+            abut("contacts", LAMMPS, "-o", "-", "-q").stdout.splitlines()[1:]]
+    assert rows == sorted(rows)
+    packed = b"".join(struct.pack("<IIiii", *row) for row in rows)
+    for order in ("canonical", "as_found"):
+        done = abut("contacts", LAMMPS, "--digest", "--order", order)
+        assert done.stdout == f"sha256:{hashlib.sha256(packed).hexdigest()}\n"
+
+
+@pytest.mark.parametrize("arguments", [
+    ["--periodic", "xy"], ["--box", "20,20,inf"], ["--box", "20,20,1", "--periodic", "xy"],
+    ["--lattice", "20,0,0,-60,20,0,0,0,0", "--periodic", "xy"]])
+def test_the_same_domain_in_other_words(abut, arguments):
+    assert abut("contacts", LAMMPS, "--count", *arguments).stdout == "4401\n"
+
+
+def test_commands_for_open_space_refuse_a_periodic_box(fails, abut):
+    for command in (["explain", "munjiza_nbs", LAMMPS], ["bench", LAMMPS]):
         assert "--periodic none" in fails(2, *command)
-    assert not out.exists()
+    done = abut("compare", LAMMPS)
+    assert done.returncode == 0 and "munjiza_nbs: does not carry periodic domains" in done.stdout
 
 
 def test_frames(abut, fails):

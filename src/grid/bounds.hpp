@@ -31,6 +31,17 @@ struct Bounds {
     largest_radius = std::max(largest_radius, radius);
   }
 
+  void include(const Bounds& others) noexcept {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      lower[axis] = std::min(lower[axis], others.lower[axis]);
+      upper[axis] = std::max(upper[axis], others.upper[axis]);
+    }
+    second_largest_radius = std::max({second_largest_radius, others.second_largest_radius,
+                                      std::min(largest_radius, others.largest_radius)});
+    largest_radius = std::max(largest_radius, others.largest_radius);
+    smallest_radius = std::min(smallest_radius, others.smallest_radius);
+  }
+
  private:
   static constexpr std::array<double, Dim> filled(double value) noexcept {
     std::array<double, Dim> result{};

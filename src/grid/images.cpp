@@ -105,12 +105,10 @@ void Images<Dim>::find(std::span<const base::Sphere<Dim>> spheres, const Bounds<
   unit_ = 1.0;
   slack_ = 0.0;
   moved_any_ = false;
+  bounds_ = bounds;
   if (spheres.empty() || lattice.count == 0) return;
 
-  while (parts_.size() < workers) {
-    parts_.push_back(base::make_array_for_overwrite<Ghost>(memory_, 0));
-  }
-  if (extents_.size() < workers) extents_.resize(workers);
+  while (parts_.size() < workers) parts_.emplace_back(memory_);
   place_natives(spheres, bounds, margin, workers);
   const Reaches reaches{bounds.largest_radius * unit_, margin * unit_};
   const GhostWindow<Dim> window(lattice, extent_, reaches, unit_);
@@ -143,7 +141,7 @@ void Images<Dim>::place_natives(std::span<const base::Sphere<Dim>> spheres,
   } else {
     base::for_each_worker(workers, [&](std::size_t worker) {
       const auto [first, last] = base::share_of(worker, workers, spheres.size());
-      extents_[worker] = extent_of(spheres.subspan(first, last - first), fractions);
+      parts_[worker].extent = extent_of(spheres.subspan(first, last - first), fractions);
     });
     join_extents(workers);
   }
@@ -162,7 +160,7 @@ void Images<Dim>::place_natives(std::span<const base::Sphere<Dim>> spheres,
 template <int Dim>
 void Images<Dim>::join_extents(std::size_t workers) {
   extent_ = {};
-  for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(extents_[worker]);
+  for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(parts_[worker].extent);
 }
 
 template <int Dim>
@@ -175,35 +173,41 @@ void Images<Dim>::move_natives(std::span<const base::Sphere<Dim>> spheres,
   const FractionMap<Dim> fractions(*lattice_, unit_);
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
+    Bounds<Dim> bounds;
     for (std::size_t i = first; i < last; ++i) {
       base::Sphere<Dim> sphere = spheres[i];
       cells_moved_[i] = wrapper.wrap(sphere, i);
       for (double& x : sphere.center) x *= unit_;
       sphere.radius *= unit_;
       own_natives_[i] = sphere;
+      bounds.include_center(sphere);
+      bounds.include_radius(sphere.radius);
     }
-    extents_[worker] = extent_of(natives_.subspan(first, last - first), fractions);
+    parts_[worker].bounds = bounds;
+    parts_[worker].extent = extent_of(natives_.subspan(first, last - first), fractions);
   });
   join_extents(workers);
+  bounds_ = {};
+  for (std::size_t worker = 0; worker < workers; ++worker) bounds_.include(parts_[worker].bounds);
 }
 
 template <int Dim>
 void Images<Dim>::find_ghosts(const GhostWindow<Dim>& window, std::size_t workers) {
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, natives_.size());
-    parts_[worker].clear();
-    append_ghosts(natives_, first, last, window, parts_[worker]);
+    parts_[worker].ghosts.clear();
+    append_ghosts(natives_, first, last, window, parts_[worker].ghosts);
   });
   if (workers == 1) {
-    ghosts_ = parts_[0];
+    ghosts_ = parts_[0].ghosts;
     return;
   }
   std::size_t count = 0;
-  for (std::size_t worker = 0; worker < workers; ++worker) count += parts_[worker].size();
+  for (std::size_t worker = 0; worker < workers; ++worker) count += parts_[worker].ghosts.size();
   base::make_room(own_ghosts_, count);
   auto end = own_ghosts_.begin();
   for (std::size_t worker = 0; worker < workers; ++worker) {
-    end = std::copy(parts_[worker].begin(), parts_[worker].end(), end);
+    end = std::copy(parts_[worker].ghosts.begin(), parts_[worker].ghosts.end(), end);
   }
   ghosts_ = {own_ghosts_.data(), count};
 }

@@ -48,6 +48,9 @@ class Images {
   /// element had to be moved.
   [[nodiscard]] std::span<const base::Sphere<Dim>> natives() const noexcept { return natives_; }
 
+  /// Of the natives.
+  [[nodiscard]] const Bounds<Dim>& bounds() const noexcept { return bounds_; }
+
   /// Ordered by element, then by image.
   [[nodiscard]] std::span<const Ghost> ghosts() const noexcept { return ghosts_; }
 
@@ -79,6 +82,16 @@ class Images {
   }
 
  private:
+  /// What one worker finds out about its elements.
+  struct Part {
+    explicit Part(base::MemoryMeter& memory)
+        : ghosts(base::make_array_for_overwrite<Ghost>(memory, 0)) {}
+
+    CellExtent<Dim> extent;
+    Bounds<Dim> bounds;
+    base::Array<Ghost> ghosts;
+  };
+
   void place_natives(std::span<const base::Sphere<Dim>> spheres, const Bounds<Dim>& bounds,
                      double margin, std::size_t workers);
   void move_natives(std::span<const base::Sphere<Dim>> spheres, const std::array<bool, Dim>& along,
@@ -97,13 +110,13 @@ class Images {
   double unit_ = 1.0;
   double slack_ = 0.0;
   CellExtent<Dim> extent_;  ///< of the natives
+  Bounds<Dim> bounds_;
   bool moved_any_ = false;
 
   base::Array<base::Sphere<Dim>> own_natives_;
   base::Array<CellsMoved> cells_moved_;
   base::Array<Ghost> own_ghosts_;
-  std::vector<base::Array<Ghost>> parts_;  ///< ghosts of each worker's elements
-  std::vector<CellExtent<Dim>> extents_;   ///< of each worker's elements
+  std::vector<Part> parts_;
 };
 
 }  // namespace abut::grid

@@ -207,17 +207,18 @@ TYPED_TEST(Images, DoNotDependOnTheNumberOfWorkers) {
   const grid::ReducedLattice<dim> reduced(system.lattice);
   base::MemoryMeter memory;
   grid::Images<dim> one(memory);
-  one.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, 1);
+  one.find(system.spheres, bounds_of<dim>(system.spheres), reduced, system.margin, 1);
   ASSERT_GT(one.ghosts().size(), 10u);
   for (const std::size_t workers : {2u, 3u, 7u, 50u}) {
     grid::Images<dim> several(memory);
-    several.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, workers);
+    several.find(system.spheres, bounds_of<dim>(system.spheres), reduced, system.margin, workers);
     ASSERT_EQ(several.ghosts().size(), one.ghosts().size());
     for (std::size_t k = 0; k < one.ghosts().size(); ++k) {
       ASSERT_EQ(several.ghosts()[k].element, one.ghosts()[k].element);
       ASSERT_EQ(several.ghosts()[k].image, one.ghosts()[k].image);
     }
     ASSERT_EQ(several.slack(), one.slack());
+    expect_same(several.bounds(), one.bounds());
   }
 }
 
@@ -231,9 +232,9 @@ TYPED_TEST(Images, AreFoundAgainInTheSameMemory) {
   base::MemoryMeter memory;
   grid::Images<dim> images(memory);
   for (const std::size_t workers : {1u, 2u}) {
-    images.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, workers);
+    images.find(system.spheres, bounds_of<dim>(system.spheres), reduced, system.margin, workers);
     const std::uint64_t held = memory.held();
-    images.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, workers);
+    images.find(system.spheres, bounds_of<dim>(system.spheres), reduced, system.margin, workers);
     EXPECT_EQ(memory.held(), held);
     EXPECT_GT(held, 0u);
   }

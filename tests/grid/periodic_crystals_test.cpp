@@ -89,7 +89,7 @@ TEST(ImagesOfAnOrthogonalCell, LeaveElementsWhereTheyAre) {
   const grid::ReducedLattice<3> reduced(system.lattice);
   base::MemoryMeter memory;
   grid::Images<3> images(memory);
-  images.find(system.spheres, bounds_of(system.spheres), reduced, 0.0, 1);
+  images.find(system.spheres, bounds_of<3>(system.spheres), reduced, 0.0, 1);
   EXPECT_EQ(images.natives().data(), system.spheres.data());
   // Faces of the positive half: one layer of 100 in z, and in y and x with the layers beside it.
   // Of 10 layers one lies within reach of the next cell, one of the last.
@@ -110,7 +110,7 @@ TEST(ImagesOfAnOrthogonalCell, OneTenthOfACellOutsideIsWrapped) {
   const grid::ReducedLattice<3> reduced(system.lattice);
   base::MemoryMeter memory;
   grid::Images<3> images(memory);
-  images.find(system.spheres, bounds_of(system.spheres), reduced, 0.0, 1);
+  images.find(system.spheres, bounds_of<3>(system.spheres), reduced, 0.0, 1);
   ASSERT_NE(images.natives().data(), system.spheres.data());
   EXPECT_EQ(images.natives()[7].center[2], 1.0);
   EXPECT_EQ(images.natives()[8].center[2], 8.0);

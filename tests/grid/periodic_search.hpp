@@ -5,10 +5,12 @@
 #include "grid/images.hpp"
 
 #include <gmpxx.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -42,13 +44,22 @@ struct FoundPair {
 }
 
 template <int Dim>
-[[nodiscard]] grid::Bounds<Dim> bounds_of(const std::vector<base::Sphere<Dim>>& spheres) {
+[[nodiscard]] grid::Bounds<Dim> bounds_of(std::span<const base::Sphere<Dim>> spheres) {
   grid::Bounds<Dim> bounds;
   for (const auto& sphere : spheres) {
     bounds.include_center(sphere);
     bounds.include_radius(sphere.radius);
   }
   return bounds;
+}
+
+template <int Dim>
+void expect_same(const grid::Bounds<Dim>& a, const grid::Bounds<Dim>& b) {
+  EXPECT_EQ(a.lower, b.lower);
+  EXPECT_EQ(a.upper, b.upper);
+  EXPECT_EQ(a.smallest_radius, b.smallest_radius);
+  EXPECT_EQ(a.largest_radius, b.largest_radius);
+  EXPECT_EQ(a.second_largest_radius, b.second_largest_radius);
 }
 
 /// Whether two elements may be within reach of each other, as a search in open space sees it that
@@ -71,8 +82,9 @@ template <int Dim>
   const grid::ReducedLattice<Dim> reduced(system.lattice);
   base::MemoryMeter memory;
   grid::Images<Dim> images(memory);
-  images.find(system.spheres, bounds_of(system.spheres), reduced, system.margin, workers);
+  images.find(system.spheres, bounds_of<Dim>(system.spheres), reduced, system.margin, workers);
   const double margin = system.margin * images.unit();
+  expect_same(images.bounds(), bounds_of<Dim>(images.natives()));
   std::vector<FoundPair> pairs;
   std::uint64_t exact_decisions = 0;
   const auto decide = [&](std::size_t i, std::size_t j, const ImageShift& shift) {

@@ -109,7 +109,7 @@ TYPED_TEST(Wrapper, SlackOfImagesCoversTheirRounding) {
     }
     base::MemoryMeter memory;
     grid::Images<dim> images(memory);
-    images.find(spheres, bounds_of(spheres), reduced, 0.0, 1);
+    images.find(spheres, bounds_of<dim>(spheres), reduced, 0.0, 1);
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       for (const grid::Ghost& ghost : images.ghosts()) {
         const auto shift = base::numbers(images.shift_between(i, ghost));

@@ -154,6 +154,27 @@ TEST(Detector, WorksAfterLackOfMemory) {
   }
 }
 
+/// What was counted for an allocation that then failed is given back.
+TEST(Detector, HoldsNoMoreAfterFailures) {
+  const Scene scene = made("dense", 3000);
+  Detector fresh({.threads = 1});
+  static_cast<void>(fresh.find_contact_pairs(view_of(scene)));
+  const std::uint64_t peak = fresh.find_contact_pairs(view_of(scene)).statistics().peak_bytes;
+  for (std::uint64_t which = 0; which < 60; ++which) {
+    Detector detector({.threads = 1});
+    {
+      AllocationFault fault(which);
+      try {
+        static_cast<void>(detector.find_contact_pairs(view_of(scene)));
+      } catch (const Error&) {
+      }
+    }
+    static_cast<void>(detector.find_contact_pairs(view_of(scene)));
+    EXPECT_EQ(detector.find_contact_pairs(view_of(scene)).statistics().peak_bytes, peak)
+        << "allocation " << which;
+  }
+}
+
 TEST(Detector, KeepsTheBoundOnBytesWithWhatItHolds) {
   const Scene scene = made("dense", 20000);
   Detector detector({.threads = 1});

@@ -81,6 +81,15 @@ TEST(InvalidInput, NamesTheFirst) {
   expect_rejected(view_of(scene), {"element 20", "z = nan"});
 }
 
+/// The first bad element, not that of the worker that was the first to see one.
+TEST(InvalidInput, NamesTheFirstWithAnyNumberOfThreads) {
+  Scene scene = scenes::scene_named("gas").make(40000, 1);
+  for (const std::size_t bad : {39999U, 30000U, 20001U, 20000U, 19000U}) scene.y[bad] = nan;
+  for (const int threads : {1, 2, 3, 7, 16}) {
+    expect_rejected(view_of(scene), {"element 19000", "y = nan"}, {.threads = threads});
+  }
+}
+
 TEST(InvalidInput, CommonRadius) {
   const Scene scene = good_scene();
   for (const double radius : {nan, infinity, -1.0}) {

@@ -78,6 +78,21 @@ TEST(MaxBytes, ThePeakIsTheLeastThatDoes) {
   }
 }
 
+/// Working bytes leave out the pairs, which only a list holds.
+TEST(WorkingBytes, AreThoseWithoutThePairs) {
+  const Scene scene = scenes::scene_named("dense").make(2000, 1);
+  for (const Algorithm algorithm : algorithms_for(3)) {
+    SCOPED_TRACE(std::string(name_of(algorithm)));
+    const Options options{.algorithm = algorithm};
+    const Statistics count = count_contact_pairs(view_of(scene), Domain::open(), options);
+    EXPECT_EQ(count.working_bytes, count.peak_bytes);
+    const PairList list = find_contact_pairs(view_of(scene), Domain::open(), options);
+    const std::uint64_t bytes_of_pairs = list.size() * sizeof(ContactPair);
+    EXPECT_GE(list.statistics().peak_bytes, 2000 * 4 * sizeof(double) + bytes_of_pairs);
+    EXPECT_LT(list.statistics().working_bytes, list.statistics().peak_bytes);
+  }
+}
+
 /// A domain, an algorithm whose arrays do not fit it, and what the sentence must say.
 struct TooWide {
   Algorithm algorithm;

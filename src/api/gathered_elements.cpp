@@ -89,17 +89,6 @@ std::optional<kernels::ElementColumns> contiguous_columns(const ElementView& ele
   return contiguous ? std::optional(columns) : std::nullopt;
 }
 
-template <int Dim>
-void widen(grid::Bounds<Dim>& bounds, const grid::Bounds<Dim>& others) {
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    bounds.lower[axis] = std::min(bounds.lower[axis], others.lower[axis]);
-    bounds.upper[axis] = std::max(bounds.upper[axis], others.upper[axis]);
-  }
-  bounds.include_radius(others.second_largest_radius);
-  bounds.include_radius(others.largest_radius);
-  bounds.smallest_radius = std::min(bounds.smallest_radius, others.smallest_radius);
-}
-
 /// Reads parts of the elements, one part a worker.
 template <int Dim>
 class Gatherer {
@@ -169,11 +158,11 @@ void gather(const ElementView& elements, const GatherSettings& settings,
     const auto [first, last] = base::share_of(worker, settings.workers, elements.size());
     for (std::size_t k = first; k < last; k += elements_between_polls) {
       if (worker == 0) context.progress.report(k);
-      widen(gathered.parts[worker], gatherer.read(k, std::min(k + elements_between_polls, last)));
+      gathered.parts[worker].include(gatherer.read(k, std::min(k + elements_between_polls, last)));
     }
   });
   gathered.bounds = {};
-  for (const grid::Bounds<Dim>& part : gathered.parts) widen(gathered.bounds, part);
+  for (const grid::Bounds<Dim>& part : gathered.parts) gathered.bounds.include(part);
 }
 
 template <int Dim>

@@ -7,8 +7,8 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
-#include <vector>
 
 namespace abut::grid {
 namespace {
@@ -51,7 +51,7 @@ bool independent(const Vector& p, const Vector& q, const Vector& r) {
   return determinant.sign() != 0;
 }
 
-bool independent(const std::vector<Vector>& vectors) {
+bool independent(std::span<const Vector> vectors) {
   switch (vectors.size()) {
     case 0:
       return true;
@@ -65,7 +65,7 @@ bool independent(const std::vector<Vector>& vectors) {
 }
 
 /// The vectors with their components: "a = (1, 0, 0) and b = (2, 0, 0)".
-std::string listed(const std::vector<Vector>& vectors, const std::vector<std::size_t>& numbers,
+std::string listed(std::span<const Vector> vectors, std::span<const std::size_t> numbers,
                    std::size_t dimensions) {
   std::string text;
   for (std::size_t k = 0; k < vectors.size(); ++k) {
@@ -83,16 +83,19 @@ std::string listed(const std::vector<Vector>& vectors, const std::vector<std::si
 
 template <int Dim>
 void check_lattice(const base::Lattice& lattice) {
-  std::vector<Vector> vectors;
-  std::vector<std::size_t> numbers;
+  // Arrays, so that a detection allocates nothing for them.
+  std::array<Vector, Dim> periodic{};
+  std::array<std::size_t, Dim> numbers{};
+  std::size_t count = 0;
   for (std::size_t k = 0; k < Dim; ++k) {
     if (!lattice.periodic[k]) continue;
     Vector vector = lattice.vectors[k];
     if constexpr (Dim == 2) vector[2] = 0.0;
     require_finite(vector, k, Dim);
-    vectors.push_back(vector);
-    numbers.push_back(k);
+    periodic[count] = vector;
+    numbers[count++] = k;
   }
+  const std::span<const Vector> vectors = std::span(periodic).first(count);
   if (independent(vectors)) return;
   throw Error(
       ErrorCode::invalid_input,

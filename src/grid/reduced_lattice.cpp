@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace abut::grid {
 namespace {
@@ -111,9 +112,12 @@ class Reduction {
   /// Tries the shorter vectors first; false when nothing can be shortened.
   bool shorten_one() {
     std::array<std::size_t, 3> order{0, 1, 2};
-    const auto last = order.begin() + static_cast<std::ptrdiff_t>(given_.size());
-    std::stable_sort(order.begin(), last,
-                     [&](std::size_t i, std::size_t j) { return squares_[i] < squares_[j]; });
+    // Three numbers by insertion: std::stable_sort would allocate.
+    for (std::size_t end = 1; end < given_.size(); ++end) {
+      for (std::size_t k = end; k > 0 && squares_[order[k]] < squares_[order[k - 1]]; --k) {
+        std::swap(order[k], order[k - 1]);
+      }
+    }
     for (std::size_t rank = 1; rank < given_.size(); ++rank) {
       if (shorten(order[rank], std::span(order).first(rank))) return true;
     }

@@ -119,17 +119,18 @@ void Detection::search(const engine::RowsSettings& settings, const Request& requ
   statistics.algorithm = choice.row->info.algorithm;
   statistics.reason = choice.reason;
   context.progress.begin("search", own.elements.spheres.size());
-  const System<Dim> system{own.elements.spheres, own.elements.bounds, settings, own.workspace};
+  if (choice.row->info.algorithm == Algorithm::rows) {
+    statistics.threads = static_cast<int>(settings.workers);
+    statistics.simd = settings.simd;
+  }
+  const System<Dim> system{own.elements.spheres, own.elements.bounds, settings, own.workspace,
+                           own.image_rows};
   if (request.domain.is_periodic()) {
     return choice.row->runs<Dim>().on_images(system, lattice_of(request.domain), sink, context);
   }
   if (choice.row->runs<Dim>().on_elements == nullptr) {
     return search_cells<Dim>(*choice.row, own.elements.spheres, own.elements.bounds, options, sink,
                              context);
-  }
-  if (choice.row->info.algorithm == Algorithm::rows) {
-    statistics.threads = static_cast<int>(settings.workers);
-    statistics.simd = settings.simd;
   }
   choice.row->runs<Dim>().on_elements(system, sink, context);
 }

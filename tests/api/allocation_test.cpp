@@ -8,6 +8,7 @@
 
 #include <abut/detect.hpp>
 #include <abut/error.hpp>
+#include <abut/neighbor_list.hpp>
 #include <abut/trace.hpp>
 
 #include <gtest/gtest.h>
@@ -79,6 +80,25 @@ TEST_P(EveryAllocation, OfEveryAlgorithmAndForm) {
       sweep([&] { static_cast<void>(find_contact_pairs(elements, Domain::open(), options)); },
             GetParam());
     }
+  }
+}
+
+TEST_P(EveryAllocation, InPeriodicDomains) {
+  const scenes::Scene scene = scenes::scene_named("dense").make(300, 1);
+  const ElementView elements = view_of(scene);
+  const Domain domain = Domain::lattice({6, 0, 0}, {3, 6, 0}, {0, 1, 6});
+  for (const AlgorithmInfo& row : algorithms()) {
+    if (!row.periodic) continue;
+    SCOPED_TRACE(row.name);
+    const Options options{.algorithm = row.algorithm, .shifts = Shifts::stored};
+    EXPECT_GT(sweep([&] { static_cast<void>(find_contact_pairs(elements, domain, options)); },
+                    GetParam()),
+              2U);
+    sweep(
+        [&] {
+          static_cast<void>(build_neighbor_list(elements, domain, NeighborListKind::full, options));
+        },
+        GetParam());
   }
 }
 

@@ -33,6 +33,14 @@ TEST(AutomaticChoice, RowsForAllOthers) {
   }
 }
 
+TEST(AutomaticChoice, TheSameInPeriodicDomains) {
+  const auto scene = scenes::scene_named("dense").make(65, 1);
+  const Domain domain = Domain::periodic({20.0, 20.0, 20.0});
+  EXPECT_EQ(count_contact_pairs(view_of(scene), domain).algorithm, Algorithm::rows);
+  const auto few = scenes::scene_named("dense").make(64, 1);
+  EXPECT_EQ(count_contact_pairs(view_of(few), domain).algorithm, Algorithm::direct_check);
+}
+
 TEST(AutomaticChoice, AChoiceOfTheCallerIsKept) {
   const auto scene = scenes::scene_named("dense").make(10, 1);
   for (const AlgorithmInfo& row : algorithms()) {

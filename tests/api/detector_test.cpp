@@ -84,6 +84,24 @@ TEST(Detector, ASecondCallAllocatesNothing) {
   }
 }
 
+TEST(Detector, ASecondCallAllocatesNothingInPeriodicDomainsEither) {
+  const Scene scene = made("dense", 5000);
+  // In one, elements stay where they are; in the other they are moved into the cell.
+  for (const Domain& domain : {Domain::periodic({40.0, 40.0, 40.0}),
+                               Domain::lattice({20, 0, 0}, {15, 20, 0}, {0, 5, 20})}) {
+    for (const Shifts shifts : {Shifts::none, Shifts::stored}) {
+      Detector detector({.shifts = shifts, .threads = 1});
+      const ElementView elements = view_of(scene);
+      EXPECT_EQ(requests_of_the_second([&] { detector.find_contact_pairs(elements, domain); }), 0U);
+      EXPECT_EQ(requests_of_the_second([&] {
+                  detector.build_neighbor_list(elements, domain, NeighborListKind::full);
+                }),
+                0U);
+      EXPECT_FALSE(detector.find_contact_pairs(elements, domain).empty());
+    }
+  }
+}
+
 TEST(Detector, KeepsItsMemoryForFewerElements) {
   Detector detector({.threads = 1});
   const Scene large = made("dense", 20000);

@@ -35,10 +35,10 @@ struct PageAllocator {
   }
   void deallocate(T* first, std::size_t) noexcept { free_pages(first); }
 
+  /// Leaves the memory as it is: what a detection stores is written once.
   template <class U>
-  void construct(U* place) noexcept {
+  void construct(U*) noexcept {
     static_assert(std::is_trivially_copyable_v<U>);
-    ::new (static_cast<void*>(place)) U;
   }
   template <class U, class... Values>
   void construct(U* place, Values&&... values) {

@@ -80,7 +80,7 @@ struct Bench {
 
   SortedTile<Dim> tile;
   Visits<Dim> visits;
-  base::Array<float> block;
+  base::Array<float> block;  ///< scratch of the kernels
   base::Array<std::uint32_t> block_number;
   Floors<Dim> floors;
   RadiusHistogram histogram;

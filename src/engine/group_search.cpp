@@ -169,14 +169,14 @@ void GroupSearch<Dim>::search_tile(const Group<Dim>& group, const TileGrid<Dim>&
   const auto records = tiles.records(tile);
   SortedTile<Dim>& sorted = post.worker->bench().tile;
   const TileCells<Dim> cells = choose_tile_cells(grid, tiles.unit(), records.size());
-  sorted.count(records, own, cells);
+  sorted.count(records, own, cells, task_.element_kernels);
   if (records.size() > few_elements && sorted.crowding() > crowd * records.size() &&
       search_crowded_tile(group, grid, tiles, tile, cells, post)) {
     return;
   }
   const grid::Bounds<Dim>& bounds = group.bounds;
-  const bool equal_radii = bounds.smallest_radius == bounds.largest_radius;
-  sorted.sort(records, equal_radii ? records[0].radius : -1.0f);
+  sorted.sort(records, tiles.radii(tile), static_cast<float>(bounds.largest_radius * tiles.unit()),
+              task_.element_kernels);
   if (all_pairs) post.worker->search(tiles.unit());
   if (visitors.empty()) return;
   post.worker->visit({grid, grid.coordinates(tile), cells.size_in_unit(grid, tiles.unit()),

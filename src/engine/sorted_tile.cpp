@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace abut::engine {
 namespace {
@@ -19,12 +20,13 @@ class CellOf {
     std::int32_t stride = 1;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       stride_[axis] = stride;
-      stride *= cells.count[axis] + 2;
+      stride *= cells.count[axis] + (axis == 0 ? 3 : 2);
     }
     total_ = static_cast<std::size_t>(stride);
   }
 
   [[nodiscard]] std::size_t total() const { return total_; }
+  [[nodiscard]] std::size_t row_length() const { return static_cast<std::size_t>(stride_[1]); }
 
   [[nodiscard]] std::uint32_t own(const Record<Dim>& record) const {
     std::int32_t cell = 0;
@@ -34,6 +36,17 @@ class CellOf {
       cell += static_cast<std::int32_t>(std::min(std::max(q, 1.0f), last)) * stride_[axis];
     }
     return static_cast<std::uint32_t>(cell);
+  }
+
+  /// The map of `own`, for the vector kernels.
+  [[nodiscard]] kernels::CellMap map() const {
+    kernels::CellMap map{};
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      map.per_unit[axis] = cells_.per_unit[axis];
+      map.last[axis] = static_cast<float>(cells_.count[axis]);
+      map.stride[axis] = stride_[axis];
+    }
+    return map;
   }
 
   /// A copy lies outside the tile, but the rounding of its position may hide that: then it goes to
@@ -73,73 +86,105 @@ template <int Dim>
 SortedTile<Dim>::SortedTile(base::MemoryMeter& memory)
     : numbers_(base::make_array_for_overwrite<float>(memory, 0)),
       names_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+      order_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+      cells_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
       cell_of_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
       cell_begin_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
 
 template <int Dim>
 void SortedTile<Dim>::make_room_for(std::size_t elements, std::size_t cells) {
-  const std::size_t padded = elements + kernels::widest_vector;
+  const std::size_t padded = elements + row_count_ * kernels::row_padding + kernels::widest_vector;
   base::make_room(numbers_, (Dim + 1) * padded);
   base::make_room(names_, padded);
+  base::make_room(cells_, padded);
+  base::make_room(order_, padded);
   base::make_room(cell_of_, elements);
   base::make_room(cell_begin_, cells + 1);
-  const std::size_t column = numbers_.size() / (Dim + 1);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    view_.center[axis] = numbers_.data() + axis * column;
-  }
-  view_.radius = numbers_.data() + Dim * column;
+  for (std::size_t axis = 0; axis < Dim; ++axis) view_.center[axis] = column(axis);
+  view_.radius = column(Dim);
   view_.number = names_.data();
+  view_.cell = cells_.data();
   view_.cell_begin = cell_begin_.data();
 }
 
 template <int Dim>
 void SortedTile<Dim>::count(std::span<const Record<Dim>> records, std::size_t own,
-                            const TileCells<Dim>& cells) {
+                            const TileCells<Dim>& cells, const kernels::ElementKernels& kernels) {
   const CellOf<Dim> cell_of(cells);
+  row_length_ = cell_of.row_length();
+  row_count_ = cell_of.total() / row_length_;
   make_room_for(records.size(), cell_of.total());
-  std::fill_n(cell_begin_.begin(), cell_of.total() + 1, 0u);
-  for (std::size_t k = 0; k < own; ++k) {
-    cell_of_[k] = cell_of.own(records[k]);
-    ++cell_begin_[cell_of_[k]];
+  std::size_t k = kernels.bin(records.data(), own, Dim, cell_of.map(), cell_of_.data());
+  for (; k < own; ++k) cell_of_[k] = cell_of.own(records[k]);
+  for (; k < records.size(); ++k) cell_of_[k] = cell_of.copy(records[k]);
+
+  std::uint32_t* const inhabitants = cell_begin_.data();
+  std::fill_n(inhabitants, cell_of.total() + 1, 0u);
+  for (std::size_t row = 1; row <= row_count_; ++row) {
+    inhabitants[row * row_length_ - 1] = kernels::row_padding;
   }
-  for (std::size_t k = own; k < records.size(); ++k) {
-    cell_of_[k] = cell_of.copy(records[k]);
-    ++cell_begin_[cell_of_[k]];
+  std::uint64_t company = 0;  // pairs that share a cell
+  for (const std::uint32_t cell : std::span(cell_of_).first(records.size())) {
+    company += inhabitants[cell]++;
   }
-  sum_up(cell_of.total());
+  crowding_ = 2 * company + records.size();
+  std::inclusive_scan(inhabitants, inhabitants + cell_of.total() + 1, inhabitants);
+
   size_ = records.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     view_.cells[axis] = axis < Dim ? cells.count[axis] : 1;
   }
 }
 
-/// Counts become the ends of the cells.
 template <int Dim>
-void SortedTile<Dim>::sum_up(std::size_t cell_total) {
-  std::uint32_t end = 0;
-  crowding_ = 0;
-  for (std::size_t cell = 0; cell <= cell_total; ++cell) {
-    const std::uint64_t inhabitants = cell_begin_[cell];
-    crowding_ += inhabitants * inhabitants;
-    end += cell_begin_[cell];
-    cell_begin_[cell] = end;
+void SortedTile<Dim>::sort(std::span<const Record<Dim>> records, std::span<const float> radii,
+                           float common_radius, const kernels::ElementKernels& kernels) {
+  std::uint32_t* const end = cell_begin_.data();
+  for (std::size_t k = records.size(); k-- > 0;) {
+    const std::uint32_t cell = cell_of_[k];
+    const std::uint32_t place = --end[cell];
+    order_[place] = static_cast<std::uint32_t>(k);
+    cells_[place] = cell;
+  }
+  for (std::size_t row = 1; row <= row_count_; ++row) {
+    end[row * row_length_ - 1] -= kernels::row_padding;
+  }
+  arrange(records, kernels);
+  view_.common_radius = radii.empty() ? common_radius : -1.0f;
+  if (!radii.empty()) arrange_radii(radii);
+}
+
+/// Brings the records into order, row by row, each with its padding.
+template <int Dim>
+void SortedTile<Dim>::arrange(std::span<const Record<Dim>> records,
+                              const kernels::ElementKernels& kernels) {
+  kernels::Arrangement job{};
+  job.tile_records = records.data();
+  job.order = order_.data();
+  job.cell_begin = cell_begin_.data();
+  job.row_length = row_length_;
+  job.row_count = row_count_;
+  for (std::size_t axis = 0; axis < Dim; ++axis) job.center[axis] = column(axis);
+  job.number = names_.data();
+  for (std::size_t row = kernels.arrange(job, Dim); row < row_count_; ++row) {
+    const auto [begin, end] = row_places(row);
+    for (std::uint32_t place = begin; place < end; ++place) {
+      const Record<Dim>& record = records[order_[place]];
+      for (std::size_t axis = 0; axis < Dim; ++axis) column(axis)[place] = record.center[axis];
+      names_[place] = record.number;
+    }
+    std::fill_n(column(0) + end, kernels::row_padding, kernels::far_away);
   }
 }
 
 template <int Dim>
-void SortedTile<Dim>::sort(std::span<const Record<Dim>> records, float common_radius) {
-  const std::size_t column = numbers_.size() / (Dim + 1);
-  float* const center = numbers_.data();
-  float* const radius = center + Dim * column;
-  for (std::size_t k = records.size(); k-- > 0;) {
-    const std::uint32_t place = --cell_begin_[cell_of_[k]];
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      center[axis * column + place] = records[k].center[axis];
-    }
-    if (common_radius < 0.0f) radius[place] = records[k].radius;
-    names_[place] = records[k].number;
+void SortedTile<Dim>::arrange_radii(std::span<const float> radii) {
+  float* const radius = column(Dim);
+  for (std::size_t row = 0; row < row_count_; ++row) {
+    const auto [begin, end] = row_places(row);
+    for (std::uint32_t place = begin; place < end; ++place) radius[place] = radii[order_[place]];
+    std::fill_n(radius + end, kernels::row_padding, 0.0f);
   }
-  view_.common_radius = common_radius;
 }
 
 template class SortedTile<2>;

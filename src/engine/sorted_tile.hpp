@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "engine/record.hpp"
 #include "engine/tile_cells.hpp"
-#include "engine/tiles.hpp"
+#include "kernels/element_kernels.hpp"
 #include "kernels/tile_view.hpp"
 
 #include <cstddef>
@@ -19,13 +20,15 @@ class SortedTile {
   explicit SortedTile(base::MemoryMeter& memory);
 
   /// First half of the counting sort. The first `own` records are the tile's own.
-  void count(std::span<const Record<Dim>> records, std::size_t own, const TileCells<Dim>& cells);
+  void count(std::span<const Record<Dim>> records, std::size_t own, const TileCells<Dim>& cells,
+             const kernels::ElementKernels& kernels);
 
   /// Sum of the squared numbers of elements in each cell: how crowded they are.
   [[nodiscard]] std::uint64_t crowding() const noexcept { return crowding_; }
 
-  /// Second half, of the same records. `common_radius` >= 0 if all radii are equal to it.
-  void sort(std::span<const Record<Dim>> records, float common_radius);
+  /// Second half, of the same records. Without radii all are `common_radius`.
+  void sort(std::span<const Record<Dim>> records, std::span<const float> radii, float common_radius,
+            const kernels::ElementKernels& kernels);
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
@@ -33,14 +36,28 @@ class SortedTile {
 
  private:
   void make_room_for(std::size_t elements, std::size_t cells);
-  void sum_up(std::size_t cell_total);
+
+  void arrange(std::span<const Record<Dim>> records, const kernels::ElementKernels& kernels);
+  void arrange_radii(std::span<const float> radii);
+
+  [[nodiscard]] float* column(std::size_t k) noexcept {
+    return numbers_.data() + k * (numbers_.size() / (Dim + 1));
+  }
+  /// Of the elements of a row, without its padding.
+  [[nodiscard]] kernels::Run row_places(std::size_t row) const noexcept {
+    return {cell_begin_[row * row_length_], cell_begin_[(row + 1) * row_length_ - 1]};
+  }
 
   base::Array<float> numbers_;  ///< centers by axis, then radii
   base::Array<std::uint32_t> names_;
-  base::Array<std::uint32_t> cell_of_;
+  base::Array<std::uint32_t> order_;    ///< number of the record in each place
+  base::Array<std::uint32_t> cells_;    ///< of the sorted elements
+  base::Array<std::uint32_t> cell_of_;  ///< of the records
   base::Array<std::uint32_t> cell_begin_;
   std::uint64_t crowding_ = 0;
   std::size_t size_ = 0;
+  std::size_t row_length_ = 1;
+  std::size_t row_count_ = 0;
   kernels::TileView view_{};
 };
 

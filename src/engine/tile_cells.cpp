@@ -8,7 +8,7 @@ namespace abut::engine {
 namespace {
 
 /// More cells than this are not worth their empty ones.
-constexpr double most_cells_per_element = 0.8;
+constexpr double most_cells_per_element = 1.0;
 
 /// Positions are known to 2^-23 of a tile; a cell is to be known to 2^-10 of itself.
 constexpr double most_cells_per_axis = 1 << 10;

@@ -9,10 +9,10 @@ namespace {
 /// docs/derivations/tile_filter.md.
 constexpr float filter_slack = 0x1p-20f;
 
-/// With fewer hits than one in so many tests, three of four vectors are without one.
-constexpr std::uint64_t tests_for_few_hits = 24;
-
 constexpr std::uint64_t tests_between_polls = 1 << 18;
+
+/// Doubtful pairs whose elements are fetched ahead: enough to hide the way to memory.
+constexpr std::size_t fetched_ahead = 8;
 
 }  // namespace
 
@@ -20,26 +20,20 @@ template <int Dim>
 TileSearcher<Dim>::TileSearcher(base::MemoryMeter& memory, std::size_t worker)
     : bench_(memory), origin_{worker, 0} {
   job_.slack = filter_slack;
+  job_.findings = &findings_;
   job_.owner = this;
-  job_.flush = [](kernels::SearchJob& job) {
-    auto& self = *static_cast<TileSearcher*>(job.owner);
-    self.flush();
-    self.ask_for_room();
-  };
-  job_.decide = [](kernels::SearchJob& job, std::uint32_t first, std::uint32_t second) {
-    return static_cast<TileSearcher*>(job.owner)->decide(first, second);
-  };
+  job_.take = [](kernels::SearchJob& job) { static_cast<TileSearcher*>(job.owner)->take(); };
 }
 
 template <int Dim>
 void TileSearcher<Dim>::start(const Task<Dim>& task) {
   task_ = &task;
   origin_.unit = 0;
-  job_.pairs = nullptr;
-  job_.filled = 0;
-  job_.capacity = 0;
+  findings_.found = 0;
+  findings_.doubts = 0;
   job_.candidate_tests = 0;
-  pairs_ = 0;
+  pairs_ = {};
+  filled_ = 0;
   far_tests_ = 0;
   next_poll_ = 0;
   exact_decisions_ = 0;
@@ -52,16 +46,65 @@ void TileSearcher<Dim>::begin_unit(std::uint64_t unit) {
 
 template <int Dim>
 void TileSearcher<Dim>::finish_unit() {
+  take();
   flush();
-  job_.pairs = nullptr;
-  job_.capacity = 0;
+  pairs_ = {};
+}
+
+/// Decides the doubtful pairs and hands all on.
+template <int Dim>
+void TileSearcher<Dim>::take() {
+  if (findings_.doubts > 0) settle();
+  hand_on();
+}
+
+/// Drops the doubtful pairs that are none; the others keep their order.
+template <int Dim>
+void TileSearcher<Dim>::settle() {
+  auto& [element, partner, doubtful, found, doubts] = findings_;
+  const auto fetch = [&](std::size_t k) {
+    if (k >= doubts) return;
+    __builtin_prefetch(&task_->originals[element[doubtful[k]]]);
+    __builtin_prefetch(&task_->originals[partner[doubtful[k]]]);
+  };
+  for (std::size_t k = 0; k < fetched_ahead; ++k) fetch(k);
+  std::size_t kept = doubtful[0];
+  for (std::size_t k = 0; k < doubts; ++k) {
+    fetch(k + fetched_ahead);
+    const std::size_t end = k + 1 < doubts ? doubtful[k + 1] : found;
+    std::size_t begin = doubtful[k];
+    if (!decide(element[begin], partner[begin])) ++begin;
+    if (kept != begin) {
+      std::copy(element + begin, element + end, element + kept);
+      std::copy(partner + begin, partner + end, partner + kept);
+    }
+    kept += end - begin;
+  }
+  found = kept;
+  doubts = 0;
+}
+
+/// Writes what was found, pair by pair, into the sink's room.
+template <int Dim>
+void TileSearcher<Dim>::hand_on() {
+  for (std::size_t done = 0; done < findings_.found;) {
+    if (filled_ == pairs_.size()) {
+      flush();
+      pairs_ = task_->sink.room(origin_.worker);
+    }
+    const std::size_t count = std::min(findings_.found - done, pairs_.size() - filled_);
+    task_->kernels.pair_up(findings_.element + done, findings_.partner + done, count,
+                           pairs_.data() + filled_);
+    done += count;
+    filled_ += count;
+  }
+  findings_.found = 0;
 }
 
 template <int Dim>
 void TileSearcher<Dim>::flush() {
-  const std::size_t count = job_.filled;
-  job_.filled = 0;
-  pairs_ += count;
+  const std::size_t count = filled_;
+  filled_ = 0;
   if (count > 0) task_->sink.commit(count, origin_);
   poll();
 }
@@ -75,21 +118,11 @@ void TileSearcher<Dim>::poll() {
 }
 
 template <int Dim>
-void TileSearcher<Dim>::ask_for_room() {
-  const std::span<ContactPair> room = task_->sink.room(origin_.worker);
-  job_.pairs = room.data();
-  job_.capacity = room.size();
-}
-
-template <int Dim>
 void TileSearcher<Dim>::prepare(double unit) {
-  if (job_.pairs == nullptr) ask_for_room();
-  job_.few_hits = (pairs_ + job_.filled) * tests_for_few_hits < job_.candidate_tests;
   job_.margin = static_cast<float>(task_->margin * unit);
-  const std::size_t elements = bench_.tile.size();
-  const std::size_t padded = elements + 2 * kernels::widest_vector;
-  base::make_room(bench_.block, 4 * padded);
-  base::make_room(bench_.block_number, padded);
+  const std::size_t room = bench_.tile.size() + kernels::row_padding + kernels::widest_vector;
+  base::make_room(bench_.block, 4 * room);
+  base::make_room(bench_.block_number, room);
   const std::size_t column = bench_.block.size() / 4;
   for (std::size_t k = 0; k < 4; ++k) job_.block[k] = bench_.block.data() + k * column;
   job_.block_number = bench_.block_number.data();
@@ -128,8 +161,9 @@ void TileSearcher<Dim>::meet_far_visitor(std::span<const kernels::Run> runs,
       const std::uint32_t other = bench_.tile.view().number[k];
       ++far_tests_;
       if (!decide(visitor, other)) continue;
-      job_.pairs[job_.filled++] = {std::min(visitor, other), std::max(visitor, other)};
-      if (job_.filled + 2 * kernels::widest_vector > job_.capacity) job_.flush(job_);
+      if (findings_.found == kernels::Findings::room) take();
+      findings_.element[findings_.found] = visitor;
+      findings_.partner[findings_.found++] = other;
     }
   }
 }

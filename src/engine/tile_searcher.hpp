@@ -57,7 +57,9 @@ class TileSearcher {
 
  private:
   void prepare(double unit);
-  void ask_for_room();
+  void take();
+  void settle();
+  void hand_on();
   void flush();
   bool decide(std::uint32_t first, std::uint32_t second);
   void poll();
@@ -67,7 +69,9 @@ class TileSearcher {
   Bench<Dim> bench_;
   base::Origin origin_;
   kernels::SearchJob job_{};
-  std::uint64_t pairs_ = 0;
+  kernels::Findings findings_;
+  std::span<ContactPair> pairs_;  ///< the sink's room, and how much of it is filled
+  std::size_t filled_ = 0;
   std::uint64_t far_tests_ = 0;
   std::uint64_t next_poll_ = 0;
   std::uint64_t exact_decisions_ = 0;

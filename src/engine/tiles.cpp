@@ -33,52 +33,30 @@ Cursors cursors_of(base::Array<std::uint64_t>& table, std::size_t worker, std::s
   return {own, own + tile_count};
 }
 
-/// A power of two that makes the widest side of a tile, or a cell, at most 1.
-template <int Dim>
-double unit_of(const TileGrid<Dim>& grid) {
-  const double widest =
-      std::max(grid.cell_size, *std::max_element(grid.size.begin(), grid.size.end()));
-  return std::ldexp(1.0, -(std::ilogb(widest) + 1));
-}
+/// Elements that are treated together, so that what they need stays in the nearest cache.
+constexpr std::size_t block_size = 256;
 
-/// Turns elements into records of a tile.
-template <int Dim>
-class Recorder {
+/// The elements of a block that lie near faces, one in three: collected first, since a branch for
+/// each element could not be foreseen.
+class NearFaces {
  public:
-  Recorder(const TileGrid<Dim>& grid, double unit) : grid_(grid), unit_(unit) {
-    for (std::size_t axis = 0; axis < Dim; ++axis) size_[axis] = grid.size[axis] * unit;
+  void clear() { size_ = 0; }
+  void add_if_near(std::size_t k, std::uint32_t place) {
+    list_[size_] = static_cast<std::uint32_t>(k);
+    size_ += faces_of(place) != 0;
   }
-
-  [[nodiscard]] Record<Dim> record(const base::Sphere<Dim>& sphere, std::uint32_t number,
-                                   const std::array<double, Dim>& tile) const {
-    Record<Dim> record;
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      record.center[axis] =
-          static_cast<float>(grid_.within(sphere.center[axis], tile[axis], axis) * size_[axis]);
-    }
-    record.radius = static_cast<float>(sphere.radius * unit_);
-    record.number = number;
-    return record;
-  }
-
-  /// Of a foreign. Beyond the upper end of the box it is beyond its last tile, which may be a hair
-  /// wider than a flat box.
-  [[nodiscard]] Record<Dim> record_of_foreign(const base::Sphere<Dim>& sphere, std::uint32_t number,
-                                              const std::array<double, Dim>& tile,
-                                              const grid::Bounds<Dim>& box) const {
-    Record<Dim> result = record(sphere, number, tile);
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      if (sphere.center[axis] <= box.upper[axis]) continue;
-      result.center[axis] = std::max(result.center[axis], static_cast<float>(size_[axis]));
-    }
-    return result;
-  }
+  [[nodiscard]] std::span<const std::uint32_t> list() const { return {list_.data(), size_}; }
 
  private:
-  const TileGrid<Dim>& grid_;
-  double unit_;
-  std::array<double, Dim> size_{};
+  std::array<std::uint32_t, block_size + 1> list_;
+  std::size_t size_ = 0;
 };
+
+/// Calls body(begin, end) for blocks of [first, last).
+template <class Body>
+void for_each_block(std::size_t first, std::size_t last, Body&& body) {
+  for (; first < last; first += block_size) body(first, std::min(first + block_size, last));
+}
 
 }  // namespace
 
@@ -90,6 +68,7 @@ Tiles<Dim>::Tiles(base::MemoryMeter& memory)
       begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       coordinates_(base::make_array_for_overwrite<std::array<double, Dim>>(memory, 0)),
       records_(base::make_array_for_overwrite<Record<Dim>>(memory, 0)),
+      radii_(base::make_array_for_overwrite<float>(memory, 0)),
       visitor_begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       visitors_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
 
@@ -97,10 +76,10 @@ template <int Dim>
 void Tiles<Dim>::partition(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
                            const TileGrid<Dim>& grid, double margin,
                            const kernels::ElementKernels& kernels, std::size_t workers) {
-  unit_ = unit_of(grid);
+  equal_radii_ = group.bounds.smallest_radius == group.bounds.largest_radius;
   count(spheres, group, grid, kernels, workers);
   lay_out(grid.tile_count, workers);
-  scatter(spheres, group, grid, workers);
+  scatter(spheres, group, grid, kernels, workers);
   list_visitors(spheres, group, grid, margin);
 }
 
@@ -121,16 +100,21 @@ void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<D
     std::fill_n(counts.own, 2 * grid.tile_count, std::uint64_t{0});
     const auto [first, last] = base::share_of(worker, workers, natives);
     place(spheres, group, grid, kernels, first, last);
-    for (std::size_t k = first; k < last; ++k) {
-      places_[k] &= copied;
-      const std::uint32_t tile = tile_of(places_[k]);
-      ++counts.own[tile];
-      const std::uint32_t near_faces = faces_of(places_[k]);
-      if (near_faces == 0) continue;
-      for (const std::uint8_t neighbor : neighbors.of_native(near_faces)) {
-        ++counts.copies[neighbors.from(tile, neighbor)];
+    NearFaces near;
+    for_each_block(first, last, [&](std::size_t begin, std::size_t end) {
+      near.clear();
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::uint32_t place = places_[k] & copied;
+        places_[k] = place;
+        ++counts.own[tile_of(place)];
+        near.add_if_near(k, place);
       }
-    }
+      for (const std::uint32_t k : near.list()) {
+        for (const std::uint8_t neighbor : neighbors.of_native(faces_of(places_[k]))) {
+          ++counts.copies[neighbors.from(tile_of(places_[k]), neighbor)];
+        }
+      }
+    });
   });
 
   const Cursors counts = cursors_of(cursors_, workers, grid.tile_count);
@@ -181,46 +165,76 @@ void Tiles<Dim>::lay_out(std::size_t tile_count, std::size_t workers) {
     }
   }
   begin_[tile_count] = filled;
-  base::make_room(records_, filled);
+  base::make_room(records_, filled + 1);  // readable a little beyond
+  if (!equal_radii_) base::make_room(radii_, filled);
 }
 
 template <int Dim>
 void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
-                         const TileGrid<Dim>& grid, std::size_t workers) {
+                         const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+                         std::size_t workers) {
   base::make_room(coordinates_, grid.tile_count);
   for (std::size_t tile = 0; tile < grid.tile_count; ++tile)
     coordinates_[tile] = grid.coordinates(tile);
 
-  const std::size_t natives = group.natives.size();
+  const Numbers& natives = group.natives;
   const TileNeighbors<Dim> neighbors(grid);
-  const Recorder<Dim> recorder(grid, unit_);
+  const Recorder<Dim> recorder(grid);
+  const kernels::RecordMap map = recorder.map();
+  unit_ = recorder.unit();
   base::for_each_worker(workers, [&](std::size_t worker) {
     const Cursors cursors = cursors_of(cursors_, worker, grid.tile_count);
-    const auto [first, last] = base::share_of(worker, workers, natives);
-    for (std::size_t k = first; k < last; ++k) {
-      const std::uint32_t number = group.natives[k];
-      const std::uint32_t tile = tile_of(places_[k]);
-      records_[cursors.own[tile]++] = recorder.record(spheres[number], number, coordinates_[tile]);
-      const std::uint32_t near_faces = faces_of(places_[k]);
-      if (near_faces == 0) continue;
-      for (const std::uint8_t neighbor : neighbors.of_native(near_faces)) {
-        const std::size_t target = neighbors.from(tile, neighbor);
-        if (own_[target] == 0) continue;
-        records_[cursors.copies[target]++] =
-            recorder.record(spheres[number], number, coordinates_[target]);
+    const auto [first, last] = base::share_of(worker, workers, natives.size());
+    std::array<Record<Dim>, block_size> block;
+    NearFaces near;
+    for_each_block(first, last, [&](std::size_t begin, std::size_t end) {
+      std::size_t made = 0;
+      if (natives.are_the_first()) {
+        made = kernels.record(spheres[begin].center, end - begin, Dim, map,
+                              static_cast<std::uint32_t>(begin), block.data());
       }
-    }
+      for (std::size_t k = begin + made; k < end; ++k) {
+        block[k - begin] =
+            recorder.record(spheres[natives[k]], natives[k], coordinates_[tile_of(places_[k])]);
+      }
+      near.clear();
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::uint64_t target = cursors.own[tile_of(places_[k])]++;
+        records_[target] = block[k - begin];
+        if (!equal_radii_) radii_[target] = recorder.radius(spheres[natives[k]]);
+        near.add_if_near(k, places_[k]);
+      }
+      for (const std::uint32_t k : near.list()) {
+        const base::Sphere<Dim>& sphere = spheres[natives[k]];
+        for (const std::uint8_t neighbor : neighbors.of_native(faces_of(places_[k]))) {
+          const std::size_t tile = neighbors.from(tile_of(places_[k]), neighbor);
+          if (own_[tile] == 0) continue;
+          const std::uint64_t target = cursors.copies[tile]++;
+          records_[target] = recorder.record(sphere, natives[k], coordinates_[tile]);
+          if (!equal_radii_) radii_[target] = recorder.radius(sphere);
+        }
+      }
+    });
   });
+  scatter_foreigns(spheres, group, grid, recorder,
+                   cursors_of(cursors_, workers, grid.tile_count).copies);
+}
 
-  const Cursors cursors = cursors_of(cursors_, workers, grid.tile_count);
+template <int Dim>
+void Tiles<Dim>::scatter_foreigns(std::span<const base::Sphere<Dim>> spheres,
+                                  const Group<Dim>& group, const TileGrid<Dim>& grid,
+                                  const Recorder<Dim>& recorder, std::uint64_t* cursors) {
+  const TileNeighbors<Dim> neighbors(grid);
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
-    const std::uint32_t place = places_[natives + k];
+    const std::uint32_t place = places_[group.natives.size() + k];
+    const std::uint32_t number = group.foreigns[k];
     for (const std::uint8_t neighbor : neighbors.of_foreign(faces_of(place))) {
-      const std::size_t target = neighbors.from(tile_of(place), neighbor);
-      if (own_[target] == 0) continue;
-      const std::uint32_t number = group.foreigns[k];
-      records_[cursors.copies[target]++] =
-          recorder.record_of_foreign(spheres[number], number, coordinates_[target], group.bounds);
+      const std::size_t tile = neighbors.from(tile_of(place), neighbor);
+      if (own_[tile] == 0) continue;
+      const std::uint64_t target = cursors[tile]++;
+      records_[target] =
+          recorder.record_of_foreign(spheres[number], number, coordinates_[tile], group.bounds);
+      if (!equal_radii_) radii_[target] = recorder.radius(spheres[number]);
     }
   }
 }

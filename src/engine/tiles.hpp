@@ -3,6 +3,7 @@
 #include "base/array.hpp"
 #include "base/sphere_predicate.hpp"
 #include "engine/group.hpp"
+#include "engine/record.hpp"
 #include "engine/tile_grid.hpp"
 
 #include <array>
@@ -11,16 +12,6 @@
 #include <span>
 
 namespace abut::engine {
-
-/// An element as its tile sees it: single precision, from the tile's lower corner, in a unit (a
-/// power of two) in which tile and cell are at most 1 wide. Good for a filter with a stated error;
-/// the exact test reads the original.
-template <int Dim>
-struct Record {
-  float center[Dim];
-  float radius;
-  std::uint32_t number;
-};
 
 /// The elements of a group sorted by tile, in each tile first its own, then the copies of others.
 /// It keeps its memory from group to group.
@@ -43,13 +34,18 @@ class Tiles {
   [[nodiscard]] std::span<const Record<Dim>> records(std::size_t tile) const noexcept {
     return std::span(records_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
   }
+  /// Of the records; none where all natives and foreigns have the same.
+  [[nodiscard]] std::span<const float> radii(std::size_t tile) const noexcept {
+    if (equal_radii_) return {};
+    return std::span(radii_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
+  }
   [[nodiscard]] std::size_t own_count(std::size_t tile) const noexcept { return own_[tile]; }
   [[nodiscard]] std::span<const std::uint32_t> visitors(std::size_t tile) const noexcept {
     if (!has_visitors_) return {};
     return std::span(visitors_).subspan(visitor_begin_[tile],
                                         visitor_begin_[tile + 1] - visitor_begin_[tile]);
   }
-  /// Lengths times this are lengths in a tile.
+  /// Recorder::unit.
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
  private:
@@ -61,7 +57,11 @@ class Tiles {
              std::size_t last);
   void lay_out(std::size_t tile_count, std::size_t workers);
   void scatter(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
-               const TileGrid<Dim>& grid, std::size_t workers);
+               const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+               std::size_t workers);
+  void scatter_foreigns(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+                        const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
+                        std::uint64_t* cursors);
   void list_visitors(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
                      const TileGrid<Dim>& grid, double margin);
 
@@ -73,9 +73,11 @@ class Tiles {
   base::Array<std::uint64_t> begin_;                  ///< tile_count + 1
   base::Array<std::array<double, Dim>> coordinates_;  ///< of the tiles, along the axes
   base::Array<Record<Dim>> records_;
+  base::Array<float> radii_;                  ///< of the records
   base::Array<std::uint64_t> visitor_begin_;  ///< tile_count + 1
   base::Array<std::uint32_t> visitors_;
   bool has_visitors_ = false;
+  bool equal_radii_ = false;
   double unit_ = 1.0;
 };
 

@@ -31,6 +31,30 @@ struct PlaceMap {
   double stride[3];
 };
 
+/// engine::Recorder: the place, and the tile's sides in its own unit.
+struct RecordMap {
+  PlaceMap place;
+  double scale[3];
+};
+
+/// engine::CellOf: cells of a tile's own elements.
+struct CellMap {
+  float per_unit[3];
+  float last[3];  ///< cell along the axis, counted from 1
+  std::int32_t stride[3];
+};
+
+/// The records of a tile and the sorted columns that they go to (TileView).
+struct Arrangement {
+  const void* tile_records;  ///< engine::Record; readable one number beyond the last
+  std::uint32_t* order;      ///< record in each place; padding is overwritten
+  const std::uint32_t* cell_begin;
+  std::size_t row_length;
+  std::size_t row_count;
+  float* center[3];
+  std::uint32_t* number;
+};
+
 /// Passes over all elements, in vectors. Each treats whole vectors from the front and returns how
 /// many elements it treated; what is left is the caller's, who has the same in plain C++ (so the
 /// level `scalar` treats none).
@@ -43,6 +67,17 @@ struct ElementKernels {
   /// places[k] = tile << 6 | near faces of record k: TileGrid::place.
   std::size_t (*place)(const double* records, std::size_t count, int dimensions,
                        const PlaceMap& map, std::uint32_t* places);
+
+  /// tile_records[k] = engine::Record of record k in its own tile, of number first_number + k.
+  std::size_t (*record)(const double* records, std::size_t count, int dimensions,
+                        const RecordMap& map, std::uint32_t first_number, void* tile_records);
+
+  /// cells[k] = cell of the own element k of a tile (engine::Record).
+  std::size_t (*bin)(const void* tile_records, std::size_t count, int dimensions,
+                     const CellMap& map, std::uint32_t* cells);
+
+  /// Brings the records into order and writes the padding. Returns how many rows it treated.
+  std::size_t (*arrange)(const Arrangement& job, int dimensions);
 };
 
 /// `level` must be available.

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/element_kernels.hpp"
+#include "kernels/tile_view.hpp"
 
 #include <limits>
 
@@ -96,6 +97,25 @@ std::size_t pack_in(const ElementColumns& columns, std::size_t count, double* re
 }
 
 template <int Dim>
+HWY_INLINE void load_centers(const double* records, Doubles* center) {
+  Doubles radius;
+  if constexpr (Dim == 2) {
+    hn::LoadInterleaved3(doubles, records, center[0], center[1], radius);
+  } else {
+    hn::LoadInterleaved4(doubles, records, center[0], center[1], center[2], radius);
+  }
+}
+
+/// Position along an axis in tiles, and the tile: TileGrid::place.
+HWY_INLINE Doubles tile_coordinate(const PlaceMap& map, int axis, Doubles x) {
+  return hn::Mul(hn::Sub(x, hn::Set(doubles, map.lower[axis])),
+                 hn::Set(doubles, map.inverse_size[axis]));
+}
+HWY_INLINE Doubles tile_of(const PlaceMap& map, int axis, Doubles q) {
+  return hn::Min(hn::Trunc(q), hn::Set(doubles, map.last[axis]));
+}
+
+template <int Dim>
 std::size_t place_in(const double* records, std::size_t count, const PlaceMap& map,
                      std::uint32_t* places) {
   const hn::Rebind<std::int32_t, DoubleTag> integers;
@@ -107,18 +127,12 @@ std::size_t place_in(const double* records, std::size_t count, const PlaceMap& m
   std::size_t k = 0;
   for (; k + lanes <= count; k += lanes) {
     Doubles center[Dim];
-    Doubles radius;
-    if constexpr (Dim == 2) {
-      hn::LoadInterleaved3(doubles, records + k * 3, center[0], center[1], radius);
-    } else {
-      hn::LoadInterleaved4(doubles, records + k * 4, center[0], center[1], center[2], radius);
-    }
+    load_centers<Dim>(records + k * (Dim + 1), center);
     Doubles tile = hn::Zero(doubles);
     Doubles faces = hn::Zero(doubles);
     for (int axis = 0; axis < Dim; ++axis) {
-      const Doubles q = hn::Mul(hn::Sub(center[axis], hn::Set(doubles, map.lower[axis])),
-                                hn::Set(doubles, map.inverse_size[axis]));
-      const Doubles t = hn::Min(hn::Trunc(q), hn::Set(doubles, map.last[axis]));
+      const Doubles q = tile_coordinate(map, axis, center[axis]);
+      const Doubles t = tile_of(map, axis, q);
       const Doubles within = hn::Sub(q, t);
       const Doubles border = hn::Set(doubles, map.border[axis]);
       const auto lower_bit = static_cast<double>(1 << (2 * axis));
@@ -135,6 +149,129 @@ std::size_t place_in(const double* records, std::size_t count, const PlaceMap& m
   return k;
 }
 
+/// Four 32-bit numbers, or eight, as the lanes of doubles or the widest vector say.
+using SingleTag = hn::Rebind<float, DoubleTag>;
+using WordTag = hn::RebindToUnsigned<SingleTag>;
+
+template <int Dim>
+std::size_t record_in(const double* records, std::size_t count, const RecordMap& map,
+                      std::uint32_t first_number, void* tile_records) {
+  constexpr SingleTag singles{};
+  constexpr WordTag words{};
+  auto* const out = static_cast<std::uint32_t*>(tile_records);
+  auto number = hn::Iota(words, first_number);
+  const auto step = hn::Set(words, static_cast<std::uint32_t>(lanes));
+  std::size_t k = 0;
+  for (; k + lanes <= count; k += lanes) {
+    Doubles center[Dim];
+    load_centers<Dim>(records + k * (Dim + 1), center);
+    hn::Vec<WordTag> words_of[Dim];
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Doubles q = tile_coordinate(map.place, axis, center[axis]);
+      const Doubles within = hn::Sub(q, tile_of(map.place, axis, q));
+      const Doubles position = hn::Mul(within, hn::Set(doubles, map.scale[axis]));
+      words_of[axis] = hn::BitCast(words, hn::DemoteTo(singles, position));
+    }
+    if constexpr (Dim == 2) {
+      hn::StoreInterleaved3(words_of[0], words_of[1], number, words, out + k * 3);
+    } else {
+      hn::StoreInterleaved4(words_of[0], words_of[1], words_of[2], number, words, out + k * 4);
+    }
+    number = hn::Add(number, step);
+  }
+  return k;
+}
+
+template <int Dim>
+std::size_t bin_in(const void* tile_records, std::size_t count, const CellMap& map,
+                   std::uint32_t* cells) {
+  using FloatTag = hn::ScalableTag<float>;
+  constexpr FloatTag floats{};
+  const hn::RebindToSigned<FloatTag> integers;
+  const hn::RebindToUnsigned<FloatTag> numbers;
+  constexpr std::size_t wide = hn::MaxLanes(FloatTag());
+  const auto* const in = static_cast<const float*>(tile_records);
+  const auto one = hn::Set(floats, 1.0f);
+  std::size_t k = 0;
+  for (; k + wide <= count; k += wide) {
+    hn::Vec<FloatTag> center[3];
+    hn::Vec<FloatTag> number;
+    if constexpr (Dim == 2) {
+      hn::LoadInterleaved3(floats, in + k * 3, center[0], center[1], number);
+    } else {
+      hn::LoadInterleaved4(floats, in + k * 4, center[0], center[1], center[2], number);
+    }
+    auto cell = hn::Zero(integers);
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto q = hn::Add(hn::Mul(center[axis], hn::Set(floats, map.per_unit[axis])), one);
+      const auto clamped = hn::Min(hn::Max(q, one), hn::Set(floats, map.last[axis]));
+      cell = hn::Add(
+          cell, hn::Mul(hn::ConvertTo(integers, clamped), hn::Set(integers, map.stride[axis])));
+    }
+    hn::StoreU(hn::BitCast(numbers, cell), numbers, cells + k);
+  }
+  return k;
+}
+
+#if HWY_TARGET == HWY_SCALAR
+template <int Dim>
+std::size_t arrange_in(const Arrangement&) {
+  return 0;
+}
+#else
+/// Four records of (Dim + 1) numbers become Dim + 1 columns of four.
+template <int Dim>
+std::size_t arrange_in(const Arrangement& job) {
+  using QuadTag = hn::CappedTag<std::uint32_t, 4>;
+  constexpr QuadTag quads{};
+  static_assert(hn::MaxLanes(QuadTag()) == 4);
+  const hn::RepartitionToWide<QuadTag> pairs;
+  const auto* const records = static_cast<const std::uint32_t*>(job.tile_records);
+  const auto record = [&](std::uint32_t k) { return hn::LoadU(quads, records + k * (Dim + 1)); };
+  const auto joined_lower = [&](auto a, auto b) {
+    return hn::BitCast(quads,
+                       hn::InterleaveLower(pairs, hn::BitCast(pairs, a), hn::BitCast(pairs, b)));
+  };
+  const auto joined_upper = [&](auto a, auto b) {
+    return hn::BitCast(quads,
+                       hn::InterleaveUpper(pairs, hn::BitCast(pairs, a), hn::BitCast(pairs, b)));
+  };
+  const hn::RebindToFloat<QuadTag> singles;
+  const auto store = [&](auto column, float* to) {
+    hn::StoreU(hn::BitCast(singles, column), singles, to);
+  };
+  const auto far = hn::Set(singles, far_away);
+  for (std::size_t row = 0; row < job.row_count; ++row) {
+    const std::uint32_t begin = job.cell_begin[row * job.row_length];
+    const std::uint32_t end = job.cell_begin[(row + 1) * job.row_length - 1];
+    hn::StoreU(hn::Zero(quads), quads, job.order + end);
+    for (std::uint32_t place = begin; place < end; place += 4) {
+      const std::uint32_t* const order = job.order + place;
+      const auto a = record(order[0]);
+      const auto b = record(order[1]);
+      const auto c = record(order[2]);
+      const auto d = record(order[3]);
+      const auto ab = hn::InterleaveLower(quads, a, b);
+      const auto cd = hn::InterleaveLower(quads, c, d);
+      store(joined_lower(ab, cd), job.center[0] + place);
+      store(joined_upper(ab, cd), job.center[1] + place);
+      const auto ab_upper = hn::InterleaveUpper(quads, a, b);
+      const auto cd_upper = hn::InterleaveUpper(quads, c, d);
+      const auto third = joined_lower(ab_upper, cd_upper);
+      if constexpr (Dim == 2) {
+        hn::StoreU(third, quads, job.number + place);
+      } else {
+        store(third, job.center[2] + place);
+        hn::StoreU(joined_upper(ab_upper, cd_upper), quads, job.number + place);
+      }
+    }
+    for (std::uint32_t k = 0; k < row_padding; k += 4)
+      hn::StoreU(far, singles, job.center[0] + end + k);
+  }
+  return job.row_count;
+}
+#endif
+
 std::size_t pack(const ElementColumns& columns, std::size_t count, int dimensions, double* records,
                  ElementBounds& bounds) {
   return dimensions == 2 ? pack_in<2>(columns, count, records, bounds)
@@ -147,6 +284,22 @@ std::size_t place(const double* records, std::size_t count, int dimensions, cons
                          : place_in<3>(records, count, map, places);
 }
 
+std::size_t record(const double* records, std::size_t count, int dimensions, const RecordMap& map,
+                   std::uint32_t first_number, void* tile_records) {
+  return dimensions == 2 ? record_in<2>(records, count, map, first_number, tile_records)
+                         : record_in<3>(records, count, map, first_number, tile_records);
+}
+
+std::size_t bin(const void* tile_records, std::size_t count, int dimensions, const CellMap& map,
+                std::uint32_t* cells) {
+  return dimensions == 2 ? bin_in<2>(tile_records, count, map, cells)
+                         : bin_in<3>(tile_records, count, map, cells);
+}
+
+std::size_t arrange(const Arrangement& job, int dimensions) {
+  return dimensions == 2 ? arrange_in<2>(job) : arrange_in<3>(job);
+}
+
 }  // namespace abut::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -155,12 +308,16 @@ namespace abut::kernels {
 
 HWY_EXPORT(pack);
 HWY_EXPORT(place);
+HWY_EXPORT(record);
+HWY_EXPORT(bin);
+HWY_EXPORT(arrange);
 
 ElementKernels simd_element_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(pack)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(place)[chosen.GetIndex()]};
+  return {HWY_DISPATCH_TABLE(pack)[chosen.GetIndex()], HWY_DISPATCH_TABLE(place)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(record)[chosen.GetIndex()], HWY_DISPATCH_TABLE(bin)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(arrange)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

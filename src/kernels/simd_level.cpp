@@ -129,12 +129,18 @@ ElementKernels element_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   // Plain C++ is the caller's.
-  return {[](const ElementColumns&, std::size_t, int, double*, ElementBounds&) {
-            return std::size_t{0};
-          },
-          [](const double*, std::size_t, int, const PlaceMap&, std::uint32_t*) {
-            return std::size_t{0};
-          }};
+  return {
+      [](const ElementColumns&, std::size_t, int, double*, ElementBounds&) {
+        return std::size_t{0};
+      },
+      [](const double*, std::size_t, int, const PlaceMap&, std::uint32_t*) {
+        return std::size_t{0};
+      },
+      [](const double*, std::size_t, int, const RecordMap&, std::uint32_t, void*) {
+        return std::size_t{0};
+      },
+      [](const void*, std::size_t, int, const CellMap&, std::uint32_t*) { return std::size_t{0}; },
+      [](const Arrangement&, int) { return std::size_t{0}; }};
 }
 
 }  // namespace kernels

@@ -1,21 +1,31 @@
-// The walk through the cells of a tile, included once for each instruction set: no include guard
+// The walk through the elements of a tile, included once for each instruction set: no include guard
 // but the one that its includer sets, and nothing here but templates in the includer's namespace.
 //
-// For a block of a few cells of one row, the runs of neighbours are gathered once into a contiguous
-// buffer, the block's own elements first; each of those then meets what stands behind it.
+// An element meets the rest of its own cell and the cells ahead of it, five contiguous runs:
 //
-//   buffer   | block's cells, next cell | row y + 1 | rows y - 1, y, y + 1 of the layer z + 1 |
-//                  ^ element p meets everything behind it
+//   layer z      | row y:  own cell behind the element, cell x + 1 | row y + 1:  x - 1 .. x + 1 |
+//   layer z + 1  | row y - 1:  x - 1 .. x + 1 | row y:  x - 1 .. x + 1 | row y + 1:  x - 1 .. x + 1
+//   |
+//
+// Where runs are longer than a vector, how many vectors each takes could not be foreseen. There the
+// runs of a block of cells are gathered into one, for all elements of the block.
 //
 // Copies meet own elements only: a pair of copies is found in another tile.
 
-/// Three cells to a block gave the least time on dense packings (docs/adr/0010).
+/// Rows with more elements in a cell, on average, are searched in blocks.
+constexpr std::uint32_t crowd_of_row = 2;
+
+/// Cells of a block; docs/adr/0010 has the measurements.
 constexpr std::int32_t cells_per_block = 3;
 
-template <int Dim, class Block>
+template <int Dim, class Meeting>
 class TileSearch {
  public:
-  TileSearch(const TileView& tile, SearchJob& job) : tile_(tile), job_(job) {}
+  TileSearch(const TileView& tile, SearchJob& job)
+      : tile_(tile),
+        row_length_(tile.row_length()),
+        layer_length_(tile.layer_length()),
+        meeting_(tile, job) {}
 
   void search() {
     if constexpr (Dim == 2) {
@@ -23,103 +33,171 @@ class TileSearch {
     } else {
       for (std::int32_t z = 0; z <= tile_.cells[2] + 1; ++z) search_layer(z);
     }
+    meeting_.finish();
   }
 
  private:
+  static constexpr std::size_t run_count = Dim == 2 ? 2 : 5;
+
+  /// From a cell to the cell above it in the row of run k.
+  [[nodiscard]] static constexpr std::ptrdiff_t step_to(std::size_t k, std::ptrdiff_t row,
+                                                        std::ptrdiff_t layer) {
+    if (k < 2) return k == 0 ? 0 : row;
+    return layer + (static_cast<std::ptrdiff_t>(k) - 3) * row;
+  }
+
+  /// The runs of one element, each read when it is asked for.
+  class Ahead {
+   public:
+    /// What follows a run is a cell or more apart from the element, or padding.
+    static constexpr bool harmless_beyond = true;
+
+    Ahead(std::uint32_t p, const std::uint32_t* cell, std::ptrdiff_t row, std::ptrdiff_t layer)
+        : element_(p), cell_(cell), row_(row), layer_(layer) {}
+
+    [[nodiscard]] static constexpr std::size_t size() { return run_count; }
+
+    [[nodiscard]] Run operator[](std::size_t k) const {
+      if (k == 0) return {element_ + 1, cell_[2]};
+      const std::uint32_t* const ahead = cell_ + step_to(k, row_, layer_);
+      return {ahead[-1], ahead[2]};
+    }
+
+   private:
+    std::uint32_t element_;
+    const std::uint32_t* cell_;
+    std::ptrdiff_t row_;
+    std::ptrdiff_t layer_;
+  };
+
+  /// Rows of own elements that a row's elements meet, one for each run; null where there is none.
+  struct RowsAhead {
+    const std::uint32_t* row[run_count];
+  };
+
+  /// The runs of a copy in cell x of its row: own elements only.
+  class AheadOfCopy {
+   public:
+    /// Other copies may follow.
+    static constexpr bool harmless_beyond = false;
+
+    AheadOfCopy(const RowsAhead& rows, std::int32_t x, std::int32_t last_own)
+        : rows_(rows), x_(x), first_(x > 1 ? x - 1 : 1), last_(x < last_own ? x + 1 : last_own) {}
+
+    [[nodiscard]] static constexpr std::size_t size() { return run_count; }
+
+    [[nodiscard]] Run operator[](std::size_t k) const {
+      const std::uint32_t* const row = rows_.row[k];
+      if (row == nullptr || (k == 0 && x_ != 0)) return {0, 0};
+      return {row[first_], row[k == 0 ? 2 : last_ + 1]};
+    }
+
+   private:
+    RowsAhead rows_;
+    std::int32_t x_;
+    std::int32_t first_;
+    std::int32_t last_;
+  };
+
   void search_layer(std::int32_t z) {
-    const bool own_layer = Dim == 2 || is_own(z, 2);
     for (std::int32_t y = 0; y <= tile_.cells[1] + 1; ++y) {
       const std::uint32_t* row = row_of(y, z);
       const std::int32_t last = tile_.cells[0] + 1;
       if (row[0] == row[last + 1]) continue;
-      if (own_layer && is_own(y, 1)) {
-        meet_from_copies(row, y, z, 0, 0);
-        for (std::int32_t x = 1; x < last; x += cells_per_block) {
-          search_block(row, x, x + cells_per_block <= last ? x + cells_per_block : last);
-        }
-        meet_from_copies(row, y, z, last, last);
+      const RowsAhead ahead = rows_ahead(y, z);
+      if (ahead.row[0] == nullptr) {
+        meet_from_copies(row, 0, last, ahead);
+        continue;
+      }
+      meet_from_copies(row, 0, 0, ahead);
+      if (is_crowded(row)) {
+        meet_in_blocks(row);
       } else {
-        for (std::int32_t x = 0; x <= last; x += cells_per_block) {
-          const std::int32_t end = x + cells_per_block - 1;
-          meet_from_copies(row, y, z, x, end < last ? end : last);
-        }
+        meet_directly(row);
       }
+      meet_from_copies(row, last, last, ahead);
     }
   }
 
-  /// Cells [first, end) of an own row: with each other, the next cell, and the rows ahead.
-  void search_block(const std::uint32_t* row, std::int32_t first, std::int32_t end) {
-    const std::uint32_t central = row[end] - row[first];
-    if (central == 0) return;
-    Block block(tile_, job_);
-    block.append(row[first], row[end + 1]);
-    append_row(block, row + tile_.row_length(), first - 1, end);
-    if constexpr (Dim == 3) {
-      const std::uint32_t* above = row + tile_.layer_length();
-      append_row(block, above - tile_.row_length(), first - 1, end);
-      append_row(block, above, first - 1, end);
-      append_row(block, above + tile_.row_length(), first - 1, end);
-    }
-    block.close();
-    for (std::uint32_t p = 0; p < central; ++p) block.meet(block.element(p), p + 1);
-    block.finish();
+  /// All own elements of the row in one loop: cells have few, and how many cannot be foreseen.
+  void meet_directly(const std::uint32_t* row) {
+    meeting_.meet_all(row[1], row[tile_.cells[0] + 1],
+                      [cell = tile_.cell, begin = tile_.cell_begin, to_row = row_length_,
+                       to_layer = layer_length_](std::uint32_t p) {
+                        return Ahead(p, begin + cell[p], to_row, to_layer);
+                      });
   }
 
-  /// Copies in the cells [first, last]: with the own elements ahead of them.
-  void meet_from_copies(const std::uint32_t* row, std::int32_t y, std::int32_t z,
-                        std::int32_t first, std::int32_t last) {
-    const std::uint32_t central = row[last + 1] - row[first];
-    if (central == 0) return;
-    Block block(tile_, job_);
-    block.append(row[first], row[last + 1]);
-    if ((Dim == 2 || is_own(z, 2)) && is_own(y, 1) && last == 0) append_row(block, row, 1, 1);
-    const std::int32_t from = first > 1 ? first - 1 : 1;
-    const std::int32_t to = last < tile_.cells[0] ? last + 1 : tile_.cells[0];
-    if (from > to) return;
-    if (Dim == 2 || is_own(z, 2)) append_own_row(block, y + 1, z, from, to);
-    if constexpr (Dim == 3) {
-      if (is_own(z + 1, 2)) {
-        for (std::int32_t ahead = y - 1; ahead <= y + 1; ++ahead) {
-          append_own_row(block, ahead, z + 1, from, to);
-        }
+  /// Whether one of the rows that the row's elements meet is.
+  [[nodiscard]] bool is_crowded(const std::uint32_t* row) const {
+    std::uint32_t most = 0;
+    for (std::size_t k = 0; k < run_count; ++k) {
+      const std::uint32_t* const other = row + step_to(k, row_length_, layer_length_);
+      most = std::max(most, other[tile_.cells[0] + 2] - other[0]);
+    }
+    return most > crowd_of_row * static_cast<std::uint32_t>(tile_.cells[0] + 2);
+  }
+
+  void meet_in_blocks(const std::uint32_t* row) {
+    const std::int32_t last = tile_.cells[0] + 1;
+    for (std::int32_t x = 1; x < last; x += cells_per_block) {
+      const std::int32_t end = x + cells_per_block < last ? x + cells_per_block : last;
+      if (row[x] == row[end]) continue;
+      Run runs[run_count] = {{row[x], row[end + 1]}};
+      for (std::size_t k = 1; k < run_count; ++k) {
+        const std::uint32_t* const ahead = row + step_to(k, row_length_, layer_length_);
+        runs[k] = {ahead[x - 1], ahead[end + 1]};
       }
+      meeting_.meet_block(row[end] - row[x], runs);
     }
-    if (block.size() == central) return;
-    block.close();
-    for (std::uint32_t p = 0; p < central; ++p) block.meet(block.element(p), central);
-    block.finish();
   }
 
-  void append_own_row(Block& block, std::int32_t y, std::int32_t z, std::int32_t first,
-                      std::int32_t last) {
-    if (is_own(y, 1)) append_row(block, row_of(y, z), first, last);
+  /// Copies in the cells [first, last] of a row.
+  void meet_from_copies(const std::uint32_t* row, std::int32_t first, std::int32_t last,
+                        const RowsAhead& ahead) {
+    if (row[first] == row[last + 1]) return;
+    if (std::none_of(ahead.row, ahead.row + run_count, [](auto* other) { return other; })) return;
+    meeting_.meet_all(
+        row[first], row[last + 1],
+        [&ahead, cell = tile_.cell, last_own = tile_.cells[0],
+         first_of_row = static_cast<std::int32_t>(row - tile_.cell_begin)](std::uint32_t p) {
+          const auto x = static_cast<std::int32_t>(cell[p]) - first_of_row;
+          return AheadOfCopy(ahead, x, last_own);
+        });
   }
 
-  static void append_row(Block& block, const std::uint32_t* row, std::int32_t first,
-                         std::int32_t last) {
-    block.append(row[first], row[last + 1]);
+  [[nodiscard]] RowsAhead rows_ahead(std::int32_t y, std::int32_t z) const {
+    RowsAhead ahead{own_row(y, z), own_row(y + 1, z)};
+    if constexpr (Dim == 3) {
+      for (std::int32_t k = 0; k < 3; ++k) ahead.row[2 + k] = own_row(y - 1 + k, z + 1);
+    }
+    return ahead;
   }
 
+  [[nodiscard]] const std::uint32_t* own_row(std::int32_t y, std::int32_t z) const {
+    return is_own(y, 1) && is_own(z, 2) ? row_of(y, z) : nullptr;
+  }
+
+  /// In 2D the only layer is 0.
   [[nodiscard]] bool is_own(std::int32_t index, int axis) const {
+    if (Dim == 2 && axis == 2) return true;
     return index >= 1 && index <= tile_.cells[axis];
   }
 
   [[nodiscard]] const std::uint32_t* row_of(std::int32_t y, std::int32_t z) const {
-    return tile_.cell_begin + (z * (tile_.cells[1] + 2) + y) * tile_.row_length();
+    return tile_.cell_begin + (z * (tile_.cells[1] + 2) + y) * row_length_;
   }
 
   const TileView& tile_;
-  SearchJob& job_;
+  std::ptrdiff_t row_length_;
+  std::ptrdiff_t layer_length_;
+  Meeting meeting_;
 };
 
-/// Gathers the runs and lets the visitor meet them.
-template <class Block>
+template <class Meeting>
 void visit(const TileView& tile, SearchJob& job, const Visitor& visitor,
            std::span<const Run> runs) {
-  Block block(tile, job);
-  for (const Run& run : runs) block.append(run.begin, run.end);
-  if (block.size() == 0) return;
-  block.close();
-  block.meet(block.element_of(visitor), 0);
-  block.finish();
+  Meeting meeting(tile, job);
+  meeting.meet(visitor, runs);
+  meeting.finish();
 }

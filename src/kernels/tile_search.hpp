@@ -19,6 +19,10 @@ struct TileKernels {
   /// Tests a visitor against the elements of the runs.
   void (*visit)(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,
                 std::span<const Run> runs);
+
+  /// pairs[k] = element[k] and partner[k], the smaller number first.
+  void (*pair_up)(const std::uint32_t* element, const std::uint32_t* partner, std::size_t count,
+                  ContactPair* pairs);
 };
 
 /// `level` must be available.

@@ -17,159 +17,193 @@
 #include "kernels/compress_table.hpp"
 #include "kernels/tile_search.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using FloatTag = hn::ScalableTag<float>;
+/// Runs are short: wider vectors would be mostly empty.
+using FloatTag = hn::CappedTag<float, 8>;
 using NumberTag = hn::RebindToUnsigned<FloatTag>;
 using Floats = hn::Vec<FloatTag>;
 using Numbers = hn::Vec<NumberTag>;
 using Mask = hn::Mask<FloatTag>;
+constexpr FloatTag floats{};
+constexpr NumberTag numbers{};
+constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
 
-/// Far beyond every tile, yet with a finite square: never within reach.
-constexpr float far_away = 1e18f;
+/// A lane is a bit.
+using Bits = unsigned;
 
-/// The lanes of the mask, in order, then the others.
-HWY_INLINE Numbers compress(Numbers values, Mask mask) {
-  constexpr NumberTag numbers;
-#if HWY_TARGET == HWY_AVX3
-  return hn::Compress(values, hn::RebindMask(numbers, mask));
-#else
-  static_assert(hn::MaxLanes(FloatTag()) <= 8);
+HWY_INLINE Bits bits_of(Mask mask) {
   std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(FloatTag(), mask, bits);
-  const auto order = hn::PromoteTo(
-      numbers, hn::LoadU(hn::Rebind<std::uint8_t, NumberTag>(), compress_table[bits[0]].data()));
-  return hn::TableLookupLanes(values, hn::IndicesFromVec(numbers, order));
-#endif
+  hn::StoreMaskBits(floats, mask, bits);
+  return bits[0];
 }
 
-/// Candidates gathered contiguously. It works on copies of the job's pointers, which stay in
-/// registers: the compiler must assume that any store of a vector changes what lies in memory.
+/// The lanes of the set, in order, then the others.
+HWY_INLINE Numbers compress(Numbers values, Bits set) {
+  const auto order = hn::PromoteTo(
+      numbers, hn::LoadU(hn::Rebind<std::uint8_t, NumberTag>(), compress_table[set].data()));
+  return hn::TableLookupLanes(values, hn::IndicesFromVec(numbers, order));
+}
+
+/// Runs of at most this length take part in the loop without branches.
+constexpr std::uint32_t short_run = row_padding;
+constexpr Bits all_of_short_run = (1u << short_run) - 1;
+constexpr Bits all_lanes = (1u << lanes) - 1;
+/// Of five runs.
+constexpr std::size_t most_hits = 5 * short_run;
+
+/// Tests an element against runs of candidates.
 template <int Dim, bool EqualRadii>
-class SimdBlock {
+class SimdMeeting {
  public:
-  struct Element {
-    float center[Dim];
-    float outer;  ///< reach + slack and reach - slack: its own part, or all where radii are equal
-    float inner;
-    std::uint32_t number;
-  };
+  HWY_INLINE SimdMeeting(const TileView& tile, SearchJob& job)
+      : tile_(tile),
+        job_(job),
+        findings_(*job.findings),
+        sorted_{{tile.center[0], tile.center[1], tile.center[2]}, tile.radius, tile.number},
+        block_{{job.block[0], job.block[1], job.block[2]}, job.block[3], job.block_number},
+        element_(job.findings->element),
+        partner_(job.findings->partner) {}
 
-  HWY_INLINE SimdBlock(const TileView& tile, SearchJob& job)
-      : tile_(tile), job_(job), radius_(job.block[3]), number_(job.block_number) {
-    for (int axis = 0; axis < Dim; ++axis) center_[axis] = job.block[axis];
-    if constexpr (EqualRadii) {
-      common_outer_ = outer(tile.common_radius, job.slack);
-      common_inner_ = inner(tile.common_radius, job.slack);
+  HWY_INLINE void finish() { job_.candidate_tests += candidate_tests_; }
+
+  /// Elements [first, last), each with the runs that `runs_of` gives for it.
+  template <class RunsOf>
+  HWY_INLINE void meet_all(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
+    for (; first < last; first += batch_size) {
+      meet_batch(first, std::min(last, first + batch_size), runs_of);
     }
-    take_room();
   }
 
-  /// Tells the job what was found and done; nothing is met after it.
-  HWY_INLINE void finish() {
-    job_.filled = filled_;
-    job_.candidate_tests += candidate_tests_;
-  }
-
-  [[nodiscard]] HWY_INLINE std::size_t size() const { return size_; }
-
-  /// Copies a run behind what is there: whole vectors, the excess is overwritten later.
-  HWY_INLINE void append(std::size_t begin, std::size_t end) {
-    for (std::size_t k = 0; begin + k < end; k += lanes) {
-      for (int axis = 0; axis < Dim; ++axis) {
-        hn::StoreU(hn::LoadU(floats, tile_.center[axis] + begin + k), floats,
-                   center_[axis] + size_ + k);
+  /// The first `own` elements of the runs, each with all that follow it.
+  HWY_INLINE void meet_block(std::uint32_t own, std::span<const Run> runs) {
+    const std::size_t size = gather(runs);
+    for (std::uint32_t k = 0; k < own; ++k) {
+      const std::size_t first = k + 1;
+      if (first >= size) return;
+      candidate_tests_ += size - first;
+      if (HWY_UNLIKELY(findings_.found + size + lanes > Findings::room) ||
+          !meet_gathered(runs[0].begin + k, first, size)) {
+        meet_with_care(ball_of(runs[0].begin + k), block_, first, size);
       }
-      if constexpr (!EqualRadii) {
-        hn::StoreU(hn::LoadU(floats, tile_.radius + begin + k), floats, radius_ + size_ + k);
-      }
-      hn::StoreU(hn::LoadU(numbers, tile_.number + begin + k), numbers, number_ + size_ + k);
     }
-    size_ += end - begin;
   }
 
-  /// Fills up the last vector with what is within reach of nothing.
-  HWY_INLINE void close() {
-    hn::StoreU(hn::Set(floats, far_away), floats, center_[0] + size_);
-    if constexpr (!EqualRadii) hn::StoreU(hn::Zero(floats), floats, radius_ + size_);
-  }
-
-  HWY_INLINE Element element(std::size_t p) const {
-    Element result;
-    for (int axis = 0; axis < Dim; ++axis) result.center[axis] = center_[axis][p];
-    result.outer = EqualRadii ? common_outer_ : outer(radius_[p], job_.slack);
-    result.inner = EqualRadii ? common_inner_ : inner(radius_[p], job_.slack);
-    result.number = number_[p];
-    return result;
-  }
-
-  HWY_INLINE Element element_of(const Visitor& visitor) const {
-    Element result;
-    for (int axis = 0; axis < Dim; ++axis) result.center[axis] = visitor.center[axis];
-    result.outer = outer(visitor.radius, visitor.slack);
-    result.inner = inner(visitor.radius, visitor.slack);
-    result.number = visitor.number;
-    return result;
-  }
-
-  /// Tests the element against all candidates from `first` on. Vectors begin at multiples of their
-  /// length, so that elements of one block take equally many turns, which the processor foresees.
-  ///
-  /// First as if the filter could decide everything: a loop without calls keeps all it needs in
-  /// registers. Where it could not, what it found is forgotten and found again with care.
-  HWY_INLINE void meet(const Element& element, std::size_t first) {
-    if (first >= size_) return;
-    candidate_tests_ += size_ - first;
-    const std::size_t begin = first / lanes * lanes;
-    const Mask wanted =
-        hn::Ge(hn::Iota(floats, 0), hn::Set(floats, static_cast<float>(first - begin)));
-    if (HWY_LIKELY(filled_ + size_ - begin + 2 * lanes <= capacity_)) {
-      const std::size_t filled_before = filled_;
-      const Ball ball(element);
-      Filtered filtered = filter(ball, begin);
-      filtered.hit = hn::And(filtered.hit, wanted);
-      Mask undecided = hn::AndNot(filtered.sure, filtered.hit);
-      push(ball, filtered.hit, begin);
-      for (std::size_t q = begin + lanes; q < size_; q += lanes) {
-        filtered = filter(ball, q);
-        undecided = hn::Or(undecided, hn::AndNot(filtered.sure, filtered.hit));
-        push(ball, filtered.hit, q);
-      }
-      if (HWY_LIKELY(hn::AllFalse(floats, undecided))) return;
-      filled_ = filled_before;
-    }
-    // A copy, so that this block's own variables need no address.
-    SimdBlock careful(*this);
-    careful.meet_with_care(element, begin, wanted);
-    filled_ = careful.filled_;
-    pairs_ = careful.pairs_;
-    capacity_ = careful.capacity_;
+  void meet(const Visitor& visitor, std::span<const Run> runs) {
+    const Ball ball = ball_of(visitor);
+    for (const Run& run : runs) meet_with_care(ball, run);
   }
 
  private:
-  /// An element in all lanes.
-  struct Ball {
-    HWY_INLINE explicit Ball(const Element& element)
-        : outer(hn::Set(floats, element.outer)),
-          inner(hn::Set(floats, element.inner)),
-          farthest(hn::Set(floats, element.outer * element.outer)),
-          nearest(hn::Set(floats, element.inner < 0.0f ? 0.0f : element.inner * element.inner)),
-          number(hn::Set(numbers, element.number)) {
-      for (int axis = 0; axis < Dim; ++axis) {
-        center[axis] = hn::Set(floats, element.center[axis]);
+  /// The hits of an element among the first eight candidates of each run: a byte for each run.
+  using Hits = std::uint64_t;
+  /// Runs are longer, or the filter could not decide everything.
+  static constexpr Hits unknown = ~Hits{0};
+
+  static constexpr std::uint32_t batch_size = 64;
+
+  /// First the distances of all, then the pairs: two loops that do not wait for each other, each
+  /// short enough for the processor to have several elements under way.
+  template <class RunsOf>
+  HWY_INLINE void meet_batch(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
+    Hits hits[batch_size];
+    for (std::uint32_t p = first; p < last; ++p) hits[p - first] = hits_among(p, runs_of(p));
+    std::size_t found = findings_.found;
+    for (std::uint32_t p = first; p < last; ++p) {
+      const Hits own = hits[p - first];
+      if (own == 0) continue;
+      if (HWY_UNLIKELY(found + most_hits > Findings::room)) {
+        findings_.found = found;
+        job_.take(job_);
+        found = 0;
+      }
+      if (HWY_LIKELY(own != unknown)) {
+        found += write(p, own, runs_of(p), found);
+      } else {
+        findings_.found = found;
+        meet_with_care(p, runs_of);
+        found = findings_.found;
       }
     }
+    findings_.found = found;
+  }
 
+  template <class Runs>
+  HWY_INLINE Hits hits_among(std::uint32_t p, const Runs& runs) {
+    static_assert(Runs::size() * short_run <= most_hits);
+    const Ball ball = ball_of(p);
+    Mask doubtful = hn::MaskFromVec(hn::Zero(floats));
+    std::uint64_t spare_lanes = 0;  // near a multiple of 2^32 once a run is too long
+    Hits hits = 0;
+    for (std::size_t r = 0; r < Runs::size(); ++r) {
+      const Run run = runs[r];
+      const std::uint32_t spare = short_run + run.begin - run.end;
+      spare_lanes += spare;
+      for (std::size_t k = 0; k < short_run; k += lanes) {
+        const Filtered filtered = filter(ball, sorted_, run.begin + k);
+        doubtful = hn::Or(doubtful, hn::AndNot(filtered.sure, filtered.hit));
+        Hits found = bits_of(filtered.hit);
+        if constexpr (!Runs::harmless_beyond) found &= all_of_short_run >> (spare & 31u) >> k;
+        hits |= found << (8 * r + k);
+      }
+    }
+    constexpr std::size_t lanes_of_all = Runs::size() * short_run;
+    if (HWY_UNLIKELY(spare_lanes > lanes_of_all || !hn::AllFalse(floats, doubtful))) return unknown;
+    candidate_tests_ += lanes_of_all - spare_lanes;
+    return hits;
+  }
+
+  /// Writes the element's hits to that place of the findings and returns how many there are. Whole
+  /// vectors: the excess is overwritten.
+  template <class Runs>
+  HWY_INLINE std::size_t write(std::uint32_t p, Hits hits, const Runs& runs,
+                               std::size_t place) const {
+    const std::uint32_t* const number = sorted_.number;
+    std::uint32_t* const begin = partner_ + place;
+    std::uint32_t* end = begin;
+    for (std::size_t r = 0; r < Runs::size(); ++r) {
+      const std::size_t q = runs[r].begin;
+      for (std::size_t k = 0; k < short_run; k += lanes) {
+        const Bits set = static_cast<Bits>(hits >> (8 * r + k)) & all_lanes;
+        hn::StoreU(compress(hn::LoadU(numbers, number + q + k), set), numbers, end);
+        end += std::popcount(set);
+      }
+    }
+    const auto count = static_cast<std::size_t>(end - begin);
+    const Numbers own = hn::Set(numbers, number[p]);
+    for (std::size_t k = 0; k < count; k += lanes) hn::StoreU(own, numbers, element_ + place + k);
+    return count;
+  }
+
+  /// An element with runs of any length, and notes of what the filter cannot decide.
+  template <class RunsOf>
+  HWY_NOINLINE void meet_with_care(std::uint32_t p, RunsOf runs_of) {
+    const Ball ball = ball_of(p);
+    const auto runs = runs_of(p);
+    for (std::size_t r = 0; r < runs.size(); ++r) meet_with_care(ball, runs[r]);
+  }
+
+  /// An element in all lanes.
+  struct Ball {
     Floats center[Dim];
-    Floats outer;
+    Floats outer;  ///< reach + slack and reach - slack, its own part ...
     Floats inner;
-    Floats farthest;  ///< squares, where all radii are equal
+    Floats farthest;  ///< ... or the squares of the whole, where all radii are equal
     Floats nearest;
     Numbers number;
+  };
+
+  /// Where candidates stand.
+  struct Columns {
+    const float* center[3];
+    const float* radius;
+    const std::uint32_t* number;
   };
 
   struct Filtered {
@@ -177,17 +211,51 @@ class SimdBlock {
     Mask sure;  ///< certainly within reach
   };
 
-  HWY_INLINE Filtered filter(const Ball& ball, std::size_t q) const {
-    Floats difference = hn::Sub(ball.center[0], hn::LoadU(floats, center_[0] + q));
+  HWY_INLINE Ball ball_of(std::uint32_t p) const {
+    Ball ball;
+    for (int axis = 0; axis < Dim; ++axis) {
+      ball.center[axis] = hn::Set(floats, tile_.center[axis][p]);
+    }
+    set_reach(ball, EqualRadii ? tile_.common_radius : tile_.radius[p], job_.slack);
+    ball.number = hn::Set(numbers, tile_.number[p]);
+    return ball;
+  }
+
+  HWY_INLINE Ball ball_of(const Visitor& visitor) const {
+    Ball ball;
+    for (int axis = 0; axis < Dim; ++axis) {
+      ball.center[axis] = hn::Set(floats, visitor.center[axis]);
+    }
+    set_reach(ball, visitor.radius, visitor.slack);
+    ball.number = hn::Set(numbers, visitor.number);
+    return ball;
+  }
+
+  HWY_INLINE void set_reach(Ball& ball, float radius, float slack) const {
+    const float reach = radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f);
+    const Floats outer = hn::Set(floats, reach + slack);
+    const Floats inner = hn::Set(floats, reach - slack);
+    if constexpr (EqualRadii) {
+      ball.farthest = hn::Mul(outer, outer);
+      const Floats nearest = hn::Max(inner, hn::Zero(floats));
+      ball.nearest = hn::Mul(nearest, nearest);
+    } else {
+      ball.outer = outer;
+      ball.inner = inner;
+    }
+  }
+
+  HWY_INLINE static Filtered filter(const Ball& ball, const Columns& columns, std::size_t q) {
+    Floats difference = hn::Sub(ball.center[0], hn::LoadU(floats, columns.center[0] + q));
     Floats distance_squared = hn::Mul(difference, difference);
     for (int axis = 1; axis < Dim; ++axis) {
-      difference = hn::Sub(ball.center[axis], hn::LoadU(floats, center_[axis] + q));
+      difference = hn::Sub(ball.center[axis], hn::LoadU(floats, columns.center[axis] + q));
       distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
     }
     if constexpr (EqualRadii) {
       return {hn::Le(distance_squared, ball.farthest), hn::Lt(distance_squared, ball.nearest)};
     } else {
-      const Floats radius = hn::LoadU(floats, radius_ + q);
+      const Floats radius = hn::LoadU(floats, columns.radius + q);
       const Floats farthest = hn::Add(ball.outer, radius);
       const Floats nearest = hn::Max(hn::Add(ball.inner, radius), hn::Zero(floats));
       return {hn::Le(distance_squared, hn::Mul(farthest, farthest)),
@@ -195,77 +263,105 @@ class SimdBlock {
     }
   }
 
-  /// Writes a pair for each lane of the mask, in order; a whole vector, the excess is overwritten.
-  HWY_INLINE void push(const Ball& ball, Mask hit, std::size_t q) {
-    if (few_hits_ && hn::AllFalse(floats, hit)) return;
-    const Numbers partner = compress(hn::LoadU(numbers, number_ + q), hit);
-    hn::StoreInterleaved2(hn::Min(ball.number, partner), hn::Max(ball.number, partner), numbers,
-                          reinterpret_cast<std::uint32_t*>(pairs_ + filled_));
-    filled_ += hn::CountTrue(floats, hit);
+  /// Puts the runs one behind the other and returns how many candidates there are; what follows
+  /// them is within reach of nothing. Whole vectors: the excess is overwritten.
+  HWY_INLINE std::size_t gather(std::span<const Run> runs) {
+    float* const* const to = job_.block;
+    std::uint32_t* const number = job_.block_number;
+    std::size_t size = 0;
+    for (const Run& run : runs) {
+      for (std::size_t k = 0; run.begin + k < run.end; k += lanes) {
+        for (int axis = 0; axis < Dim; ++axis) {
+          hn::StoreU(hn::LoadU(floats, sorted_.center[axis] + run.begin + k), floats,
+                     to[axis] + size + k);
+        }
+        if constexpr (!EqualRadii) {
+          hn::StoreU(hn::LoadU(floats, sorted_.radius + run.begin + k), floats, to[3] + size + k);
+        }
+        hn::StoreU(hn::LoadU(numbers, sorted_.number + run.begin + k), numbers, number + size + k);
+      }
+      size += run.end - run.begin;
+    }
+    hn::StoreU(hn::Set(floats, far_away), floats, to[0] + size);
+    if constexpr (!EqualRadii) hn::StoreU(hn::Zero(floats), floats, to[3] + size);
+    return size;
   }
 
-  /// The same with exact decisions and room for any number of pairs.
-  HWY_NOINLINE void meet_with_care(const Element& element, std::size_t begin, Mask wanted) {
-    const Ball ball(element);
-    for (std::size_t q = begin; q < size_; q += lanes) {
-      Filtered filtered = filter(ball, q);
-      filtered.hit = hn::And(filtered.hit, wanted);
-      wanted = hn::MaskFromVec(hn::BitCast(floats, hn::Set(numbers, ~0u)));
-      const Mask undecided = hn::AndNot(filtered.sure, filtered.hit);
-      if (!hn::AllFalse(floats, undecided)) settle(filtered.hit, undecided, element.number, q);
-      push(ball, filtered.hit, q);
-      if (filled_ + 2 * lanes <= capacity_) continue;
-      job_.filled = filled_;
-      job_.flush(job_);
-      take_room();
+  /// Vectors begin at multiples of their length, so that elements of one block take equally many
+  /// turns, which the processor foresees. Returns false, having found nothing, where the filter
+  /// cannot decide everything.
+  HWY_INLINE bool meet_gathered(std::uint32_t p, std::size_t first, std::size_t size) {
+    const Ball ball = ball_of(p);
+    const Columns columns = block_;
+    std::uint32_t* const begin = partner_ + findings_.found;
+    std::uint32_t* end = begin;
+    Mask doubtful = hn::MaskFromVec(hn::Zero(floats));
+    Bits wanted = all_lanes << first % lanes & all_lanes;
+    for (std::size_t q = first / lanes * lanes; q < size; q += lanes) {
+      const Filtered filtered = filter(ball, columns, q);
+      doubtful = hn::Or(doubtful, hn::AndNot(filtered.sure, filtered.hit));
+      const Bits hits = bits_of(filtered.hit) & wanted;
+      wanted = all_lanes;
+      hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, end);
+      end += std::popcount(hits);
+    }
+    if (HWY_UNLIKELY(!hn::AllFalse(floats, doubtful))) return false;
+    const auto count = static_cast<std::size_t>(end - begin);
+    for (std::size_t k = 0; k < count; k += lanes) {
+      hn::StoreU(ball.number, numbers, element_ + findings_.found + k);
+    }
+    findings_.found += count;
+    return true;
+  }
+
+  HWY_INLINE void meet_with_care(const Ball& ball, const Run& run) {
+    candidate_tests_ += run.end - run.begin;
+    meet_with_care(ball, sorted_, run.begin, run.end);
+  }
+
+  /// Candidates [first, last), in pieces for which there is room.
+  HWY_NOINLINE void meet_with_care(const Ball& ball, const Columns& columns, std::size_t first,
+                                   std::size_t last) {
+    constexpr std::size_t longest_piece = Findings::room / 4;
+    for (; first < last; first += longest_piece) {
+      const std::size_t end = std::min(last, first + longest_piece);
+      if (findings_.found + (end - first) > Findings::room) job_.take(job_);
+      findings_.found = meet_piece(ball, columns, first, end, findings_.found);
     }
   }
 
-  /// Decides the undecided lanes exactly.
-  void settle(Mask& hit, Mask undecided, std::uint32_t number, std::size_t q) {
-    std::uint8_t hits[8] = {};
-    std::uint8_t asked[8] = {};
-    hn::StoreMaskBits(floats, hit, hits);
-    hn::StoreMaskBits(floats, undecided, asked);
-    for (unsigned rest = asked[0] | unsigned{asked[1]} << 8u; rest != 0; rest &= rest - 1) {
-      const int lane = std::countr_zero(rest);
-      if (job_.decide(job_, number, number_[q + static_cast<std::size_t>(lane)])) continue;
-      hits[lane / 8] = static_cast<std::uint8_t>(hits[lane / 8] & ~(1u << lane % 8));
+  HWY_INLINE std::size_t meet_piece(const Ball& ball, const Columns& columns, std::size_t begin,
+                                    std::size_t end, std::size_t found) {
+    for (std::size_t q = begin; q < end; q += lanes) {
+      const Filtered filtered = filter(ball, columns, q);
+      const Bits within = end - q < lanes ? (1u << (end - q)) - 1 : all_lanes;
+      const Bits hits = bits_of(filtered.hit) & within;
+      const Bits doubtful = hits & ~bits_of(filtered.sure);
+      if (HWY_UNLIKELY(doubtful != 0)) note(hits, doubtful, found);
+      hn::StoreU(ball.number, numbers, element_ + found);
+      hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, partner_ + found);
+      found += static_cast<std::size_t>(std::popcount(hits));
     }
-    hit = hn::LoadMaskBits(floats, hits);
+    return found;
   }
 
-  [[nodiscard]] HWY_INLINE float outer(float radius, float slack) const {
-    return radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f) + slack;
+  /// The doubtful ones among the hits that are written from that place on.
+  HWY_INLINE void note(Bits hits, Bits doubtful, std::size_t place) {
+    for (; doubtful != 0; doubtful &= doubtful - 1) {
+      const Bits below = (doubtful & (0u - doubtful)) - 1;
+      const std::size_t own = place + static_cast<std::size_t>(std::popcount(hits & below));
+      findings_.doubtful[findings_.doubts++] = static_cast<std::uint32_t>(own);
+    }
   }
-  [[nodiscard]] HWY_INLINE float inner(float radius, float slack) const {
-    return radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f) - slack;
-  }
-
-  HWY_INLINE void take_room() {
-    pairs_ = job_.pairs;
-    filled_ = job_.filled;
-    capacity_ = job_.capacity;
-  }
-
-  static constexpr FloatTag floats{};
-  static constexpr NumberTag numbers{};
-  static constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
 
   const TileView& tile_;
   SearchJob& job_;
-  float* center_[Dim];
-  float* radius_;
-  float common_outer_ = 0.0f;
-  float common_inner_ = 0.0f;
-  std::uint32_t* number_;
-  ContactPair* pairs_;
-  std::size_t filled_;
-  std::size_t capacity_;
-  std::size_t size_ = 0;
+  Findings& findings_;
+  Columns sorted_;  ///< the tile's
+  Columns block_;   ///< gathered
+  std::uint32_t* element_;
+  std::uint32_t* partner_;
   std::size_t candidate_tests_ = 0;
-  /// Whether most vectors are without a hit, so that looking first pays.
-  const bool few_hits_ = job_.few_hits;
 };
 
 #include "kernels/tile_search-inl.hpp"
@@ -273,12 +369,26 @@ class SimdBlock {
 #include "kernels/tile_search_variants-inl.hpp"
 
 void search_tile(const TileView& tile, SearchJob& job, int dimensions) {
-  search_with<SimdBlock>(tile, job, dimensions);
+  search_with<SimdMeeting>(tile, job, dimensions);
 }
 
 void visit_tile(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,
                 std::span<const Run> runs) {
-  visit_with<SimdBlock>(tile, job, dimensions, visitor, runs);
+  visit_with<SimdMeeting>(tile, job, dimensions, visitor, runs);
+}
+
+void pair_up(const std::uint32_t* element, const std::uint32_t* partner, std::size_t count,
+             ContactPair* pairs) {
+  std::size_t k = 0;
+  for (; k + lanes <= count; k += lanes) {
+    const Numbers a = hn::LoadU(numbers, element + k);
+    const Numbers b = hn::LoadU(numbers, partner + k);
+    hn::StoreInterleaved2(hn::Min(a, b), hn::Max(a, b), numbers,
+                          reinterpret_cast<std::uint32_t*>(pairs + k));
+  }
+  for (; k < count; ++k) {
+    pairs[k] = {std::min(element[k], partner[k]), std::max(element[k], partner[k])};
+  }
 }
 
 }  // namespace abut::kernels::HWY_NAMESPACE
@@ -289,12 +399,14 @@ namespace abut::kernels {
 
 HWY_EXPORT(search_tile);
 HWY_EXPORT(visit_tile);
+HWY_EXPORT(pair_up);
 
 TileKernels simd_tile_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(search_tile)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(visit_tile)[chosen.GetIndex()]};
+          HWY_DISPATCH_TABLE(visit_tile)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(pair_up)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

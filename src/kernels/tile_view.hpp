@@ -11,13 +11,21 @@ namespace abut::kernels {
 /// end.
 inline constexpr std::size_t widest_vector = 16;
 
+/// Lanes of the widest run of candidates that a kernel reads at once: so many places behind the
+/// last element of each row hold none.
+inline constexpr std::uint32_t row_padding = 8;
+
+/// Center of what is no element: far beyond every tile, yet with a finite square, so that it is
+/// within reach of nothing.
+inline constexpr float far_away = 1e18f;
+
 /// The elements of a tile sorted by cell. Along each axis the tile's own cells are framed by one
-/// layer of copies of the elements around it:
+/// layer of copies of the elements around it; each row ends with padding:
 ///
-///   index   0        1 .. k    k + 1
-///   holds   copies   own       copies
+///   index   0        1 .. k    k + 1    k + 2
+///   holds   copies   own       copies   row_padding places, far away on the first axis
 ///
-///   cell = (z * (k_y + 2) + y) * (k_x + 2) + x     (in 2D z = 0 only, without a frame)
+///   cell = (z * (k_y + 2) + y) * (k_x + 3) + x     (in 2D z = 0 only, without a frame)
 ///
 /// A cell holds either own elements or copies, never both.
 struct TileView {
@@ -25,27 +33,37 @@ struct TileView {
   const float* radius;              ///< unused where all radii are equal
   float common_radius;              ///< of all elements, where they are equal; else negative
   const std::uint32_t* number;      ///< of the element in the caller's arrays
-  const std::uint32_t* cell_begin;  ///< first element of each cell; one more at the end
+  const std::uint32_t* cell;        ///< of the element
+  const std::uint32_t* cell_begin;  ///< first place of each cell; one more at the end
   std::int32_t cells[3];            ///< own cells k along each axis
 
-  [[nodiscard]] std::int32_t row_length() const noexcept { return cells[0] + 2; }
+  [[nodiscard]] std::int32_t row_length() const noexcept { return cells[0] + 3; }
   [[nodiscard]] std::int32_t layer_length() const noexcept { return row_length() * (cells[1] + 2); }
 };
 
-/// What the kernels need of the rest: room for pairs and the exact decision.
+/// Pairs that a kernel found, in the order of its search. The pairs that single precision cannot
+/// decide are among them; their places are listed, ascending.
+struct Findings {
+  /// Few enough for the nearest cache.
+  static constexpr std::size_t room = 1024;
+
+  std::uint32_t element[room + widest_vector];
+  std::uint32_t partner[room + widest_vector];
+  std::uint32_t doubtful[room];
+  std::size_t found = 0;
+  std::size_t doubts = 0;
+};
+
+/// What the kernels need of the rest.
 struct SearchJob {
   float margin;
-  float slack;                  ///< bounds the error of a computed distance, in the tile's unit
+  float slack;  ///< bounds the error of a computed distance, in the tile's unit
+  Findings* findings;
   float* block[4];              ///< scratch for candidates: centers by axis, radii
-  std::uint32_t* block_number;  ///< each with room for all elements of the tile + widest_vector
-  ContactPair* pairs;
-  std::size_t filled;
-  std::size_t capacity;  ///< > 2 * widest_vector
+  std::uint32_t* block_number;  ///< each with room for all places of the tile + widest_vector
   std::uint64_t candidate_tests;
-  bool few_hits;  ///< a hint: most candidates are none, by far
   void* owner;
-  void (*flush)(SearchJob& job);  ///< takes the pairs and gives new room
-  bool (*decide)(SearchJob& job, std::uint32_t first, std::uint32_t second);
+  void (*take)(SearchJob& job);  ///< empties the findings
 };
 
 /// A contiguous range of the sorted elements.

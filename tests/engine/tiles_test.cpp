@@ -124,9 +124,13 @@ TYPED_TEST(TilesOf, RecordsAreTheElementsInSinglePrecision) {
   EXPECT_EQ(std::frexp(unit, &exponent), 0.5) << "a power of two";
   for (std::size_t tile = 0; tile < this->grid.tile_count; ++tile) {
     const auto t = this->grid.coordinates(tile);
-    for (const auto& record : tiles.records(tile)) {
+    const auto records = tiles.records(tile);
+    const auto radii = tiles.radii(tile);
+    ASSERT_EQ(radii.size(), records.size()) << "the radii differ";
+    for (std::size_t k = 0; k < records.size(); ++k) {
+      const auto& record = records[k];
       const auto& sphere = this->spheres[record.number];
-      EXPECT_EQ(record.radius, static_cast<float>(sphere.radius * unit));
+      EXPECT_EQ(radii[k], static_cast<float>(sphere.radius * unit));
       for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
         const double position =
             (sphere.center[axis] - this->grid.lower[axis] - t[axis] * this->grid.size[axis]) * unit;
@@ -134,6 +138,15 @@ TYPED_TEST(TilesOf, RecordsAreTheElementsInSinglePrecision) {
         EXPECT_LE(std::fabs(record.center[axis]), 2.0f);
       }
     }
+  }
+}
+
+TYPED_TEST(TilesOf, EqualRadiiNeedNoColumn) {
+  this->group.bounds.smallest_radius = this->group.bounds.largest_radius;
+  Tiles<TypeParam::value> tiles(this->memory);
+  this->partition(tiles, 1);
+  for (std::size_t tile = 0; tile < this->grid.tile_count; ++tile) {
+    EXPECT_TRUE(tiles.radii(tile).empty());
   }
 }
 
@@ -150,6 +163,7 @@ TYPED_TEST(TilesOf, LayoutDoesNotDependOnWorkersAndVectors) {
         ASSERT_EQ(a.size(), b.size());
         ASSERT_EQ(first.own_count(tile), other.own_count(tile));
         ASSERT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+        ASSERT_TRUE(std::ranges::equal(first.radii(tile), other.radii(tile)));
         ASSERT_TRUE(std::ranges::equal(first.visitors(tile), other.visitors(tile)));
       }
     }

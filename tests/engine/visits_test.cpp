@@ -35,14 +35,15 @@ class VisitsOf : public ::testing::Test {
         record.center[axis] = static_cast<float>(sphere.center[axis] - 5.0);
       }
       sphere.radius = largest_radius * random.uniform();
-      record.radius = static_cast<float>(sphere.radius);
+      radii.push_back(static_cast<float>(sphere.radius));
       record.number = static_cast<std::uint32_t>(k);
       spheres.push_back(sphere);
       records.push_back(record);
     }
     const auto cells = choose_tile_cells(grid, 1.0, records.size());
-    tile.count(records, 3000, cells);
-    tile.sort(records, -1.0f);
+    const auto kernels = kernels::element_kernels(Simd::scalar);
+    tile.count(records, 3000, cells, kernels);
+    tile.sort(records, radii, -1.0f, kernels);
     frame.cell_size = cells.size_in_unit(grid, 1.0);
     frame.largest_reach = largest_radius + margin;
   }
@@ -54,6 +55,7 @@ class VisitsOf : public ::testing::Test {
   TileFrame<dim> frame{grid, {}, {}, 1.0, 0.0};
   Spheres<dim> spheres;
   std::vector<Record<dim>> records;
+  std::vector<float> radii;
 };
 
 TYPED_TEST_SUITE(VisitsOf, Dimensions);

@@ -8,15 +8,11 @@ constexpr std::size_t few_elements = 64;
 
 }  // namespace
 
-Choice choose_algorithm(std::size_t element_count, const Domain& domain) {
+Choice choose_algorithm(std::size_t element_count) {
   if (element_count <= few_elements) {
     return {&row_of(Algorithm::direct_check), "at most 64 elements"};
   }
-  const RegistryRow& rows = row_of(Algorithm::rows);
-  if (domain.is_periodic() && !rows.info.periodic) {
-    return {&row_of(Algorithm::direct_check), "carries periodic domains"};
-  }
-  return {&rows, "more than 64 elements"};
+  return {&row_of(Algorithm::rows), "more than 64 elements"};
 }
 
 }  // namespace abut::api

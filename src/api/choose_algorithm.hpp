@@ -2,8 +2,6 @@
 
 #include "api/registry.hpp"
 
-#include <abut/domain.hpp>
-
 #include <cstddef>
 #include <string_view>
 
@@ -15,7 +13,7 @@ struct Choice {
 };
 
 /// Few elements: direct check. Otherwise rows, whose time and memory follow the elements whatever
-/// the domain, the packing and the sizes; it divides by size itself. One that carries the domain.
-[[nodiscard]] Choice choose_algorithm(std::size_t element_count, const Domain& domain);
+/// the domain, the packing and the sizes; it divides by size itself.
+[[nodiscard]] Choice choose_algorithm(std::size_t element_count);
 
 }  // namespace abut::api

@@ -114,7 +114,7 @@ void Detection::search(const engine::RowsSettings& settings, const Request& requ
   Arrays<Dim>& own = arrays<Dim>();
   const Options& options = request.options;
   const Choice choice = options.algorithm == Algorithm::automatic
-                            ? choose_algorithm(own.elements.spheres.size(), request.domain)
+                            ? choose_algorithm(own.elements.spheres.size())
                             : Choice{&row_of(options.algorithm), "asked for"};
   statistics.algorithm = choice.row->info.algorithm;
   statistics.reason = choice.reason;
@@ -123,8 +123,7 @@ void Detection::search(const engine::RowsSettings& settings, const Request& requ
     statistics.threads = static_cast<int>(settings.workers);
     statistics.simd = settings.simd;
   }
-  const System<Dim> system{own.elements.spheres, own.elements.bounds, settings, own.workspace,
-                           own.image_rows};
+  const System<Dim> system{own.elements.spheres, own.elements.bounds, settings, own.workspace};
   if (request.domain.is_periodic()) {
     return choice.row->runs<Dim>().on_images(system, lattice_of(request.domain), sink, context);
   }

@@ -2,7 +2,6 @@
 
 #include "api/found_pairs.hpp"
 #include "api/gathered_elements.hpp"
-#include "api/image_rows.hpp"
 #include "api/list_neighbors.hpp"
 #include "api/order_pairs.hpp"
 #include "api/visiting_sink.hpp"
@@ -43,12 +42,10 @@ class Detection {
  private:
   template <int Dim>
   struct Arrays {
-    explicit Arrays(base::MemoryMeter& memory)
-        : elements(memory), workspace(memory), image_rows(memory) {}
+    explicit Arrays(base::MemoryMeter& memory) : elements(memory), workspace(memory) {}
 
     GatheredElements<Dim> elements;
     engine::Workspace<Dim> workspace;
-    ImageRows<Dim> image_rows;
   };
 
   template <int Dim>

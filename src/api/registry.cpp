@@ -3,6 +3,7 @@
 
 #include "api/registry.hpp"
 
+#include "engine/periodic_rows.hpp"
 #include "reference/algorithms.hpp"
 #include "reference/direct_check_images.hpp"
 
@@ -47,13 +48,6 @@ void rows(const System<Dim>& system, base::PairSink& sink, base::DetectionContex
 }
 
 template <int Dim>
-void rows_of_images(const System<Dim>& system, const base::Lattice& lattice, base::PairSink& sink,
-                    base::DetectionContext& context) {
-  system.image_rows.search(system.spheres, system.bounds, lattice, system.settings,
-                           system.workspace, sink, context);
-}
-
-template <int Dim>
 constexpr Runs<Dim> direct_check_runs{.on_elements = direct_check_elements<Dim>,
                                       .on_images = direct_check_all_images<Dim>,
                                       .trace = trace_direct_check<Dim>};
@@ -80,7 +74,14 @@ constexpr Runs<3> munjiza_nbs_3d_runs{.on_cells = munjiza_nbs_3d<ContactTest<3>>
                                       .grid_bytes = munjiza_nbs_bytes<3>};
 
 template <int Dim>
-constexpr Runs<Dim> rows_runs{.on_elements = rows<Dim>, .on_images = rows_of_images<Dim>};
+void periodic_rows(const System<Dim>& system, const base::Lattice& lattice, base::PairSink& sink,
+                   base::DetectionContext& context) {
+  engine::periodic_rows(system.spheres, system.bounds, lattice, system.settings, system.workspace,
+                        sink, context);
+}
+
+template <int Dim>
+constexpr Runs<Dim> rows_runs{.on_elements = rows<Dim>, .on_images = periodic_rows<Dim>};
 
 constexpr std::array<RegistryRow, 6> table{{
     {{Algorithm::direct_check, "direct_check", "every element against every other", "N^2", "0",

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "api/image_rows.hpp"
 #include "base/detection_context.hpp"
 #include "base/lattice.hpp"
 #include "base/pair_sink.hpp"
@@ -22,7 +21,6 @@ struct System {
   const grid::Bounds<Dim>& bounds;
   const engine::RowsSettings& settings;
   engine::Workspace<Dim>& workspace;
-  ImageRows<Dim>& image_rows;  ///< what `rows` keeps for periodic domains
 };
 
 /// How an algorithm runs in one number of dimensions: on the elements, or on their cells.

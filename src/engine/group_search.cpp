@@ -33,9 +33,9 @@ constexpr std::size_t large_group = 1 << 15;
 
 /// A hair above the reach, and never so small that counts of cells overflow.
 template <int Dim>
-double cell_size_for(const grid::Bounds<Dim>& bounds, double margin) {
-  const double reach = bounds.largest_radius + bounds.second_largest_radius + margin;
-  double cell = std::max(reach * cell_margin, smallest_cell);
+double cell_size_for(const grid::Bounds<Dim>& bounds, const Task<Dim>& task) {
+  const double reach = bounds.largest_radius + bounds.second_largest_radius + task.margin;
+  double cell = std::max({reach * cell_margin, task.least_cell, smallest_cell});
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     cell = std::max(cell, (bounds.upper[axis] - bounds.lower[axis]) / most_cells_along_box);
   }
@@ -113,7 +113,7 @@ void GroupSearch<Dim>::search(const Group<Dim>& group, const Post& post) {
     post.histogram.clear();
     count_radii(post.histogram, task_.spheres, group.natives);
     count_radii(post.histogram, task_.spheres, group.foreigns);
-    const double cell = cell_size_for(group.bounds, task_.margin);
+    const double cell = cell_size_for(group.bounds, task_);
     const double volume = volume_in_cells(group.bounds, cell);
     if (const auto cut =
             choose_size_cut<Dim>(post.histogram, crowd_of(group.bounds, task_.margin, volume))) {
@@ -134,7 +134,7 @@ void GroupSearch<Dim>::search_divided(const Group<Dim>& group, double cut, const
 
 template <int Dim>
 void GroupSearch<Dim>::search_tiles(const Group<Dim>& group, const Post& post) {
-  const TileGrid<Dim> grid = cut_into_tiles(group, cell_size_for(group.bounds, task_.margin));
+  const TileGrid<Dim> grid = cut_into_tiles(group, cell_size_for(group.bounds, task_));
   Tiles<Dim>& tiles = post.floors.at(post.depth).tiles;
   if (post.worker != nullptr) {
     tiles.partition(task_.spheres, group, grid, task_.margin, task_.element_kernels, 1);
@@ -226,7 +226,7 @@ std::optional<double> GroupSearch<Dim>::size_cut_in(const Group<Dim>& group,
   const SortedTile<Dim>& sorted = post.worker->bench().tile;
   const auto count = static_cast<double>(sorted.size());
   const double crowded_cells = count * count / static_cast<double>(sorted.crowding());
-  const double volume = crowded_cells * cells.volume_in(grid, cell_size_for(sizes, task_.margin));
+  const double volume = crowded_cells * cells.volume_in(grid, cell_size_for(sizes, task_));
   return choose_size_cut<Dim>(post.histogram, crowd_of(sizes, task_.margin, volume));
 }
 
@@ -234,7 +234,7 @@ template <int Dim>
 void GroupSearch<Dim>::search(const Part& part, const Post& post) {
   Group<Dim> group = group_of(task_.spheres, *part.members, part.wanted);
   // Cells that are much smaller, because the box is, are progress enough.
-  const double volume = volume_in_cells(group.bounds, cell_size_for(group.bounds, task_.margin));
+  const double volume = volume_in_cells(group.bounds, cell_size_for(group.bounds, task_));
   group.least_tiles = volume * tiles_of_crowd <= part.tile_volume ? 1.0 : tiles_of_crowd;
   if (part.size_cut) {
     search_divided(group, *part.size_cut, post.deeper());

@@ -62,20 +62,16 @@ void rows(std::span<const base::Sphere<Dim>> spheres, const grid::Bounds<Dim>& b
   sink.expect_workers(settings.workers);
   const kernels::TileKernels kernels = kernels::tile_kernels(settings.simd);
   const kernels::ElementKernels element_kernels = kernels::element_kernels(settings.simd);
+  const OpenArbiter<Dim> arbiter(spheres, settings.margin);
   if (largest_number(bounds, settings.margin) <= largest_unscaled) {
-    const Task<Dim> task{spheres,         spheres, settings.margin, settings.margin, kernels,
+    const Task<Dim> task{spheres,         arbiter, settings.margin, 0.0, kernels,
                          element_kernels, sink,    context.progress};
     return search(task, bounds, settings.workers, workspace, context);
   }
   const auto smaller = scaled(spheres, context.memory);
-  const Task<Dim> task{smaller,
-                       spheres,
-                       settings.margin * scale_down,
-                       settings.margin,
-                       kernels,
-                       element_kernels,
-                       sink,
-                       context.progress};
+  const Task<Dim> task{smaller, arbiter,         settings.margin * scale_down,
+                       0.0,     kernels,         element_kernels,
+                       sink,    context.progress};
   search(task, bounds_of<Dim>(smaller), settings.workers, workspace, context);
 }
 

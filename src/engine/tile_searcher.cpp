@@ -61,17 +61,19 @@ void TileSearcher<Dim>::take() {
 /// Drops the doubtful pairs that are none; the others keep their order.
 template <int Dim>
 void TileSearcher<Dim>::settle() {
-  auto& [element, partner, doubtful, found, doubts] = findings_;
+  std::uint32_t* const element = findings_.element;
+  std::uint32_t* const partner = findings_.partner;
+  const std::span doubtful(findings_.doubtful, findings_.doubts);
   const auto fetch = [&](std::size_t k) {
-    if (k >= doubts) return;
-    __builtin_prefetch(&task_->originals[element[doubtful[k]]]);
-    __builtin_prefetch(&task_->originals[partner[doubtful[k]]]);
+    if (k >= doubtful.size()) return;
+    task_->arbiter.fetch(element[doubtful[k]]);
+    task_->arbiter.fetch(partner[doubtful[k]]);
   };
   for (std::size_t k = 0; k < fetched_ahead; ++k) fetch(k);
   std::size_t kept = doubtful[0];
-  for (std::size_t k = 0; k < doubts; ++k) {
+  for (std::size_t k = 0; k < doubtful.size(); ++k) {
     fetch(k + fetched_ahead);
-    const std::size_t end = k + 1 < doubts ? doubtful[k + 1] : found;
+    const std::size_t end = k + 1 < doubtful.size() ? doubtful[k + 1] : findings_.found;
     std::size_t begin = doubtful[k];
     if (!decide(element[begin], partner[begin])) ++begin;
     if (kept != begin) {
@@ -80,8 +82,8 @@ void TileSearcher<Dim>::settle() {
     }
     kept += end - begin;
   }
-  found = kept;
-  doubts = 0;
+  findings_.found = kept;
+  findings_.doubts = 0;
 }
 
 /// Writes what was found, pair by pair, into the sink's room.
@@ -170,8 +172,7 @@ void TileSearcher<Dim>::meet_far_visitor(std::span<const kernels::Run> runs,
 
 template <int Dim>
 bool TileSearcher<Dim>::decide(std::uint32_t first, std::uint32_t second) {
-  return base::within_reach(task_->originals[first], task_->originals[second],
-                            task_->original_margin, exact_decisions_);
+  return task_->arbiter.within_reach(first, second, exact_decisions_);
 }
 
 template class TileSearcher<2>;

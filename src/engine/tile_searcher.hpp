@@ -2,6 +2,7 @@
 
 #include "base/pair_sink.hpp"
 #include "base/progress_reporter.hpp"
+#include "engine/arbiter.hpp"
 #include "engine/bench.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/tile_search.hpp"
@@ -14,10 +15,10 @@ namespace abut::engine {
 /// What all workers of a search share.
 template <int Dim>
 struct Task {
-  std::span<const base::Sphere<Dim>> spheres;    ///< as the engine maps them
-  std::span<const base::Sphere<Dim>> originals;  ///< as the exact test reads them
-  double margin;                                 ///< in the scale of `spheres`
-  double original_margin;
+  std::span<const base::Sphere<Dim>> spheres;  ///< as the engine maps them
+  const Arbiter& arbiter;                      ///< of what single precision leaves open
+  double margin;                               ///< in the scale of `spheres`
+  double least_cell;                           ///< positions are not known well enough for smaller
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
   base::PairSink& sink;

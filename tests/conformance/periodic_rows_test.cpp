@@ -144,6 +144,34 @@ TEST(PeriodicRows, DoublingTheBoxDoublesThePairs) {
   EXPECT_EQ(count_contact_pairs(view_of(scene), doubled).contact_pairs, 2 * rounded);
 }
 
+/// Far smaller than the rounding of a moved position allows cells to be.
+TEST(PeriodicRows, SpecksInAHugeCell) {
+  const double cell = 0x1p40;
+  Random random(19);
+  Scene scene;
+  for (int k = 0; k < 300; ++k) {
+    // Near the corners, so that most meet through a face.
+    for (auto* column : {&scene.x, &scene.y, &scene.z}) {
+      const double offset = 0x1p-10 * static_cast<double>(random.below(8));
+      column->push_back(random.below(2) == 0 ? offset : cell - offset);
+    }
+    scene.radius.push_back(0x1p-10);
+  }
+  check(scene, Domain::periodic({cell, cell, cell}));
+  check(scene, Domain::lattice({cell, 0, 0}, {0.25 * cell, cell, 0}, {0, 0, cell}));
+}
+
+/// Every element meets many images of every other, and of itself.
+TEST(PeriodicRows, ReachesOfSeveralCells) {
+  for (const Domain& domain :
+       {Domain::periodic({1.0, 1.0, 1.0}), Domain::periodic({1.0, 0.25, unbounded}),
+        Domain::lattice({1, 0, 0}, {3.7320508075688772, 1, 0}, {0, -2.5, 1})}) {
+    for (const double margin : {0.6, 1.7}) {
+      check(random_scene(domain, 3, 9, 0.1, 1.0, 2, 20), domain, margin);
+    }
+  }
+}
+
 TEST(PeriodicRows, HugeAndTinyNumbers) {
   for (const double unit : {0x1p1000, 0x1p-1000}) {
     const Domain cube = Domain::periodic({unit, unit, unit});

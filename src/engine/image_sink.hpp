@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/pair_sink.hpp"
+#include "grid/images.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace abut::engine {
+
+/// Turns pairs of natives and ghosts into pairs of elements with their image shifts, and hands them
+/// on to another sink. Numbers from the count of natives on are those of ghosts. It keeps its
+/// memory.
+template <int Dim>
+class ImageSink final : public base::PairSink {
+ public:
+  /// Both must live until the last pairs are committed.
+  void start_anew(base::PairSink& next, const grid::Images<Dim>& images);
+
+  void expect_workers(std::size_t count) override;
+  [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
+  void commit(std::size_t count, const base::Origin& origin) override;
+
+ private:
+  /// A worker's own, on cache lines of its own.
+  struct alignas(128) Room {
+    std::span<ContactPair> pairs;
+    std::span<ImageShift> shifts;
+  };
+
+  std::size_t name_elements(const Room& room, std::size_t count) const;
+  std::size_t name_images(const Room& room, std::size_t count) const;
+
+  base::PairSink* next_ = nullptr;
+  const grid::Images<Dim>* images_ = nullptr;
+  std::vector<Room> rooms_;
+};
+
+}  // namespace abut::engine

@@ -1,0 +1,308 @@
+// Elements and their candidates in vectors, included once for each instruction set into the
+// namespace of tile_search_simd.cpp, whose names it uses: no include guard, and no includes.
+
+/// Tests an element against runs of candidates.
+template <int Dim, bool EqualRadii>
+class SimdMeeting {
+ public:
+  HWY_INLINE SimdMeeting(const TileView& tile, SearchJob& job)
+      : tile_(tile),
+        job_(job),
+        findings_(*job.findings),
+        sorted_{{tile.center[0], tile.center[1], tile.center[2]}, tile.radius, tile.number},
+        block_{{job.block[0], job.block[1], job.block[2]}, job.block[3], job.block_number},
+        element_(job.findings->element),
+        partner_(job.findings->partner) {}
+
+  HWY_INLINE void finish() { job_.candidate_tests += candidate_tests_; }
+
+  /// Elements [first, last), each with the runs that `runs_of` gives for it.
+  template <class RunsOf>
+  HWY_INLINE void meet_all(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
+    for (; first < last; first += batch_size) {
+      meet_batch(first, std::min(last, first + batch_size), runs_of);
+    }
+  }
+
+  /// The first `own` elements of the runs, each with all that follow it.
+  HWY_INLINE void meet_block(std::uint32_t own, std::span<const Run> runs) {
+    const std::size_t size = gather(runs);
+    for (std::uint32_t k = 0; k < own; ++k) {
+      const std::size_t first = k + 1;
+      if (first >= size) return;
+      candidate_tests_ += size - first;
+      if (HWY_UNLIKELY(findings_.found + size + lanes > Findings::room) ||
+          !meet_gathered(runs[0].begin + k, first, size)) {
+        meet_with_care(ball_of(runs[0].begin + k), block_, first, size);
+      }
+    }
+  }
+
+  void meet(const Visitor& visitor, std::span<const Run> runs) {
+    const Ball ball = ball_of(visitor);
+    for (const Run& run : runs) meet_with_care(ball, run);
+  }
+
+ private:
+  /// The hits of an element among the first eight candidates of each run: a byte for each run.
+  using Hits = std::uint64_t;
+  /// Runs are longer, or the filter could not decide everything.
+  static constexpr Hits unknown = ~Hits{0};
+
+  static constexpr std::uint32_t batch_size = 64;
+
+  /// First the distances of all, then the pairs: two loops that do not wait for each other, each
+  /// short enough for the processor to have several elements under way.
+  template <class RunsOf>
+  HWY_INLINE void meet_batch(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
+    Hits hits[batch_size];
+    for (std::uint32_t p = first; p < last; ++p) hits[p - first] = hits_among(p, runs_of(p));
+    std::size_t found = findings_.found;
+    for (std::uint32_t p = first; p < last; ++p) {
+      const Hits own = hits[p - first];
+      if (own == 0) continue;
+      if (HWY_UNLIKELY(found + most_hits > Findings::room)) {
+        findings_.found = found;
+        job_.take(job_);
+        found = 0;
+      }
+      if (HWY_LIKELY(own != unknown)) {
+        found += write(p, own, runs_of(p), found);
+      } else {
+        findings_.found = found;
+        meet_with_care(p, runs_of);
+        found = findings_.found;
+      }
+    }
+    findings_.found = found;
+  }
+
+  template <class Runs>
+  HWY_INLINE Hits hits_among(std::uint32_t p, const Runs& runs) {
+    static_assert(Runs::size() * short_run <= most_hits);
+    const Ball ball = ball_of(p);
+    Mask doubtful = hn::MaskFromVec(hn::Zero(floats));
+    std::uint64_t spare_lanes = 0;  // near a multiple of 2^32 once a run is too long
+    Hits hits = 0;
+    for (std::size_t r = 0; r < Runs::size(); ++r) {
+      const Run run = runs[r];
+      const std::uint32_t spare = short_run + run.begin - run.end;
+      spare_lanes += spare;
+      for (std::size_t k = 0; k < short_run; k += lanes) {
+        const Filtered filtered = filter(ball, sorted_, run.begin + k);
+        doubtful = hn::Or(doubtful, hn::AndNot(filtered.sure, filtered.hit));
+        Hits found = bits_of(filtered.hit);
+        if constexpr (!Runs::harmless_beyond) found &= all_of_short_run >> (spare & 31u) >> k;
+        hits |= found << (8 * r + k);
+      }
+    }
+    constexpr std::size_t lanes_of_all = Runs::size() * short_run;
+    if (HWY_UNLIKELY(spare_lanes > lanes_of_all || !hn::AllFalse(floats, doubtful))) return unknown;
+    candidate_tests_ += lanes_of_all - spare_lanes;
+    return hits;
+  }
+
+  /// Writes the element's hits to that place of the findings and returns how many there are. Whole
+  /// vectors: the excess is overwritten.
+  template <class Runs>
+  HWY_INLINE std::size_t write(std::uint32_t p, Hits hits, const Runs& runs,
+                               std::size_t place) const {
+    const std::uint32_t* const number = sorted_.number;
+    std::uint32_t* const begin = partner_ + place;
+    std::uint32_t* end = begin;
+    for (std::size_t r = 0; r < Runs::size(); ++r) {
+      const std::size_t q = runs[r].begin;
+      for (std::size_t k = 0; k < short_run; k += lanes) {
+        const Bits set = static_cast<Bits>(hits >> (8 * r + k)) & all_lanes;
+        hn::StoreU(compress(hn::LoadU(numbers, number + q + k), set), numbers, end);
+        end += std::popcount(set);
+      }
+    }
+    const auto count = static_cast<std::size_t>(end - begin);
+    const Numbers own = hn::Set(numbers, number[p]);
+    for (std::size_t k = 0; k < count; k += lanes) hn::StoreU(own, numbers, element_ + place + k);
+    return count;
+  }
+
+  /// An element with runs of any length, and notes of what the filter cannot decide.
+  template <class RunsOf>
+  HWY_NOINLINE void meet_with_care(std::uint32_t p, RunsOf runs_of) {
+    const Ball ball = ball_of(p);
+    const auto runs = runs_of(p);
+    for (std::size_t r = 0; r < runs.size(); ++r) meet_with_care(ball, runs[r]);
+  }
+
+  /// An element in all lanes.
+  struct Ball {
+    Floats center[Dim];
+    Floats outer;  ///< reach + slack and reach - slack, its own part ...
+    Floats inner;
+    Floats farthest;  ///< ... or the squares of the whole, where all radii are equal
+    Floats nearest;
+    Numbers number;
+  };
+
+  /// Where candidates stand.
+  struct Columns {
+    const float* center[3];
+    const float* radius;
+    const std::uint32_t* number;
+  };
+
+  struct Filtered {
+    Mask hit;   ///< not certainly apart
+    Mask sure;  ///< certainly within reach
+  };
+
+  HWY_INLINE Ball ball_of(std::uint32_t p) const {
+    Ball ball;
+    for (int axis = 0; axis < Dim; ++axis) {
+      ball.center[axis] = hn::Set(floats, tile_.center[axis][p]);
+    }
+    set_reach(ball, EqualRadii ? tile_.common_radius : tile_.radius[p], job_.slack);
+    ball.number = hn::Set(numbers, tile_.number[p]);
+    return ball;
+  }
+
+  HWY_INLINE Ball ball_of(const Visitor& visitor) const {
+    Ball ball;
+    for (int axis = 0; axis < Dim; ++axis) {
+      ball.center[axis] = hn::Set(floats, visitor.center[axis]);
+    }
+    set_reach(ball, visitor.radius, visitor.slack);
+    ball.number = hn::Set(numbers, visitor.number);
+    return ball;
+  }
+
+  HWY_INLINE void set_reach(Ball& ball, float radius, float slack) const {
+    const float reach = radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f);
+    const Floats outer = hn::Set(floats, reach + slack);
+    const Floats inner = hn::Set(floats, reach - slack);
+    if constexpr (EqualRadii) {
+      ball.farthest = hn::Mul(outer, outer);
+      const Floats nearest = hn::Max(inner, hn::Zero(floats));
+      ball.nearest = hn::Mul(nearest, nearest);
+    } else {
+      ball.outer = outer;
+      ball.inner = inner;
+    }
+  }
+
+  HWY_INLINE static Filtered filter(const Ball& ball, const Columns& columns, std::size_t q) {
+    Floats difference = hn::Sub(ball.center[0], hn::LoadU(floats, columns.center[0] + q));
+    Floats distance_squared = hn::Mul(difference, difference);
+    for (int axis = 1; axis < Dim; ++axis) {
+      difference = hn::Sub(ball.center[axis], hn::LoadU(floats, columns.center[axis] + q));
+      distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
+    }
+    if constexpr (EqualRadii) {
+      return {hn::Le(distance_squared, ball.farthest), hn::Lt(distance_squared, ball.nearest)};
+    } else {
+      const Floats radius = hn::LoadU(floats, columns.radius + q);
+      const Floats farthest = hn::Add(ball.outer, radius);
+      const Floats nearest = hn::Max(hn::Add(ball.inner, radius), hn::Zero(floats));
+      return {hn::Le(distance_squared, hn::Mul(farthest, farthest)),
+              hn::Lt(distance_squared, hn::Mul(nearest, nearest))};
+    }
+  }
+
+  /// Puts the runs one behind the other and returns how many candidates there are; what follows
+  /// them is within reach of nothing. Whole vectors: the excess is overwritten.
+  HWY_INLINE std::size_t gather(std::span<const Run> runs) {
+    float* const* const to = job_.block;
+    std::uint32_t* const number = job_.block_number;
+    std::size_t size = 0;
+    for (const Run& run : runs) {
+      for (std::size_t k = 0; run.begin + k < run.end; k += lanes) {
+        for (int axis = 0; axis < Dim; ++axis) {
+          hn::StoreU(hn::LoadU(floats, sorted_.center[axis] + run.begin + k), floats,
+                     to[axis] + size + k);
+        }
+        if constexpr (!EqualRadii) {
+          hn::StoreU(hn::LoadU(floats, sorted_.radius + run.begin + k), floats, to[3] + size + k);
+        }
+        hn::StoreU(hn::LoadU(numbers, sorted_.number + run.begin + k), numbers, number + size + k);
+      }
+      size += run.end - run.begin;
+    }
+    hn::StoreU(hn::Set(floats, far_away), floats, to[0] + size);
+    if constexpr (!EqualRadii) hn::StoreU(hn::Zero(floats), floats, to[3] + size);
+    return size;
+  }
+
+  /// Vectors begin at multiples of their length, so that elements of one block take equally many
+  /// turns, which the processor foresees. Returns false, having found nothing, where the filter
+  /// cannot decide everything.
+  HWY_INLINE bool meet_gathered(std::uint32_t p, std::size_t first, std::size_t size) {
+    const Ball ball = ball_of(p);
+    const Columns columns = block_;
+    std::uint32_t* const begin = partner_ + findings_.found;
+    std::uint32_t* end = begin;
+    Mask doubtful = hn::MaskFromVec(hn::Zero(floats));
+    Bits wanted = all_lanes << first % lanes & all_lanes;
+    for (std::size_t q = first / lanes * lanes; q < size; q += lanes) {
+      const Filtered filtered = filter(ball, columns, q);
+      doubtful = hn::Or(doubtful, hn::AndNot(filtered.sure, filtered.hit));
+      const Bits hits = bits_of(filtered.hit) & wanted;
+      wanted = all_lanes;
+      hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, end);
+      end += std::popcount(hits);
+    }
+    if (HWY_UNLIKELY(!hn::AllFalse(floats, doubtful))) return false;
+    const auto count = static_cast<std::size_t>(end - begin);
+    for (std::size_t k = 0; k < count; k += lanes) {
+      hn::StoreU(ball.number, numbers, element_ + findings_.found + k);
+    }
+    findings_.found += count;
+    return true;
+  }
+
+  HWY_INLINE void meet_with_care(const Ball& ball, const Run& run) {
+    candidate_tests_ += run.end - run.begin;
+    meet_with_care(ball, sorted_, run.begin, run.end);
+  }
+
+  /// Candidates [first, last), in pieces for which there is room.
+  HWY_NOINLINE void meet_with_care(const Ball& ball, const Columns& columns, std::size_t first,
+                                   std::size_t last) {
+    constexpr std::size_t longest_piece = Findings::room / 4;
+    for (; first < last; first += longest_piece) {
+      const std::size_t end = std::min(last, first + longest_piece);
+      if (findings_.found + (end - first) > Findings::room) job_.take(job_);
+      findings_.found = meet_piece(ball, columns, first, end, findings_.found);
+    }
+  }
+
+  HWY_INLINE std::size_t meet_piece(const Ball& ball, const Columns& columns, std::size_t begin,
+                                    std::size_t end, std::size_t found) {
+    for (std::size_t q = begin; q < end; q += lanes) {
+      const Filtered filtered = filter(ball, columns, q);
+      const Bits within = end - q < lanes ? (1u << (end - q)) - 1 : all_lanes;
+      const Bits hits = bits_of(filtered.hit) & within;
+      const Bits doubtful = hits & ~bits_of(filtered.sure);
+      if (HWY_UNLIKELY(doubtful != 0)) note(hits, doubtful, found);
+      hn::StoreU(ball.number, numbers, element_ + found);
+      hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, partner_ + found);
+      found += static_cast<std::size_t>(std::popcount(hits));
+    }
+    return found;
+  }
+
+  /// The doubtful ones among the hits that are written from that place on.
+  HWY_INLINE void note(Bits hits, Bits doubtful, std::size_t place) {
+    for (; doubtful != 0; doubtful &= doubtful - 1) {
+      const Bits below = (doubtful & (0u - doubtful)) - 1;
+      const std::size_t own = place + static_cast<std::size_t>(std::popcount(hits & below));
+      findings_.doubtful[findings_.doubts++] = static_cast<std::uint32_t>(own);
+    }
+  }
+
+  const TileView& tile_;
+  SearchJob& job_;
+  Findings& findings_;
+  Columns sorted_;  ///< the tile's
+  Columns block_;   ///< gathered
+  std::uint32_t* element_;
+  std::uint32_t* partner_;
+  std::size_t candidate_tests_ = 0;
+};

@@ -31,7 +31,8 @@ class SimdMeeting {
       const std::size_t first = k + 1;
       if (first >= size) return;
       candidate_tests_ += size - first;
-      if (HWY_UNLIKELY(findings_.found + size + lanes > Findings::room) ||
+      if (HWY_UNLIKELY(findings_.found + size + lanes > Findings::room)) job_.take(job_);
+      if (HWY_UNLIKELY(size + lanes > Findings::room) ||
           !meet_gathered(runs[0].begin + k, first, size)) {
         meet_with_care(ball_of(runs[0].begin + k), block_, first, size);
       }

@@ -63,8 +63,9 @@ void periodic_rows(std::span<const base::Sphere<Dim>> spheres, const grid::Bound
   const PeriodicArbiter<Dim> arbiter(spheres, lattice, images, settings.margin);
   Group<Dim> group;
   group.bounds = list_all(images, workspace.natives_and_ghosts);
-  const std::span<const base::Sphere<Dim>> all = workspace.natives_and_ghosts;
-  group.natives = Numbers(all.size());
+  group.natives = Numbers(images.natives().size() + images.ghosts().size());
+  const auto all =
+      std::span<const base::Sphere<Dim>>(workspace.natives_and_ghosts).first(group.natives.size());
   const Task<Dim> task{all,
                        arbiter,
                        settings.margin * images.unit(),

@@ -112,6 +112,22 @@ TEST(Detector, KeepsItsMemoryForFewerElements) {
   EXPECT_EQ(watch.requests(), 0U);
 }
 
+/// What earlier calls left behind the elements is not taken for elements or their images.
+TEST(Detector, FindsTheSameInPeriodicDomainsAfterLargerSystems) {
+  const Scene large = made("dense", 6000);
+  const Scene small = made("dense", 4000);
+  for (const Domain& domain :
+       {Domain::periodic({20.0, 20.0, 20.0}), Domain::periodic({40.0, 40.0, 40.0}),
+        Domain::lattice({20, 0, 0}, {15, 20, 0}, {0, 5, 20})}) {
+    Detector detector({.shifts = Shifts::stored});
+    detector.find_contact_pairs(view_of(large), Domain::periodic({15.0, 15.0, 15.0}));
+    const PairList& list = detector.find_contact_pairs(view_of(small), domain);
+    const PairList alone = find_contact_pairs(view_of(small), domain, {.shifts = Shifts::stored});
+    ASSERT_TRUE(std::ranges::equal(list.pairs(), alone.pairs()));
+    ASSERT_TRUE(std::ranges::equal(list.shifts(), alone.shifts()));
+  }
+}
+
 TEST(Detector, WorksAfterErrors) {
   const Scene scene = made("dense", 3000);
   const PairVector expected = oracle_pairs(scene);

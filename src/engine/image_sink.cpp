@@ -39,18 +39,25 @@ void ImageSink<Dim>::commit(std::size_t count, const base::Origin& origin) {
   if (kept > 0) next_->commit(kept, origin);
 }
 
-/// Where shifts are not wanted. Pairs of two ghosts are dropped: they are found elsewhere, as pairs
-/// of a native. Returns how many pairs are left.
+/// Where shifts are not wanted, but those that would not fit are refused. Pairs of two ghosts are
+/// dropped: they are found elsewhere, as pairs of a native. Returns how many pairs are left.
 template <int Dim>
 std::size_t ImageSink<Dim>::name_elements(const Room& room, std::size_t count) const {
   const std::size_t natives = images_->natives().size();
+  const bool always_fit = images_->shifts_always_fit();
   std::size_t kept = 0;
   // Most pairs are of two natives and stay what they are.
-  while (kept < count && room.pairs[kept].second < natives) ++kept;
+  while (always_fit && kept < count && room.pairs[kept].second < natives) ++kept;
   for (std::size_t k = kept; k < count; ++k) {
     auto [first, second] = room.pairs[k];
     if (first >= natives) continue;
-    if (second >= natives) second = images_->ghosts()[second - natives].element;
+    if (second < natives) {
+      if (!always_fit) static_cast<void>(images_->shift_between(first, second));
+    } else {
+      const grid::Ghost& ghost = images_->ghosts()[second - natives];
+      if (!always_fit) static_cast<void>(images_->shift_between(first, ghost));
+      second = ghost.element;
+    }
     room.pairs[kept++] = {std::min(first, second), std::max(first, second)};
   }
   return kept;

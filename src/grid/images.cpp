@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace abut::grid {
@@ -116,6 +117,25 @@ void Images<Dim>::find(std::span<const base::Sphere<Dim>> spheres, const Bounds<
   find_ghosts(window, workers);
 
   slack_ = slack_of(window);
+  shifts_always_fit_ = all_shifts_fit(window, workers);
+}
+
+/// By an upper bound; the roundings of doubles are far below the half that is left.
+template <int Dim>
+bool Images<Dim>::all_shifts_fit(const GhostWindow<Dim>& window, std::size_t workers) const {
+  std::array<double, 3> shift{};
+  for (std::size_t k = 0; k < lattice_->count; ++k) {
+    double number = window.most_cells(k);
+    double moved = 0.0;
+    for (std::size_t worker = 0; moved_any_ && worker < workers; ++worker) {
+      moved = std::max(moved, static_cast<double>(parts_[worker].farthest[k]));
+    }
+    number += 2.0 * moved;
+    for (std::size_t l = 0; l < lattice_->count; ++l) {
+      shift[l] += number * std::fabs(static_cast<double>(lattice_->to_given[k][l]));
+    }
+  }
+  return std::all_of(shift.begin(), shift.end(), [](double n) { return n < 0x1p30; });
 }
 
 /// Where no basis vector leads along an axis, nothing is added to coordinates on it.
@@ -174,9 +194,13 @@ void Images<Dim>::move_natives(std::span<const base::Sphere<Dim>> spheres,
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     Bounds<Dim> bounds;
+    CellsMoved farthest{};
     for (std::size_t i = first; i < last; ++i) {
       base::Sphere<Dim> sphere = spheres[i];
       cells_moved_[i] = wrapper.wrap(sphere, i);
+      for (std::size_t k = 0; k < 3; ++k) {
+        farthest[k] = std::max(farthest[k], std::abs(cells_moved_[i][k]));
+      }
       for (double& x : sphere.center) x *= unit_;
       sphere.radius *= unit_;
       own_natives_[i] = sphere;
@@ -184,6 +208,7 @@ void Images<Dim>::move_natives(std::span<const base::Sphere<Dim>> spheres,
       bounds.include_radius(sphere.radius);
     }
     parts_[worker].bounds = bounds;
+    parts_[worker].farthest = farthest;
     parts_[worker].extent = extent_of(natives_.subspan(first, last - first), fractions);
   });
   join_extents(workers);

@@ -65,6 +65,9 @@ class Images {
     return sphere;
   }
 
+  /// Whether no shift can exceed 2^31 - 1, so that shift_between never throws.
+  [[nodiscard]] bool shifts_always_fit() const noexcept { return shifts_always_fit_; }
+
   /// A power of two; not 1 only where numbers might overflow otherwise.
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
@@ -89,6 +92,7 @@ class Images {
 
     CellExtent<Dim> extent;
     Bounds<Dim> bounds;
+    CellsMoved farthest{};  ///< most cells that an element was moved, by its amount
     base::Array<Ghost> ghosts;
   };
 
@@ -99,6 +103,7 @@ class Images {
   void join_extents(std::size_t workers);
   void find_ghosts(const GhostWindow<Dim>& window, std::size_t workers);
   [[nodiscard]] double slack_of(const GhostWindow<Dim>& window) const;
+  [[nodiscard]] bool all_shifts_fit(const GhostWindow<Dim>& window, std::size_t workers) const;
   [[nodiscard]] base::ImageShift shift_between(std::size_t i, std::size_t j,
                                                const std::array<std::int32_t, 3>& image) const;
 
@@ -112,6 +117,7 @@ class Images {
   CellExtent<Dim> extent_;  ///< of the natives
   Bounds<Dim> bounds_;
   bool moved_any_ = false;
+  bool shifts_always_fit_ = false;
 
   base::Array<base::Sphere<Dim>> own_natives_;
   base::Array<CellsMoved> cells_moved_;

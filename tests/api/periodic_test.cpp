@@ -343,6 +343,23 @@ TEST(Periodic, GapsOfImagesThatAreNotThere) {
   });
 }
 
+/// Each lies few enough cells outside, but not the one from the other; whether shifts are stored or
+/// not.
+TEST(Periodic, ShiftsBeyond32BitsBetweenTwoElementsAreAnError) {
+  const std::vector<double> x{2e9 + 0.25, -2e9 + 0.25};
+  const std::vector<double> y{0.5, 0.5};
+  const ElementView elements = discs(x, y, 0.125);
+  for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {
+    for (const Shifts shifts : {Shifts::none, Shifts::stored}) {
+      Options options{.shifts = shifts};
+      options.algorithm = algorithm;
+      expect_error(ErrorCode::invalid_input, {"element", "2147483647"}, [&] {
+        static_cast<void>(find_contact_pairs(elements, Domain::periodic({1.0, 1.0}), options));
+      });
+    }
+  }
+}
+
 TEST(Periodic, ShiftsBeyond32BitsAreAnError) {
   const Domain strip = Domain::periodic({1.0, unbounded});
   for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {

@@ -31,6 +31,14 @@ template <class Number>
   return value;
 }
 
+template <class Number>
+[[nodiscard]] Number positive(std::string_view option, std::string_view text) {
+  static constexpr std::string_view wanted = "a whole number, at least 1";
+  const auto value = number<Number>(option, text, wanted);
+  if (value < 1) reject(option, text, wanted);
+  return value;
+}
+
 /// A finite length that is not negative.
 [[nodiscard]] double length(std::string_view option, std::string_view text);
 

@@ -153,18 +153,13 @@ bool is_contact_format(std::string_view name) {
   return name == "csv" || name == "json" || name == "vtp";
 }
 
-int thread_count(const std::string& text) {
-  static constexpr std::string_view wanted = "a whole number, at least 1";
-  const int count = number<int>("--threads", text, wanted);
-  if (count < 1) reject("--threads", text, wanted);
-  return count;
-}
-
 void add_detection(CLI::App& app, Options& detection) {
   add_value(app, "--algorithm", "NAME", "one of 'abut algorithms', or auto, the default",
             [&detection](const std::string& text) { detection.algorithm = algorithm_named(text); });
   add_value(app, "--threads", "N", "number of threads; the algorithms of the book use one",
-            [&detection](const std::string& text) { detection.threads = thread_count(text); });
+            [&detection](const std::string& text) {
+              detection.threads = positive<int>("--threads", text);
+            });
   add_value(app, "--simd", "LEVEL",
             "instruction set of rows: auto, the default, scalar, sse4, avx2, avx512 or neon",
             [&detection](const std::string& text) { detection.simd = simd_named(text); });
@@ -303,14 +298,12 @@ void add_bench(CLI::App& app, Command& command) {
   add_value(sub, "--threads", "N,M", "numbers of threads; default 1 and what OpenMP takes",
             [options](const std::string& text) {
               for (const std::string& one : CLI::detail::split(text, ',')) {
-                options->threads.push_back(thread_count(one));
+                options->threads.push_back(positive<int>("--threads", one));
               }
             });
   add_value(sub, "--repetitions", "R", "calls after the first; default as many as 4 s in all allow",
             [options](const std::string& text) {
-              static constexpr std::string_view wanted = "a whole number, at least 1";
-              options->repetitions = number<std::size_t>("--repetitions", text, wanted);
-              if (*options->repetitions == 0) reject("--repetitions", text, wanted);
+              options->repetitions = positive<std::size_t>("--repetitions", text);
             });
   add_json(sub, options->listing);
   add_margin(sub, options->margin);

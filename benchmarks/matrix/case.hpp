@@ -13,8 +13,8 @@ namespace abut::benchmarks {
 
 /// How much time a contestant gets on one scene.
 struct Effort {
-  unsigned time_limit = 60;           ///< seconds for its first run; longer ones are not timed
-  double seconds = 3.0;               ///< of timed runs
+  unsigned time_limit = 20;           ///< seconds for its first run; longer ones are not timed
+  double seconds = 2.0;               ///< of timed runs
   std::size_t least_repetitions = 3;  ///< of runs shorter than `seconds`; of others one
   std::size_t most_repetitions = 25;  ///< 0: nothing is timed, answers are checked only
 };

@@ -16,4 +16,5 @@
 #include <abut/progress.hpp>
 #include <abut/simd.hpp>
 #include <abut/statistics.hpp>
+#include <abut/two_sets.hpp>
 #include <abut/version.hpp>

@@ -6,11 +6,10 @@
 #include <abut/options.hpp>
 #include <abut/pair_list.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <type_traits>
-#include <utility>
 
 namespace abut {
 
@@ -52,45 +51,61 @@ ABUT_API Statistics for_each_shifted_batch(const ElementView& elements, const Do
                                            const Options& options,
                                            const ShiftedBatchVisitor& visitor);
 
+namespace detail {
+
+template <class Visitor>
+concept PairVisitor =
+    std::invocable<Visitor&, ContactPair> || std::invocable<Visitor&, ContactPair, WorkerNumber>;
+
+template <class Visitor>
+concept ShiftedPairVisitor = std::invocable<Visitor&, ContactPair, ImageShift> ||
+    std::invocable<Visitor&, ContactPair, ImageShift, WorkerNumber>;
+
+/// Hands the pairs of a batch to `visitor`, one after the other.
+template <class Visitor>
+auto pair_by_pair(Visitor& visitor) {
+  return [&visitor](std::span<const ContactPair> pairs, WorkerNumber worker) {
+    for (const ContactPair& pair : pairs) {
+      if constexpr (std::invocable<Visitor&, ContactPair, WorkerNumber>) {
+        visitor(pair, worker);
+      } else {
+        static_cast<void>(worker);
+        visitor(pair);
+      }
+    }
+  };
+}
+
+template <class Visitor>
+auto shifted_pair_by_pair(Visitor& visitor) {
+  return [&visitor](std::span<const ContactPair> pairs, std::span<const ImageShift> shifts,
+                    WorkerNumber worker) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if constexpr (std::invocable<Visitor&, ContactPair, ImageShift, WorkerNumber>) {
+        visitor(pairs[k], shifts[k], worker);
+      } else {
+        static_cast<void>(worker);
+        visitor(pairs[k], shifts[k]);
+      }
+    }
+  };
+}
+
+}  // namespace detail
+
 /// Calls `visitor(pair)` or `visitor(pair, worker)` once for each contact pair, in as_found order.
 /// An exception from the visitor stops the detection and passes through.
-template <class Visitor>
-requires std::invocable<Visitor&, ContactPair> ||
-    std::invocable<Visitor&, ContactPair, WorkerNumber>
-        Statistics for_each_contact_pair(const ElementView& elements, const Domain& domain,
-                                         const Options& options, Visitor&& visitor) {
-  return for_each_batch(elements, domain, options,
-                        [&visitor](std::span<const ContactPair> pairs, WorkerNumber worker) {
-                          for (const ContactPair& pair : pairs) {
-                            if constexpr (std::invocable<Visitor&, ContactPair, WorkerNumber>) {
-                              visitor(pair, worker);
-                            } else {
-                              static_cast<void>(worker);
-                              visitor(pair);
-                            }
-                          }
-                        });
+template <detail::PairVisitor Visitor>
+Statistics for_each_contact_pair(const ElementView& elements, const Domain& domain,
+                                 const Options& options, Visitor&& visitor) {
+  return for_each_batch(elements, domain, options, detail::pair_by_pair(visitor));
 }
 
 /// Calls `visitor(pair, shift)` or `visitor(pair, shift, worker)` likewise.
-template <class Visitor>
-requires std::invocable<Visitor&, ContactPair, ImageShift> ||
-    std::invocable<Visitor&, ContactPair, ImageShift, WorkerNumber>
-        Statistics for_each_shifted_pair(const ElementView& elements, const Domain& domain,
-                                         const Options& options, Visitor&& visitor) {
-  return for_each_shifted_batch(
-      elements, domain, options,
-      [&visitor](std::span<const ContactPair> pairs, std::span<const ImageShift> shifts,
-                 WorkerNumber worker) {
-        for (std::size_t k = 0; k < pairs.size(); ++k) {
-          if constexpr (std::invocable<Visitor&, ContactPair, ImageShift, WorkerNumber>) {
-            visitor(pairs[k], shifts[k], worker);
-          } else {
-            static_cast<void>(worker);
-            visitor(pairs[k], shifts[k]);
-          }
-        }
-      });
+template <detail::ShiftedPairVisitor Visitor>
+Statistics for_each_shifted_pair(const ElementView& elements, const Domain& domain,
+                                 const Options& options, Visitor&& visitor) {
+  return for_each_shifted_batch(elements, domain, options, detail::shifted_pair_by_pair(visitor));
 }
 
 /// distance − (r_i + r_j), whatever the margin. Correctly signed: <= 0 exactly if the two elements

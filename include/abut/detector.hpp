@@ -46,6 +46,18 @@ class ABUT_API Detector {
   const NeighborList& build_neighbor_list(const ElementView& elements, const Domain& domain,
                                           NeighborListKind kind);
 
+  /// The same for two sets, as the free functions in two_sets.hpp.
+  const PairList& find_contact_pairs(const ElementView& first, const ElementView& second,
+                                     const Domain& domain = Domain::open());
+  Statistics count_contact_pairs(const ElementView& first, const ElementView& second,
+                                 const Domain& domain = Domain::open());
+  Statistics for_each_batch(const ElementView& first, const ElementView& second,
+                            const Domain& domain, const PairBatchVisitor& visitor);
+  Statistics for_each_shifted_batch(const ElementView& first, const ElementView& second,
+                                    const Domain& domain, const ShiftedBatchVisitor& visitor);
+  const NeighborList& build_neighbor_list(const ElementView& first, const ElementView& second,
+                                          const Domain& domain = Domain::open());
+
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -1,4 +1,5 @@
 #include <abut/detect.hpp>
+#include <abut/two_sets.hpp>
 
 #include "api/detection.hpp"
 
@@ -36,6 +37,44 @@ NeighborList build_neighbor_list(const ElementView& elements, const Domain& doma
   ShiftArray shifts;
   Statistics statistics = api::Detection().list_neighbors({elements, domain, options}, kind,
                                                           offsets, neighbors, shifts);
+  return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
+                      std::move(statistics));
+}
+
+PairList find_contact_pairs(const ElementView& first, const ElementView& second,
+                            const Domain& domain, const Options& options) {
+  PairArray pairs;
+  ShiftArray shifts;
+  Statistics statistics =
+      api::Detection().list_pairs({first, domain, options, &second}, pairs, shifts);
+  return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
+}
+
+Statistics for_each_batch(const ElementView& first, const ElementView& second, const Domain& domain,
+                          const Options& options, const PairBatchVisitor& visitor) {
+  return api::Detection().visit_batches({first, domain, options, &second},
+                                        api::visitors_of(visitor));
+}
+
+Statistics for_each_shifted_batch(const ElementView& first, const ElementView& second,
+                                  const Domain& domain, const Options& options,
+                                  const ShiftedBatchVisitor& visitor) {
+  return api::Detection().visit_batches({first, domain, options, &second},
+                                        api::visitors_of(visitor));
+}
+
+Statistics count_contact_pairs(const ElementView& first, const ElementView& second,
+                               const Domain& domain, const Options& options) {
+  return api::Detection().visit_batches({first, domain, options, &second}, {});
+}
+
+NeighborList build_neighbor_list(const ElementView& first, const ElementView& second,
+                                 const Domain& domain, const Options& options) {
+  NeighborList::Offsets offsets;
+  NeighborList::Neighbors neighbors;
+  ShiftArray shifts;
+  Statistics statistics = api::Detection().list_neighbors(
+      {first, domain, options, &second}, NeighborListKind::half, offsets, neighbors, shifts);
   return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
                       std::move(statistics));
 }

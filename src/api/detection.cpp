@@ -90,7 +90,11 @@ class ResultRoom {
 template <class Body>
 Statistics Detection::guarded(const Request& request, Body&& body) {
   const base::FloatEnvironment environment;
-  validate(request.options, request.elements, request.domain);
+  if (request.others == nullptr) {
+    validate(request.options, request.elements, request.domain);
+  } else {
+    validate(request.options, request.elements, *request.others, request.domain);
+  }
   memory_.start_anew(memory_bound(request.options));
   DetectionContext context(memory_, request.options.progress);
   try {
@@ -134,23 +138,53 @@ void Detection::search(const engine::RowsSettings& settings, const Request& requ
   choice.row->runs<Dim>().on_elements(system, sink, context);
 }
 
+/// The search numbers the elements of both sets as one.
+template <int Dim>
+void Detection::search_sets(const engine::RowsSettings& settings, const Request& request,
+                            PairSink& sink, DetectionContext& context, Statistics& statistics) {
+  const std::size_t first_count = arrays<Dim>().sets.first_count();
+  crossing_.start_anew(sink, first_count);
+  try {
+    search<Dim>(settings, request, crossing_, context, statistics);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::invalid_input) throw;
+    throw Error(error.code(), std::string(error.what()) +
+                                  " (the elements of the second set are counted from " +
+                                  std::to_string(first_count) + " on, behind those of the first)");
+  }
+}
+
+template <int Dim>
+void Detection::gather(const engine::RowsSettings& settings, const Request& request,
+                       DetectionContext& context) {
+  Arrays<Dim>& own = arrays<Dim>();
+  const GatherSettings how{settings.workers, settings.simd};
+  context.progress.begin("gather", request.size());
+  if (request.others == nullptr) {
+    return api::gather<Dim>(request.elements, how, own.elements, context);
+  }
+  own.sets.gather(request.elements, *request.others, how, own.elements, context);
+}
+
 template <int Dim>
 Statistics Detection::run_in(const Request& request, PairSink& sink, DetectionContext& context) {
-  const ElementView& elements = request.elements;
   const Options& options = request.options;
   Statistics statistics;
-  statistics.elements = elements.size();
+  statistics.elements = request.size();
   statistics.dimensions = Dim;
 
   Stopwatch stopwatch;
-  context.progress.begin("gather", elements.size());
   const engine::RowsSettings settings{options.margin,
-                                      base::worker_count(options.threads, elements.size()),
+                                      base::worker_count(options.threads, request.size()),
                                       kernels::level_to_run(options.simd)};
-  gather<Dim>(elements, {settings.workers, settings.simd}, arrays<Dim>().elements, context);
+  gather<Dim>(settings, request, context);
   statistics.gather_seconds = stopwatch.lap();
 
-  search<Dim>(settings, request, sink, context, statistics);
+  if (request.others == nullptr) {
+    search<Dim>(settings, request, sink, context, statistics);
+  } else {
+    search_sets<Dim>(settings, request, sink, context, statistics);
+  }
   statistics.search_seconds = stopwatch.lap();
   return statistics;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "api/cross_sink.hpp"
 #include "api/found_pairs.hpp"
 #include "api/gathered_elements.hpp"
+#include "api/joined_sets.hpp"
 #include "api/list_neighbors.hpp"
 #include "api/order_pairs.hpp"
 #include "api/visiting_sink.hpp"
@@ -14,6 +16,8 @@
 #include <abut/detect.hpp>
 #include <abut/neighbor_list.hpp>
 
+#include <cstddef>
+
 namespace abut::api {
 
 /// What is asked for.
@@ -21,6 +25,12 @@ struct Request {
   const ElementView& elements;
   const Domain& domain;
   const Options& options;
+  const ElementView* others = nullptr;  ///< the second set, where there are two
+
+  /// Of both sets.
+  [[nodiscard]] std::size_t size() const noexcept {
+    return elements.size() + (others == nullptr ? 0 : others->size());
+  }
 };
 
 /// The arrays of a detection and its course; kept by a Detector, or used once by a free function.
@@ -42,9 +52,11 @@ class Detection {
  private:
   template <int Dim>
   struct Arrays {
-    explicit Arrays(base::MemoryMeter& memory) : elements(memory), workspace(memory) {}
+    explicit Arrays(base::MemoryMeter& memory)
+        : elements(memory), sets(memory), workspace(memory) {}
 
     GatheredElements<Dim> elements;
+    JoinedSets<Dim> sets;
     engine::Workspace<Dim> workspace;
   };
 
@@ -60,6 +72,12 @@ class Detection {
   Statistics run(const Request& request, base::PairSink& sink, base::DetectionContext& context);
   template <int Dim>
   Statistics run_in(const Request& request, base::PairSink& sink, base::DetectionContext& context);
+  template <int Dim>
+  void gather(const engine::RowsSettings& settings, const Request& request,
+              base::DetectionContext& context);
+  template <int Dim>
+  void search_sets(const engine::RowsSettings& settings, const Request& request,
+                   base::PairSink& sink, base::DetectionContext& context, Statistics& statistics);
   template <int Dim>
   void search(const engine::RowsSettings& settings, const Request& request, base::PairSink& sink,
               base::DetectionContext& context, Statistics& statistics);
@@ -77,6 +95,7 @@ class Detection {
   Arrays<3> in_3d_{memory_};
   FoundPairs found_{memory_};
   VisitingSink visiting_;
+  CrossSink crossing_;
   PairOrder order_{memory_};
   RowRooms row_rooms_;
 };

@@ -59,4 +59,39 @@ const NeighborList& Detector::build_neighbor_list(const ElementView& elements, c
   return list;
 }
 
+const PairList& Detector::find_contact_pairs(const ElementView& first, const ElementView& second,
+                                             const Domain& domain) {
+  PairList& list = state_->pairs;
+  list.statistics_ = state_->detection.list_pairs({first, domain, state_->options, &second},
+                                                  list.pairs_, list.shifts_);
+  return list;
+}
+
+Statistics Detector::count_contact_pairs(const ElementView& first, const ElementView& second,
+                                         const Domain& domain) {
+  return state_->detection.visit_batches({first, domain, state_->options, &second}, {});
+}
+
+Statistics Detector::for_each_batch(const ElementView& first, const ElementView& second,
+                                    const Domain& domain, const PairBatchVisitor& visitor) {
+  return state_->detection.visit_batches({first, domain, state_->options, &second},
+                                         api::visitors_of(visitor));
+}
+
+Statistics Detector::for_each_shifted_batch(const ElementView& first, const ElementView& second,
+                                            const Domain& domain,
+                                            const ShiftedBatchVisitor& visitor) {
+  return state_->detection.visit_batches({first, domain, state_->options, &second},
+                                         api::visitors_of(visitor));
+}
+
+const NeighborList& Detector::build_neighbor_list(const ElementView& first,
+                                                  const ElementView& second, const Domain& domain) {
+  NeighborList& list = state_->neighbors;
+  list.statistics_ = state_->detection.list_neighbors({first, domain, state_->options, &second},
+                                                      NeighborListKind::half, list.offsets_,
+                                                      list.neighbors_, list.shifts_);
+  return list;
+}
+
 }  // namespace abut

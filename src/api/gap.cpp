@@ -7,20 +7,30 @@
 
 #include <abut/detect.hpp>
 #include <abut/error.hpp>
+#include <abut/two_sets.hpp>
 
-#include <algorithm>
 #include <string>
 
 namespace abut {
 namespace {
 
-void require_there(const ElementView& elements, ContactPair pair) {
-  const std::size_t larger = std::max(pair.first, pair.second);
-  if (larger < elements.size()) return;
-  throw Error(ErrorCode::wrong_usage,
-              "element " + std::to_string(larger) + " of a pair; there are " +
-                  std::to_string(elements.size()) + " elements, numbered from 0");
-}
+/// The two elements of a pair, each in its set: for one set, the same twice.
+struct Sets {
+  const ElementView& first;
+  const ElementView& second;
+
+  void require(std::size_t number, const ElementView& elements) const {
+    if (number < elements.size()) return;
+    throw Error(ErrorCode::wrong_usage,
+                "element " + std::to_string(number) + " of a pair; there are " +
+                    std::to_string(elements.size()) + " elements, numbered from 0");
+  }
+
+  void require(ContactPair pair) const {
+    require(pair.first, first);
+    require(pair.second, second);
+  }
+};
 
 /// The shift is 0 on axes that are not periodic.
 void require_there(const Domain& domain, const ImageShift& shift) {
@@ -34,34 +44,54 @@ void require_there(const Domain& domain, const ImageShift& shift) {
 }
 
 template <int Dim>
-double gap_to_image(const ElementView& elements, const Domain& domain, ContactPair pair,
-                    const ImageShift& shift) {
-  return base::gap<Dim>(api::element_at<Dim>(elements, pair.first),
-                        api::element_at<Dim>(elements, pair.second), shift,
+double gap_of(const Sets& sets, ContactPair pair) {
+  return base::gap(api::element_at<Dim>(sets.first, pair.first),
+                   api::element_at<Dim>(sets.second, pair.second));
+}
+
+template <int Dim>
+double gap_of(const Sets& sets, const Domain& domain, ContactPair pair, const ImageShift& shift) {
+  return base::gap<Dim>(api::element_at<Dim>(sets.first, pair.first),
+                        api::element_at<Dim>(sets.second, pair.second), shift,
                         api::lattice_of(domain));
+}
+
+double checked_gap(const Sets& sets, ContactPair pair) {
+  sets.require(pair);
+  const base::FloatEnvironment environment;
+  return sets.first.dimensions() == 2 ? gap_of<2>(sets, pair) : gap_of<3>(sets, pair);
+}
+
+double checked_gap(const Sets& sets, const Domain& domain, ContactPair pair,
+                   const ImageShift& shift) {
+  sets.require(pair);
+  api::require_dimensions(sets.first, domain);
+  require_there(domain, shift);
+  const base::FloatEnvironment environment;
+  return sets.first.dimensions() == 2 ? gap_of<2>(sets, domain, pair, shift)
+                                      : gap_of<3>(sets, domain, pair, shift);
 }
 
 }  // namespace
 
 double gap(const ElementView& elements, ContactPair pair) {
-  require_there(elements, pair);
-  const base::FloatEnvironment environment;
-  if (elements.dimensions() == 2) {
-    return base::gap(api::element_at<2>(elements, pair.first),
-                     api::element_at<2>(elements, pair.second));
-  }
-  return base::gap(api::element_at<3>(elements, pair.first),
-                   api::element_at<3>(elements, pair.second));
+  return checked_gap({elements, elements}, pair);
 }
 
 double gap(const ElementView& elements, const Domain& domain, ContactPair pair,
            const ImageShift& shift) {
-  require_there(elements, pair);
-  api::require_dimensions(elements, domain);
-  require_there(domain, shift);
-  const base::FloatEnvironment environment;
-  return elements.dimensions() == 2 ? gap_to_image<2>(elements, domain, pair, shift)
-                                    : gap_to_image<3>(elements, domain, pair, shift);
+  return checked_gap({elements, elements}, domain, pair, shift);
+}
+
+double gap(const ElementView& first, const ElementView& second, ContactPair pair) {
+  api::require_dimensions(first, second);
+  return checked_gap({first, second}, pair);
+}
+
+double gap(const ElementView& first, const ElementView& second, const Domain& domain,
+           ContactPair pair, const ImageShift& shift) {
+  api::require_dimensions(first, second);
+  return checked_gap({first, second}, domain, pair, shift);
 }
 
 }  // namespace abut

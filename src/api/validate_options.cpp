@@ -46,6 +46,23 @@ void require_carried(Algorithm algorithm, const Domain& domain) {
                                           ", or auto");
 }
 
+void require_in_range(const Options& options) {
+  if (!(options.margin >= 0.0) || std::isinf(options.margin)) {
+    throw Error(ErrorCode::invalid_input, "margin = " + base::written(options.margin) +
+                                              "; it must be finite and not negative");
+  }
+  if (options.threads < 0) {
+    throw Error(ErrorCode::wrong_usage, "threads = " + std::to_string(options.threads) +
+                                            "; give a positive number, or 0 for the default");
+  }
+}
+
+[[noreturn]] void refuse_count(const std::string& count, Algorithm algorithm) {
+  throw Error(ErrorCode::limit_exceeded,
+              count + " elements; " + std::string(name_of(algorithm)) + " numbers at most " +
+                  std::to_string(most_elements(algorithm)) + ": split the system");
+}
+
 }  // namespace
 
 void require_dimensions(const ElementView& elements, const Domain& domain) {
@@ -58,22 +75,33 @@ void require_dimensions(const ElementView& elements, const Domain& domain) {
 }
 
 void validate(const Options& options, const ElementView& elements, const Domain& domain) {
-  if (!(options.margin >= 0.0) || std::isinf(options.margin)) {
-    throw Error(ErrorCode::invalid_input, "margin = " + base::written(options.margin) +
-                                              "; it must be finite and not negative");
-  }
-  if (options.threads < 0) {
-    throw Error(ErrorCode::wrong_usage, "threads = " + std::to_string(options.threads) +
-                                            "; give a positive number, or 0 for the default");
-  }
+  require_in_range(options);
   require_dimensions(elements, domain);
   require_carried(options.algorithm, domain);
+  if (elements.size() > most_elements(options.algorithm)) {
+    refuse_count(std::to_string(elements.size()), options.algorithm);
+  }
+}
+
+void require_dimensions(const ElementView& first, const ElementView& second) {
+  if (first.dimensions() == second.dimensions()) return;
+  throw Error(ErrorCode::wrong_usage, "the first set has " + std::to_string(first.dimensions()) +
+                                          " dimensions and the second " +
+                                          std::to_string(second.dimensions()) +
+                                          "; give two sets of the same number of dimensions");
+}
+
+void validate(const Options& options, const ElementView& first, const ElementView& second,
+              const Domain& domain) {
+  require_in_range(options);
+  require_dimensions(first, second);
+  require_dimensions(first, domain);
+  require_carried(options.algorithm, domain);
   const std::uint64_t most = most_elements(options.algorithm);
-  if (elements.size() > most) {
-    throw Error(ErrorCode::limit_exceeded, std::to_string(elements.size()) + " elements; " +
-                                               std::string(name_of(options.algorithm)) +
-                                               " numbers at most " + std::to_string(most) +
-                                               ": split the system");
+  if (first.size() > most || second.size() > most - first.size()) {
+    refuse_count(
+        "two sets of " + std::to_string(first.size()) + " and " + std::to_string(second.size()),
+        options.algorithm);
   }
 }
 

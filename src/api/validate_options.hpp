@@ -12,9 +12,16 @@ namespace abut::api {
 /// Throws Error{wrong_usage} for a periodic domain of other dimensions than the elements.
 void require_dimensions(const ElementView& elements, const Domain& domain);
 
+/// Throws Error{wrong_usage} for two sets of unequal dimensions.
+void require_dimensions(const ElementView& first, const ElementView& second);
+
 /// Throws Error: the first option that is out of range, a domain that the elements do not live in
 /// or the algorithm does not carry, or too many elements.
 void validate(const Options& options, const ElementView& elements, const Domain& domain);
+
+/// The same for two sets, which must have the same number of dimensions.
+void validate(const Options& options, const ElementView& first, const ElementView& second,
+              const Domain& domain);
 
 /// Bytes that a detection may hold in all: the caller's bound, else what the machine has.
 [[nodiscard]] std::uint64_t memory_bound(const Options& options);

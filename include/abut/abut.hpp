@@ -15,6 +15,7 @@
 #include <abut/pair_list.hpp>
 #include <abut/progress.hpp>
 #include <abut/simd.hpp>
+#include <abut/skin.hpp>
 #include <abut/statistics.hpp>
 #include <abut/two_sets.hpp>
 #include <abut/version.hpp>

@@ -3,6 +3,7 @@
 #include <abut/detect.hpp>
 #include <abut/export.hpp>
 #include <abut/neighbor_list.hpp>
+#include <abut/skin.hpp>
 
 #include <memory>
 
@@ -13,8 +14,9 @@ class Detection;
 }
 
 /// Detects contacts again and again, for example once in each time step, and keeps its memory in
-/// between: a call with no more elements and pairs than those before allocates nothing. The results
-/// are those of the free functions of the same names.
+/// between: a call with no more elements and pairs than those before allocates nothing. With a skin
+/// it keeps pairs that nearly touch, too, and tests those again while elements move little. The
+/// results are those of the free functions of the same names.
 ///
 /// One call at a time; several detectors may work at once.
 class ABUT_API Detector {
@@ -28,6 +30,13 @@ class ABUT_API Detector {
   [[nodiscard]] const Options& options() const noexcept;
   /// For the calls that follow.
   void set_options(Options options);
+
+  /// For the calls that follow; at first there is none. With a skin, pairs come in canonical order
+  /// also where they may come as found.
+  void set_skin(Skin skin);
+  [[nodiscard]] Skin skin() const noexcept;
+  /// Of the calls since the skin was set.
+  [[nodiscard]] const SkinStatistics& skin_statistics() const noexcept;
 
   /// The list is valid until the next call that returns one. Throws as the free function does; the
   /// last list is then empty.

@@ -138,6 +138,11 @@ void Detection::search(const engine::RowsSettings& settings, const Request& requ
   choice.row->runs<Dim>().on_elements(system, sink, context);
 }
 
+template void Detection::search<2>(const engine::RowsSettings&, const Request&, PairSink&,
+                                   DetectionContext&, Statistics&);
+template void Detection::search<3>(const engine::RowsSettings&, const Request&, PairSink&,
+                                   DetectionContext&, Statistics&);
+
 /// The search numbers the elements of both sets as one.
 template <int Dim>
 void Detection::search_sets(const engine::RowsSettings& settings, const Request& request,
@@ -180,10 +185,13 @@ Statistics Detection::run_in(const Request& request, PairSink& sink, DetectionCo
   gather<Dim>(settings, request, context);
   statistics.gather_seconds = stopwatch.lap();
 
-  if (request.others == nullptr) {
+  found_in_order_ = false;
+  if (request.others != nullptr) {
+    search_sets<Dim>(settings, request, sink, context, statistics);
+  } else if (skin_choice_.skin().kind() == Skin::Kind::none) {
     search<Dim>(settings, request, sink, context, statistics);
   } else {
-    search_sets<Dim>(settings, request, sink, context, statistics);
+    search_with_skin<Dim>(settings, request, sink, context, statistics);
   }
   statistics.search_seconds = stopwatch.lap();
   return statistics;
@@ -212,7 +220,7 @@ Statistics Detection::find_and_arrange(const Request& request, Arrange&& arrange
   return guarded(request, [&](DetectionContext& context) {
     found_.start_anew(request.options.max_pairs, shifts_to_find(request));
     Statistics statistics = run(request, found_, context);
-    statistics.contact_pairs = found_.size();
+    statistics.contact_pairs = skin_statistics_.survivors = found_.size();
     Stopwatch stopwatch;
     context.progress.begin("order", found_.size());
     arrange(found_.pieces(), static_cast<std::size_t>(statistics.threads));
@@ -227,7 +235,7 @@ Statistics Detection::list_pairs(const Request& request, PairArray& pairs, Shift
   return find_and_arrange(request, [&](PairPieces pieces, std::size_t workers) {
     const ResultRoom room(pairs, found_.size(), memory_);
     const ResultRoom room_for_shifts(shifts, shift_count(request, found_.size()), memory_);
-    const bool canonical = request.options.order == Order::canonical;
+    const bool canonical = request.options.order == Order::canonical && !found_in_order_;
     if (shifts_to_find(request) == Shifts::stored) {
       const ImagePieces images{pieces, found_.shift_pieces()};
       return canonical ? order_.sort(images, request.elements.size(), pairs, shifts, workers)
@@ -244,7 +252,7 @@ Statistics Detection::visit_batches(const Request& request, const Visitors& visi
   return guarded(request, [&](DetectionContext& context) {
     visiting_.start_anew(request.options.max_pairs, visitors);
     Statistics statistics = run(request, visiting_, context);
-    statistics.contact_pairs = visiting_.count();
+    statistics.contact_pairs = skin_statistics_.survivors = visiting_.count();
     return statistics;
   });
 }

@@ -6,6 +6,8 @@
 #include "api/joined_sets.hpp"
 #include "api/list_neighbors.hpp"
 #include "api/order_pairs.hpp"
+#include "api/skin_choice.hpp"
+#include "api/skin_search.hpp"
 #include "api/visiting_sink.hpp"
 #include "base/detection_context.hpp"
 #include "base/memory_meter.hpp"
@@ -15,6 +17,7 @@
 
 #include <abut/detect.hpp>
 #include <abut/neighbor_list.hpp>
+#include <abut/skin.hpp>
 
 #include <cstddef>
 
@@ -49,15 +52,22 @@ class Detection {
                             NeighborList::Offsets& offsets, NeighborList::Neighbors& neighbors,
                             ShiftArray& shifts);
 
+  /// For the calls that follow: candidate pairs are kept from call to call, and what is delivered
+  /// comes in canonical order.
+  void set_skin(Skin skin);
+  [[nodiscard]] Skin skin() const noexcept { return skin_choice_.skin(); }
+  [[nodiscard]] const SkinStatistics& skin_statistics() const noexcept { return skin_statistics_; }
+
  private:
   template <int Dim>
   struct Arrays {
     explicit Arrays(base::MemoryMeter& memory)
-        : elements(memory), sets(memory), workspace(memory) {}
+        : elements(memory), sets(memory), workspace(memory), skin_search(memory) {}
 
     GatheredElements<Dim> elements;
     JoinedSets<Dim> sets;
     engine::Workspace<Dim> workspace;
+    SkinSearch<Dim> skin_search;
   };
 
   template <int Dim>
@@ -81,6 +91,15 @@ class Detection {
   template <int Dim>
   void search(const engine::RowsSettings& settings, const Request& request, base::PairSink& sink,
               base::DetectionContext& context, Statistics& statistics);
+  /// The same by candidates that are kept, where there is a skin.
+  template <int Dim>
+  void search_with_skin(const engine::RowsSettings& settings, const Request& request,
+                        base::PairSink& sink, base::DetectionContext& context,
+                        Statistics& statistics);
+  template <int Dim>
+  [[nodiscard]] bool find_candidates(const Snapshot<Dim>& now, const engine::RowsSettings& settings,
+                                     const Request& request, base::DetectionContext& context,
+                                     Statistics& statistics);
 
   /// Sets the scene for `body(context)` and turns lack of memory into an Error.
   template <class Body>
@@ -97,6 +116,10 @@ class Detection {
   VisitingSink visiting_;
   CrossSink crossing_;
   PairOrder order_{memory_};
+  bool found_in_order_ = false;  ///< whether the search delivered in canonical order
+  SkinChoice skin_choice_;
+  SkinStatistics skin_statistics_;
+  Algorithm candidates_from_ = Algorithm::automatic;
   RowRooms row_rooms_;
 };
 

@@ -28,6 +28,18 @@ void Detector::set_options(Options options) {
   state_->options = std::move(options);
 }
 
+void Detector::set_skin(Skin skin) {
+  state_->detection.set_skin(skin);
+}
+
+Skin Detector::skin() const noexcept {
+  return state_->detection.skin();
+}
+
+const SkinStatistics& Detector::skin_statistics() const noexcept {
+  return state_->detection.skin_statistics();
+}
+
 const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain) {
   PairList& list = state_->pairs;
   list.statistics_ =

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -99,6 +100,25 @@ TEST(Detector, ASecondCallAllocatesNothingInPeriodicDomainsEither) {
                 0U);
       EXPECT_FALSE(detector.find_contact_pairs(elements, domain).empty());
     }
+  }
+}
+
+TEST(Detector, WithASkinNeitherReuseNorAnewAllocates) {
+  const Scene scene = made("dense", 5000);
+  Scene moved = scene;
+  for (double& x : moved.x) x += 0.5;
+  for (const Domain& domain : {Domain::open(), Domain::periodic({20.0, 20.0, 20.0})}) {
+    Detector detector({.shifts = Shifts::stored, .threads = 1});
+    detector.set_skin(Skin::fixed(0.25));
+    const auto four_calls = [&] {
+      for (const Scene& now :
+           {std::cref(scene), std::cref(scene), std::cref(moved), std::cref(scene)}) {
+        detector.find_contact_pairs(view_of(now), domain);
+      }
+    };
+    EXPECT_EQ(requests_of_the_second(four_calls), 0U);
+    EXPECT_EQ(detector.skin_statistics().reuses, 3U);
+    EXPECT_EQ(detector.skin_statistics().detections, 5U);
   }
 }
 

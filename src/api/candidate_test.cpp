@@ -1,0 +1,158 @@
+// docs/derivations/skin.md has the bands.
+
+#include "api/candidate_test.hpp"
+
+#include "api/lattice_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::api {
+namespace {
+
+/// Keeps the survivors that `within_reach` confirms.
+template <class WithinReach>
+void confirm(Survivors& survivors, WithinReach&& within_reach) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < survivors.count; ++k) {
+    const std::uint16_t place = survivors.places[k];
+    if (within_reach(place)) survivors.places[kept++] = place;
+  }
+  survivors.count = kept;
+}
+
+/// All in doubt.
+void take_all(std::size_t count, Survivors& survivors) {
+  for (std::size_t k = 0; k < count; ++k) survivors.places[k] = static_cast<std::uint16_t>(k);
+  survivors.count = count;
+}
+
+/// In units of u = 2^-53, of all that is added up: 16.
+constexpr double placed_band = 0x1p-49;
+
+}  // namespace
+
+template <int Dim>
+OpenCandidateTest<Dim>::OpenCandidateTest(const Snapshot<Dim>& now)
+    : spheres_(now.spheres), margin_(now.margin) {
+  const double smallest = 2.0 * now.bounds.smallest_radius + margin_;
+  const double largest = 2.0 * now.bounds.largest_radius + margin_;
+  // A little inside the range, for the rounding of these two.
+  in_range_ = smallest * smallest >= 2.0 * base::smallest_safe_square &&
+              largest * largest <= 0.5 * base::largest_safe_square;
+}
+
+template <int Dim>
+void OpenCandidateTest<Dim>::run(std::span<const ContactPair> candidates, Survivors& survivors,
+                                 std::uint64_t& exact_decisions) const {
+  bool undecided = !in_range_;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < candidates.size() && in_range_; ++k) {
+    const base::Sphere<Dim>& a = spheres_[candidates[k].first];
+    const base::Sphere<Dim>& b = spheres_[candidates[k].second];
+    double square = 0.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double difference = a.center[axis] - b.center[axis];
+      square += difference * difference;
+    }
+    const double reach = a.radius + b.radius + margin_;
+    const double reach_square = reach * reach;
+    const bool apart = square > reach_square * (1.0 + base::band);
+    const bool together = square < reach_square * (1.0 - base::band);
+    survivors.places[count] = static_cast<std::uint16_t>(k);
+    count += apart ? 0 : 1;
+    undecided |= apart == together;
+  }
+  survivors.count = count;
+  if (!undecided) return;
+  if (!in_range_) take_all(candidates.size(), survivors);
+  confirm(survivors, [&](std::size_t k) {
+    return base::within_reach(spheres_[candidates[k].first], spheres_[candidates[k].second],
+                              margin_, exact_decisions);
+  });
+}
+
+template <int Dim>
+PeriodicCandidateTest<Dim>::PeriodicCandidateTest(const Snapshot<Dim>& now,
+                                                  const Displacement<Dim>& placing,
+                                                  std::span<const ImageShift> shifts,
+                                                  Images& images)
+    : spheres_(now.spheres),
+      placed_(placing.placed()),
+      placing_(placing),
+      shifts_(shifts),
+      lattice_(lattice_of(now.domain)),
+      images_(images),
+      margin_(now.margin) {
+  images.clear();
+  double farthest = 0.0;
+  for (const ImageShift& shift : shifts) {
+    std::array<double, Dim> image{};
+    double magnitude = 0.0;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      for (std::size_t k = 0; k < Dim; ++k) {
+        const double product = base::numbers(shift)[k] * lattice_.vectors[k][axis];
+        image[axis] += product;
+        magnitude += std::fabs(product);
+      }
+    }
+    images.push_back(image);
+    farthest = std::max(farthest, magnitude);
+  }
+  const double magnitude = 2.0 * placing.magnitude() + farthest + now.largest_reach();
+  slack_ = placed_band * magnitude;
+  in_range_ =
+      magnitude >= base::smallest_safe_magnitude && magnitude <= base::largest_safe_magnitude;
+}
+
+template <int Dim>
+void PeriodicCandidateTest<Dim>::run(std::span<const ContactPair> candidates,
+                                     const std::uint16_t* shift_of, Survivors& survivors,
+                                     std::uint64_t& exact_decisions) const {
+  bool undecided = !in_range_;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < candidates.size() && in_range_; ++k) {
+    const base::Sphere<Dim>& a = placed_[candidates[k].first];
+    const base::Sphere<Dim>& b = placed_[candidates[k].second];
+    const std::array<double, Dim>& image = images_[shift_of[k]];
+    double square = 0.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double difference =
+          a.center[axis] - b.center[axis] - image[static_cast<std::size_t>(axis)];
+      square += difference * difference;
+    }
+    const double reach = a.radius + b.radius + margin_;
+    const double outer = reach + slack_;
+    const double inner = std::max(reach - slack_, 0.0);
+    const bool apart = square > outer * outer;
+    const bool together = square < inner * inner;
+    survivors.places[count] = static_cast<std::uint16_t>(k);
+    count += apart ? 0 : 1;
+    undecided |= apart == together;
+  }
+  survivors.count = count;
+  if (!undecided) return;
+  if (!in_range_) take_all(candidates.size(), survivors);
+  confirm(survivors, [&](std::size_t k) {
+    const ContactPair pair = candidates[k];
+    return base::within_reach(spheres_[pair.first], spheres_[pair.second],
+                              this->shift_of(pair, shift_of[k]), lattice_, margin_,
+                              exact_decisions);
+  });
+}
+
+template <int Dim>
+ImageShift PeriodicCandidateTest<Dim>::shift_of(ContactPair pair, std::uint16_t number) const {
+  const CellNumbers& first = placing_.cells(pair.first);
+  const CellNumbers& second = placing_.cells(pair.second);
+  const ImageShift& shift = shifts_[number];
+  return {shift.x + first[0] - second[0], shift.y + first[1] - second[1],
+          shift.z + first[2] - second[2]};
+}
+
+template class OpenCandidateTest<2>;
+template class OpenCandidateTest<3>;
+template class PeriodicCandidateTest<2>;
+template class PeriodicCandidateTest<3>;
+
+}  // namespace abut::api

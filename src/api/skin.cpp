@@ -1,0 +1,18 @@
+#include "base/written.hpp"
+
+#include <abut/error.hpp>
+#include <abut/skin.hpp>
+
+#include <cmath>
+
+namespace abut {
+
+Skin Skin::fixed(double length) {
+  if (!(length >= 0.0) || std::isinf(length)) {
+    throw Error(ErrorCode::invalid_input,
+                "skin = " + base::written(length) + "; it must be finite and not negative");
+  }
+  return {Kind::fixed, length};
+}
+
+}  // namespace abut

@@ -7,12 +7,15 @@
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/error.hpp>
+#include <abut/exclusion_list.hpp>
 #include <abut/export.hpp>
+#include <abut/group_table.hpp>
 #include <abut/image_shift.hpp>
 #include <abut/neighbor_list.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
 #include <abut/pair_list.hpp>
+#include <abut/pair_rule.hpp>
 #include <abut/progress.hpp>
 #include <abut/simd.hpp>
 #include <abut/skin.hpp>

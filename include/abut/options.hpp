@@ -3,6 +3,7 @@
 #include <abut/algorithm.hpp>
 #include <abut/export.hpp>
 #include <abut/pair.hpp>
+#include <abut/pair_rule.hpp>
 #include <abut/progress.hpp>
 #include <abut/simd.hpp>
 
@@ -39,6 +40,9 @@ struct Options {
   /// Elements within this distance of touching are contact pairs too; finite, >= 0, in the unit
   /// of the positions.
   double margin = 0.0;
+
+  /// Which of the elements may pair; all, unless it says something.
+  PairRule rule = {};
 
   /// One more pair than this throws Error{limit_exceeded}.
   PairCount max_pairs = unlimited_pairs;

@@ -6,6 +6,7 @@
 #include "api/list_neighbors.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
+#include "api/validate_rule.hpp"
 #include "base/callers_exception.hpp"
 #include "base/float_environment.hpp"
 #include "base/stopwatch.hpp"
@@ -95,6 +96,7 @@ Statistics Detection::guarded(const Request& request, Body&& body) {
   } else {
     validate(request.options, request.elements, *request.others, request.domain);
   }
+  validate(request.options.rule, request.elements, request.others);
   memory_.start_anew(memory_bound(request.options));
   DetectionContext context(memory_, request.options.progress);
   try {
@@ -198,8 +200,14 @@ Statistics Detection::run_in(const Request& request, PairSink& sink, DetectionCo
 }
 
 Statistics Detection::run(const Request& request, PairSink& sink, DetectionContext& context) {
-  return request.elements.dimensions() == 2 ? run_in<2>(request, sink, context)
-                                            : run_in<3>(request, sink, context);
+  const PairRule& rule = request.options.rule;
+  PairSink* target = &sink;
+  if (!rule.is_empty()) {
+    ruling_.start_anew(sink, rule, request.others == nullptr ? rule.elements : rule.others);
+    target = &ruling_;
+  }
+  return request.elements.dimensions() == 2 ? run_in<2>(request, *target, context)
+                                            : run_in<3>(request, *target, context);
 }
 
 namespace {

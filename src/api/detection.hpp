@@ -6,6 +6,7 @@
 #include "api/joined_sets.hpp"
 #include "api/list_neighbors.hpp"
 #include "api/order_pairs.hpp"
+#include "api/rule_sink.hpp"
 #include "api/skin_choice.hpp"
 #include "api/skin_search.hpp"
 #include "api/visiting_sink.hpp"
@@ -114,6 +115,7 @@ class Detection {
   Arrays<3> in_3d_{memory_};
   FoundPairs found_{memory_};
   VisitingSink visiting_;
+  RuleSink ruling_;
   CrossSink crossing_;
   PairOrder order_{memory_};
   bool found_in_order_ = false;  ///< whether the search delivered in canonical order

@@ -13,11 +13,17 @@ namespace abut {
 
 enum class Precision { float32, float64 };
 
-/// The elements of a detection, seen through the caller's arrays: spheres in 3D, discs in 2D, in
-/// float or double, structs or separate arrays. It owns nothing and copies nothing; the arrays
-/// must outlive it and must not change while a detection runs.
+/// What the elements are.
+enum class Shape {
+  sphere,  ///< spheres, in 2D discs
+  box,     ///< closed axis-aligned boxes, in 2D rectangles
+};
+
+/// The elements of a detection, seen through the caller's arrays: spheres or boxes in 3D, discs or
+/// rectangles in 2D, in float or double, structs or separate arrays. It owns nothing and copies
+/// nothing; the arrays must outlive it and must not change while a detection runs.
 ///
-/// Made by `spheres(...)` and `discs(...)`.
+/// Made by `spheres(...)`, `discs(...)`, `boxes(...)` and `rectangles(...)`.
 class ElementView {
  public:
   /// A strided array of float or double, whichever `precision()` says.
@@ -29,30 +35,48 @@ class ElementView {
   /// Columns of unequal length throw Error{invalid_input}.
   template <Real T, std::size_t Dim>
   ElementView(const std::array<Column<T>, Dim>& centers, Column<T> radii)
-      : ElementView(centers, radii.size, numbers(radii), 0.0) {}
+      : ElementView(Shape::sphere, centers, radii.size, numbers(radii), 0.0) {}
 
   /// One radius for all.
   template <Real T, std::size_t Dim>
   ElementView(const std::array<Column<T>, Dim>& centers, double radius)
-      : ElementView(centers, centers[0].size, std::nullopt, radius) {}
+      : ElementView(Shape::sphere, centers, centers[0].size, std::nullopt, radius) {}
+
+  /// Boxes from their lower and upper corners.
+  template <Real T, std::size_t Dim>
+  ElementView(const std::array<Column<T>, Dim>& lower, const std::array<Column<T>, Dim>& upper)
+      : ElementView(Shape::box, lower, lower[0].size, std::nullopt, 0.0) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      uppers_[axis] = numbers(upper[axis]);
+      require_size(Dim + axis, upper[axis].size);
+    }
+  }
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] Shape shape() const noexcept { return shape_; }
   [[nodiscard]] int dimensions() const noexcept { return dimensions_; }
   [[nodiscard]] Precision precision() const noexcept { return precision_; }
 
+  /// Of spheres; of boxes the same as `lower`.
   [[nodiscard]] const Numbers& center(int axis) const noexcept {
     return centers_[static_cast<std::size_t>(axis)];
   }
+  /// Corners of boxes.
+  [[nodiscard]] const Numbers& lower(int axis) const noexcept { return center(axis); }
+  [[nodiscard]] const Numbers& upper(int axis) const noexcept {
+    return uppers_[static_cast<std::size_t>(axis)];
+  }
   [[nodiscard]] bool has_common_radius() const noexcept { return !radii_.has_value(); }
   [[nodiscard]] double common_radius() const noexcept { return common_radius_; }
-  /// Only where there is no common radius.
+  /// Of spheres, where there is no common radius.
   [[nodiscard]] const Numbers& radii() const noexcept { return *radii_; }
 
  private:
   template <Real T, std::size_t Dim>
-  ElementView(const std::array<Column<T>, Dim>& centers, std::size_t radius_count,
+  ElementView(Shape shape, const std::array<Column<T>, Dim>& centers, std::size_t radius_count,
               std::optional<Numbers> radii, double common_radius)
       : size_(centers[0].size),
+        shape_(shape),
         dimensions_(static_cast<int>(Dim)),
         precision_(std::same_as<T, float> ? Precision::float32 : Precision::float64),
         radii_(radii),
@@ -70,12 +94,15 @@ class ElementView {
     return {reinterpret_cast<const std::byte*>(column.first), column.stride_bytes};
   }
 
+  /// Columns count the axes, then the radii or once more the axes.
   ABUT_API void require_size(std::size_t column, std::size_t size) const;
 
   std::size_t size_ = 0;
+  Shape shape_ = Shape::sphere;
   int dimensions_ = 0;
   Precision precision_ = Precision::float64;
-  std::array<Numbers, 3> centers_{};
+  std::array<Numbers, 3> centers_{};  ///< lower corners of boxes
+  std::array<Numbers, 3> uppers_{};
   std::optional<Numbers> radii_;
   double common_radius_ = 0.0;
 };
@@ -165,6 +192,45 @@ template <class Points, class R>
 requires detail::PointsOf<Points, 2> && detail::RadiiOfPoints<R, Points>
 [[nodiscard]] ElementView discs(Points&& centers, R&& radii) {
   return detail::view(detail::columns<2>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
+}
+
+/// Boxes from separate arrays of one type, in the order of the columns of a CSV file. Closed; lower
+/// <= upper is checked by the detection.
+template <ColumnLike X, ColumnLike... Others>
+requires(sizeof...(Others) == 5 && (std::same_as<ColumnScalar<X>, ColumnScalar<Others>> && ...))
+    [[nodiscard]] ElementView boxes(X&& xmin, Others&&... ymin_zmin_xmax_ymax_zmax) {
+  using T = ColumnScalar<X>;
+  const std::array<Column<T>, 6> all{column(static_cast<X&&>(xmin)),
+                                     column(static_cast<Others&&>(ymin_zmin_xmax_ymax_zmax))...};
+  return ElementView(std::array<Column<T>, 3>{all[0], all[1], all[2]},
+                     std::array<Column<T>, 3>{all[3], all[4], all[5]});
+}
+
+/// Boxes in the plane from separate arrays of one type.
+template <ColumnLike X, ColumnLike... Others>
+requires(sizeof...(Others) == 3 && (std::same_as<ColumnScalar<X>, ColumnScalar<Others>> && ...))
+    [[nodiscard]] ElementView rectangles(X&& xmin, Others&&... ymin_xmax_ymax) {
+  using T = ColumnScalar<X>;
+  const std::array<Column<T>, 4> all{column(static_cast<X&&>(xmin)),
+                                     column(static_cast<Others&&>(ymin_xmax_ymax))...};
+  return ElementView(std::array<Column<T>, 2>{all[0], all[1]},
+                     std::array<Column<T>, 2>{all[2], all[3]});
+}
+
+/// Boxes from arrays of their lower and upper corners, points of three numbers of one type.
+template <class Lower, class Upper>
+requires detail::PointsOf<Lower, 3> && detail::PointsOf<Upper, 3>
+[[nodiscard]] ElementView boxes(Lower&& lower, Upper&& upper) {
+  return ElementView(detail::columns<3>(static_cast<Lower&&>(lower)),
+                     detail::columns<3>(static_cast<Upper&&>(upper)));
+}
+
+/// Boxes in the plane from arrays of their lower and upper corners, points of two numbers.
+template <class Lower, class Upper>
+requires detail::PointsOf<Lower, 2> && detail::PointsOf<Upper, 2>
+[[nodiscard]] ElementView rectangles(Lower&& lower, Upper&& upper) {
+  return ElementView(detail::columns<2>(static_cast<Lower&&>(lower)),
+                     detail::columns<2>(static_cast<Upper&&>(upper)));
 }
 
 }  // namespace abut

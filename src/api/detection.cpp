@@ -48,14 +48,14 @@ void require_grid_fits(const RegistryRow& row, const grid::CellCoordinates<Dim>&
 }
 
 template <int Dim>
-void search_cells(const RegistryRow& row, std::span<const base::Sphere<Dim>> spheres,
+void search_cells(const RegistryRow& row, const base::Elements<Dim>& elements,
                   const grid::Bounds<Dim>& bounds, const Options& options, PairSink& sink,
                   DetectionContext& context) {
-  const auto cells = grid::integerise<Dim>(spheres, bounds, options.margin, context);
+  const auto cells = grid::integerise<Dim>(elements.spheres, bounds, options.margin, context);
   require_grid_fits(row, cells, options, context);
   sink.expect_workers(1);
   base::PairWriter pairs(sink);
-  reference::ContactTest<Dim> test(spheres, options.margin, pairs, context);
+  reference::ContactTest<Dim> test(elements, options.margin, pairs, context);
   row.runs<Dim>().on_cells(cells, test, context);
   pairs.finish();
 }
@@ -129,13 +129,13 @@ void Detection::search(const engine::RowsSettings& settings, const Request& requ
     statistics.threads = static_cast<int>(settings.workers);
     statistics.simd = settings.simd;
   }
-  const System<Dim> system{own.elements.spheres, own.elements.bounds, settings, own.workspace};
+  const base::Elements<Dim> elements = own.elements.elements();
+  const System<Dim> system{elements, own.elements.bounds, settings, own.workspace};
   if (request.domain.is_periodic()) {
     return choice.row->runs<Dim>().on_images(system, lattice_of(request.domain), sink, context);
   }
   if (choice.row->runs<Dim>().on_elements == nullptr) {
-    return search_cells<Dim>(*choice.row, own.elements.spheres, own.elements.bounds, options, sink,
-                             context);
+    return search_cells<Dim>(*choice.row, elements, own.elements.bounds, options, sink, context);
   }
   choice.row->runs<Dim>().on_elements(system, sink, context);
 }

@@ -1,6 +1,7 @@
 #include "api/gathered_elements.hpp"
 #include "api/lattice_of.hpp"
 #include "api/validate_options.hpp"
+#include "base/box.hpp"
 #include "base/float_environment.hpp"
 #include "base/periodic_gap.hpp"
 #include "base/sphere_gap.hpp"
@@ -45,14 +46,19 @@ void require_there(const Domain& domain, const ImageShift& shift) {
 
 template <int Dim>
 double gap_of(const Sets& sets, ContactPair pair) {
-  return base::gap(api::element_at<Dim>(sets.first, pair.first),
-                   api::element_at<Dim>(sets.second, pair.second));
+  if (sets.first.shape() == Shape::box) {
+    return base::gap(api::box_at<Dim>(sets.first, pair.first),
+                     api::box_at<Dim>(sets.second, pair.second));
+  }
+  return base::gap(api::sphere_at<Dim>(sets.first, pair.first),
+                   api::sphere_at<Dim>(sets.second, pair.second));
 }
 
 template <int Dim>
 double gap_of(const Sets& sets, const Domain& domain, ContactPair pair, const ImageShift& shift) {
-  return base::gap<Dim>(api::element_at<Dim>(sets.first, pair.first),
-                        api::element_at<Dim>(sets.second, pair.second), shift,
+  if (sets.first.shape() == Shape::box) return gap_of<Dim>(sets, pair);
+  return base::gap<Dim>(api::sphere_at<Dim>(sets.first, pair.first),
+                        api::sphere_at<Dim>(sets.second, pair.second), shift,
                         api::lattice_of(domain));
 }
 
@@ -66,6 +72,7 @@ double checked_gap(const Sets& sets, const Domain& domain, ContactPair pair,
                    const ImageShift& shift) {
   sets.require(pair);
   api::require_dimensions(sets.first, domain);
+  api::require_shape(sets.first, domain);
   require_there(domain, shift);
   const base::FloatEnvironment environment;
   return sets.first.dimensions() == 2 ? gap_of<2>(sets, domain, pair, shift)
@@ -84,13 +91,13 @@ double gap(const ElementView& elements, const Domain& domain, ContactPair pair,
 }
 
 double gap(const ElementView& first, const ElementView& second, ContactPair pair) {
-  api::require_dimensions(first, second);
+  api::require_alike(first, second);
   return checked_gap({first, second}, pair);
 }
 
 double gap(const ElementView& first, const ElementView& second, const Domain& domain,
            ContactPair pair, const ImageShift& shift) {
-  api::require_dimensions(first, second);
+  api::require_alike(first, second);
   return checked_gap({first, second}, domain, pair, shift);
 }
 

@@ -2,7 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/detection_context.hpp"
-#include "base/sphere_predicate.hpp"
+#include "base/elements.hpp"
 #include "grid/bounds.hpp"
 
 #include <abut/element_view.hpp>
@@ -23,9 +23,13 @@ struct GatherSettings {
 template <int Dim>
 struct GatheredElements {
   explicit GatheredElements(base::MemoryMeter& memory)
-      : spheres(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)) {}
+      : spheres(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
+        boxes(base::make_array_for_overwrite<base::Box<Dim>>(memory, 0)) {}
+
+  [[nodiscard]] base::Elements<Dim> elements() const noexcept { return {spheres, boxes}; }
 
   base::Array<base::Sphere<Dim>> spheres;
+  base::Array<base::Box<Dim>> boxes;  ///< none where the elements are spheres
   grid::Bounds<Dim> bounds;
   std::vector<grid::Bounds<Dim>> parts;  ///< bounds of what each worker read
 };
@@ -36,8 +40,12 @@ template <int Dim>
 void gather(const ElementView& elements, const GatherSettings& settings,
             GatheredElements<Dim>& gathered, base::DetectionContext& context);
 
-/// One element, unchecked.
+/// One sphere, unchecked.
 template <int Dim>
-[[nodiscard]] base::Sphere<Dim> element_at(const ElementView& elements, std::size_t number);
+[[nodiscard]] base::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number);
+
+/// One box, unchecked.
+template <int Dim>
+[[nodiscard]] base::Box<Dim> box_at(const ElementView& elements, std::size_t number);
 
 }  // namespace abut::api

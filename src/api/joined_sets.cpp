@@ -22,12 +22,19 @@ void gather_set(const char* which, const ElementView& elements, const GatherSett
   }
 }
 
-/// The worker's share of `from`, to its place behind the first `begin` of `to`.
+/// Both arrays, one behind the other.
 template <class T>
-void copy_share(const base::Array<T>& from, base::Array<T>& to, std::size_t begin,
-                std::size_t worker, std::size_t workers) {
-  const auto [first, last] = base::share_of(worker, workers, from.size());
-  std::copy(from.data() + first, from.data() + last, to.data() + begin + first);
+void join(const base::Array<T>& first, const base::Array<T>& second, base::Array<T>& joined,
+          std::size_t workers) {
+  base::resize_for_overwrite(joined, first.size() + second.size());
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto copy_share = [&](const base::Array<T>& from, T* to) {
+      const auto [begin, end] = base::share_of(worker, workers, from.size());
+      std::copy(from.data() + begin, from.data() + end, to + begin);
+    };
+    copy_share(first, joined.data());
+    copy_share(second, joined.data() + first.size());
+  });
 }
 
 }  // namespace
@@ -38,16 +45,11 @@ void JoinedSets<Dim>::gather(const ElementView& first, const ElementView& second
                              base::DetectionContext& context) {
   gather_set("first", first, settings, first_, context);
   gather_set("second", second, settings, second_, context);
-  auto& spheres = joined.spheres;
-  const std::size_t count = first_.spheres.size() + second_.spheres.size();
-  if (spheres.capacity() < count) spheres.clear();
-  spheres.resize(count);
-  base::for_each_worker(settings.workers, [&](std::size_t worker) {
-    copy_share(first_.spheres, spheres, 0, worker, settings.workers);
-    copy_share(second_.spheres, spheres, first_.spheres.size(), worker, settings.workers);
-  });
+  join(first_.spheres, second_.spheres, joined.spheres, settings.workers);
+  join(first_.boxes, second_.boxes, joined.boxes, settings.workers);
   joined.bounds = first.size() == 0 ? second_.bounds : first_.bounds;
   if (first.size() != 0 && second.size() != 0) joined.bounds.include(second_.bounds);
+  if (first.shape() == Shape::box) joined.bounds.count_largest_twice();
 }
 
 template class JoinedSets<2>;

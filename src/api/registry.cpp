@@ -22,8 +22,8 @@ void direct_check_elements(const System<Dim>& system, base::PairSink& sink,
                            base::DetectionContext& context) {
   sink.expect_workers(1);
   base::PairWriter pairs(sink);
-  ContactTest<Dim> test(system.spheres, system.settings.margin, pairs, context);
-  direct_check(system.spheres.size(), test, context);
+  ContactTest<Dim> test(system.elements, system.settings.margin, pairs, context);
+  direct_check(system.elements.size(), test, context);
   pairs.finish();
 }
 
@@ -32,7 +32,8 @@ void direct_check_all_images(const System<Dim>& system, const base::Lattice& lat
                              base::PairSink& sink, base::DetectionContext& context) {
   sink.expect_workers(1);
   base::ImagePairWriter pairs(sink);
-  direct_check_images<Dim>(system.spheres, lattice, system.settings.margin, pairs, context);
+  direct_check_images<Dim>(system.elements.spheres, lattice, system.settings.margin, pairs,
+                           context);
   pairs.finish();
 }
 
@@ -44,7 +45,7 @@ void trace_direct_check(const grid::CellCoordinates<Dim>& cells, CandidateRecord
 
 template <int Dim>
 void rows(const System<Dim>& system, base::PairSink& sink, base::DetectionContext& context) {
-  engine::rows(system.spheres, system.bounds, system.settings, system.workspace, sink, context);
+  engine::rows(system.elements, system.bounds, system.settings, system.workspace, sink, context);
 }
 
 template <int Dim>
@@ -76,8 +77,8 @@ constexpr Runs<3> munjiza_nbs_3d_runs{.on_cells = munjiza_nbs_3d<ContactTest<3>>
 template <int Dim>
 void periodic_rows(const System<Dim>& system, const base::Lattice& lattice, base::PairSink& sink,
                    base::DetectionContext& context) {
-  engine::periodic_rows(system.spheres, system.bounds, lattice, system.settings, system.workspace,
-                        sink, context);
+  engine::periodic_rows(system.elements.spheres, system.bounds, lattice, system.settings,
+                        system.workspace, sink, context);
 }
 
 template <int Dim>

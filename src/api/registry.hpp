@@ -17,7 +17,7 @@ namespace abut::api {
 /// What an algorithm that looks at the elements themselves is given.
 template <int Dim>
 struct System {
-  std::span<const base::Sphere<Dim>> spheres;
+  const base::Elements<Dim>& elements;
   const grid::Bounds<Dim>& bounds;
   const engine::RowsSettings& settings;
   engine::Workspace<Dim>& workspace;

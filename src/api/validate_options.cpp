@@ -74,16 +74,28 @@ void require_dimensions(const ElementView& elements, const Domain& domain) {
                                           std::to_string(elements.dimensions()) + " numbers");
 }
 
+void require_shape(const ElementView& elements, const Domain& domain) {
+  if (elements.shape() != Shape::box || !domain.is_periodic()) return;
+  throw Error(ErrorCode::wrong_usage,
+              "boxes in a periodic domain are not carried; give an open domain and add the images "
+              "that are wanted as elements");
+}
+
 void validate(const Options& options, const ElementView& elements, const Domain& domain) {
   require_in_range(options);
   require_dimensions(elements, domain);
+  require_shape(elements, domain);
   require_carried(options.algorithm, domain);
   if (elements.size() > most_elements(options.algorithm)) {
     refuse_count(std::to_string(elements.size()), options.algorithm);
   }
 }
 
-void require_dimensions(const ElementView& first, const ElementView& second) {
+void require_alike(const ElementView& first, const ElementView& second) {
+  if (first.shape() != second.shape()) {
+    throw Error(ErrorCode::wrong_usage,
+                "one set holds spheres and the other boxes; give two sets of the same shape");
+  }
   if (first.dimensions() == second.dimensions()) return;
   throw Error(ErrorCode::wrong_usage, "the first set has " + std::to_string(first.dimensions()) +
                                           " dimensions and the second " +
@@ -94,8 +106,9 @@ void require_dimensions(const ElementView& first, const ElementView& second) {
 void validate(const Options& options, const ElementView& first, const ElementView& second,
               const Domain& domain) {
   require_in_range(options);
-  require_dimensions(first, second);
+  require_alike(first, second);
   require_dimensions(first, domain);
+  require_shape(first, domain);
   require_carried(options.algorithm, domain);
   const std::uint64_t most = most_elements(options.algorithm);
   if (first.size() > most || second.size() > most - first.size()) {

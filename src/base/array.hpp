@@ -78,4 +78,11 @@ void make_room(Array<T>& array, std::size_t size) {
   array.resize(size);
 }
 
+/// Exactly `size` elements of any value, likewise.
+template <class T>
+void resize_for_overwrite(Array<T>& array, std::size_t size) {
+  if (array.capacity() < size) array.clear();
+  array.resize(size);
+}
+
 }  // namespace abut::base

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/elements.hpp"
 #include "base/periodic_predicate.hpp"
 #include "base/sphere_predicate.hpp"
 #include "grid/images.hpp"
@@ -31,20 +32,24 @@ class Arbiter {
 template <int Dim>
 class OpenArbiter final : public Arbiter {
  public:
-  OpenArbiter(std::span<const base::Sphere<Dim>> originals, double margin)
+  OpenArbiter(const base::Elements<Dim>& originals, double margin)
       : originals_(originals), margin_(margin) {}
 
   void fetch(std::uint32_t element) const noexcept override {
-    __builtin_prefetch(&originals_[element]);
+    if (originals_.are_boxes()) {
+      __builtin_prefetch(&originals_.boxes[element]);
+    } else {
+      __builtin_prefetch(&originals_.spheres[element]);
+    }
   }
 
   [[nodiscard]] bool within_reach(std::uint32_t first, std::uint32_t second,
                                   std::uint64_t& exact_decisions) const override {
-    return base::within_reach(originals_[first], originals_[second], margin_, exact_decisions);
+    return originals_.within_reach(first, second, margin_, exact_decisions);
   }
 
  private:
-  std::span<const base::Sphere<Dim>> originals_;
+  base::Elements<Dim> originals_;
   double margin_;
 };
 

@@ -1,5 +1,7 @@
 #include "engine/divide.hpp"
 
+#include "engine/catchment.hpp"
+
 #include <algorithm>
 
 namespace abut::engine {
@@ -18,25 +20,25 @@ bool within(const base::Sphere<Dim>& sphere, const grid::Bounds<Dim>& box, doubl
 }  // namespace
 
 template <int Dim>
-Group<Dim> group_of(std::span<const base::Sphere<Dim>> spheres, const Members& members,
-                    Wanted wanted) {
+Group<Dim> group_of(const base::Elements<Dim>& elements, const Members& members, Wanted wanted) {
   Group<Dim> group;
   group.natives = Members::numbers(members.natives);
   group.foreigns = Members::numbers(members.foreigns);
   group.visitors = Members::numbers(members.visitors);
   group.wanted = wanted;
   for (const std::uint32_t number : members.natives) {
-    group.bounds.include_center(spheres[number]);
-    group.bounds.include_radius(spheres[number].radius);
+    group.bounds.include_center(elements[number]);
+    group.bounds.include_radius(elements[number].radius);
   }
   for (const std::uint32_t number : members.foreigns) {
-    group.bounds.include_radius(spheres[number].radius);
+    group.bounds.include_radius(elements[number].radius);
   }
+  if (elements.are_boxes()) group.bounds.count_largest_twice();
   return group;
 }
 
 template <int Dim>
-void divide_by_size(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group, double cut,
+void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group, double cut,
                     Floor<Dim>& floor) {
   Members& large = floor.large;
   Members& small = floor.small;
@@ -51,7 +53,7 @@ void divide_by_size(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>
   const bool with_natives = group.wanted == Wanted::all_pairs;
   for (std::size_t k = 0; k < group.natives.size(); ++k) {
     const std::uint32_t number = group.natives[k];
-    const bool is_small = spheres[number].radius < cut;
+    const bool is_small = elements[number].radius < cut;
     (is_small ? small : large).natives.push_back(number);
     if (!is_small && with_natives) {
       small.visitors.push_back(number);
@@ -60,7 +62,7 @@ void divide_by_size(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>
   }
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
     const std::uint32_t number = group.foreigns[k];
-    if (spheres[number].radius < cut) {
+    if (elements[number].radius < cut) {
       small.foreigns.push_back(number);
       across.natives.push_back(number);
     } else {
@@ -71,32 +73,33 @@ void divide_by_size(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>
 }
 
 template <int Dim>
-void collect_tile(std::span<const base::Sphere<Dim>> spheres, const Tiles<Dim>& tiles,
-                  std::size_t tile, double cell_size, double margin, Members& members) {
+void collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles, std::size_t tile,
+                  double cell_size, double margin, Members& members) {
   members.clear();
   const auto records = tiles.records(tile);
   grid::Bounds<Dim> box;
   for (const Record<Dim>& record : records.first(tiles.own_count(tile))) {
     members.natives.push_back(record.number);
-    box.include_center(spheres[record.number]);
-    box.include_radius(spheres[record.number].radius);
+    box.include_center(elements[record.number]);
+    box.include_radius(elements[record.number].radius);
   }
   for (const Record<Dim>& record : records.subspan(tiles.own_count(tile))) {
-    if (within(spheres[record.number], box, cell_size)) members.foreigns.push_back(record.number);
+    if (within(elements[record.number], box, cell_size)) members.foreigns.push_back(record.number);
   }
   for (const std::uint32_t number : tiles.visitors(tile)) {
-    const double reach = (spheres[number].radius + box.largest_radius + margin) * (1.0 + 0x1p-20);
-    if (within(spheres[number], box, reach)) members.visitors.push_back(number);
+    if (Catchment<Dim>::of(elements, number, box.largest_radius, margin).meets(box)) {
+      members.visitors.push_back(number);
+    }
   }
 }
 
-template Group<2> group_of(std::span<const base::Sphere<2>>, const Members&, Wanted);
-template Group<3> group_of(std::span<const base::Sphere<3>>, const Members&, Wanted);
-template void divide_by_size(std::span<const base::Sphere<2>>, const Group<2>&, double, Floor<2>&);
-template void divide_by_size(std::span<const base::Sphere<3>>, const Group<3>&, double, Floor<3>&);
-template void collect_tile(std::span<const base::Sphere<2>>, const Tiles<2>&, std::size_t, double,
-                           double, Members&);
-template void collect_tile(std::span<const base::Sphere<3>>, const Tiles<3>&, std::size_t, double,
-                           double, Members&);
+template Group<2> group_of(const base::Elements<2>&, const Members&, Wanted);
+template Group<3> group_of(const base::Elements<3>&, const Members&, Wanted);
+template void divide_by_size(const base::Elements<2>&, const Group<2>&, double, Floor<2>&);
+template void divide_by_size(const base::Elements<3>&, const Group<3>&, double, Floor<3>&);
+template void collect_tile(const base::Elements<2>&, const Tiles<2>&, std::size_t, double, double,
+                           Members&);
+template void collect_tile(const base::Elements<3>&, const Tiles<3>&, std::size_t, double, double,
+                           Members&);
 
 }  // namespace abut::engine

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/sphere_predicate.hpp"
+#include "base/elements.hpp"
 #include "engine/bench.hpp"
 #include "engine/group.hpp"
 #include "engine/tiles.hpp"
@@ -15,18 +15,18 @@ namespace abut::engine {
 ///   small    the others; the group's visitors and all large ones as visitors
 ///   across   small foreigns as natives, visited by large natives
 template <int Dim>
-void divide_by_size(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group, double cut,
+void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group, double cut,
                     Floor<Dim>& floor);
 
 /// Own elements of a tile as natives, copies within a cell of their box as foreigns, visitors that
 /// reach the box.
 template <int Dim>
-void collect_tile(std::span<const base::Sphere<Dim>> spheres, const Tiles<Dim>& tiles,
-                  std::size_t tile, double cell_size, double margin, Members& members);
+void collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles, std::size_t tile,
+                  double cell_size, double margin, Members& members);
 
 /// The group of some members, with its bounds.
 template <int Dim>
-[[nodiscard]] Group<Dim> group_of(std::span<const base::Sphere<Dim>> spheres,
-                                  const Members& members, Wanted wanted);
+[[nodiscard]] Group<Dim> group_of(const base::Elements<Dim>& elements, const Members& members,
+                                  Wanted wanted);
 
 }  // namespace abut::engine

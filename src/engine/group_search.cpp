@@ -80,9 +80,9 @@ TileGrid<Dim> cut_into_tiles(const Group<Dim>& group, double cell) {
 }
 
 template <int Dim>
-void count_radii(RadiusHistogram& histogram, std::span<const base::Sphere<Dim>> spheres,
+void count_radii(RadiusHistogram& histogram, const base::Elements<Dim>& elements,
                  const Numbers& numbers) {
-  for (std::size_t k = 0; k < numbers.size(); ++k) histogram.add(spheres[numbers[k]].radius);
+  for (std::size_t k = 0; k < numbers.size(); ++k) histogram.add(elements[numbers[k]].radius);
 }
 
 }  // namespace
@@ -111,8 +111,8 @@ void GroupSearch<Dim>::search(const Group<Dim>& group, const Post& post) {
   if (group.wanted == Wanted::pairs_of_visitors && group.visitors.empty()) return;
   if (group.bounds.smallest_radius < group.bounds.largest_radius) {
     post.histogram.clear();
-    count_radii(post.histogram, task_.spheres, group.natives);
-    count_radii(post.histogram, task_.spheres, group.foreigns);
+    count_radii(post.histogram, task_.elements, group.natives);
+    count_radii(post.histogram, task_.elements, group.foreigns);
     const double cell = cell_size_for(group.bounds, task_);
     const double volume = volume_in_cells(group.bounds, cell);
     if (const auto cut =
@@ -126,10 +126,10 @@ void GroupSearch<Dim>::search(const Group<Dim>& group, const Post& post) {
 template <int Dim>
 void GroupSearch<Dim>::search_divided(const Group<Dim>& group, double cut, const Post& post) {
   Floor<Dim>& floor = post.floors.at(post.depth);
-  divide_by_size(task_.spheres, group, cut, floor);
-  search(group_of(task_.spheres, floor.large, group.wanted), post.deeper());
-  search(group_of(task_.spheres, floor.small, group.wanted), post.deeper());
-  search(group_of(task_.spheres, floor.across, Wanted::pairs_of_visitors), post.deeper());
+  divide_by_size(task_.elements, group, cut, floor);
+  search(group_of(task_.elements, floor.large, group.wanted), post.deeper());
+  search(group_of(task_.elements, floor.small, group.wanted), post.deeper());
+  search(group_of(task_.elements, floor.across, Wanted::pairs_of_visitors), post.deeper());
 }
 
 template <int Dim>
@@ -137,13 +137,13 @@ void GroupSearch<Dim>::search_tiles(const Group<Dim>& group, const Post& post) {
   const TileGrid<Dim> grid = cut_into_tiles(group, cell_size_for(group.bounds, task_));
   Tiles<Dim>& tiles = post.floors.at(post.depth).tiles;
   if (post.worker != nullptr) {
-    tiles.partition(task_.spheres, group, grid, task_.margin, task_.element_kernels, 1);
+    tiles.partition(task_.elements, group, grid, task_.margin, task_.element_kernels, 1);
     for (std::size_t tile = 0; tile < grid.tile_count; ++tile) {
       search_tile(group, grid, tiles, tile, post);
     }
     return;
   }
-  tiles.partition(task_.spheres, group, grid, task_.margin, task_.element_kernels, worker_count_);
+  tiles.partition(task_.elements, group, grid, task_.margin, task_.element_kernels, worker_count_);
   base::for_each_index(worker_count_, grid.tile_count, [&](std::size_t w, std::size_t tile) {
     TileSearcher<Dim>& worker = *workspace_.workers[w];
     if (tiles.own_count(tile) == 0) return;
@@ -175,13 +175,16 @@ void GroupSearch<Dim>::search_tile(const Group<Dim>& group, const TileGrid<Dim>&
     return;
   }
   const grid::Bounds<Dim>& bounds = group.bounds;
-  sorted.sort(records, tiles.radii(tile), static_cast<float>(bounds.largest_radius * tiles.unit()),
-              task_.element_kernels);
+  sorted.sort(
+      records,
+      {tiles.shape(), tiles.sizes(tile), static_cast<float>(bounds.largest_radius * tiles.unit())},
+      task_.element_kernels);
   if (all_pairs) post.worker->search(tiles.unit());
   if (visitors.empty()) return;
-  post.worker->visit({grid, grid.coordinates(tile), cells.size_in_unit(grid, tiles.unit()),
-                      tiles.unit(), (bounds.largest_radius + task_.margin) * tiles.unit()},
-                     visitors);
+  post.worker->visit(
+      {grid, grid.coordinates(tile), cells.size_in_unit(grid, tiles.unit()), tiles.unit(),
+       bounds.largest_radius * tiles.unit(), task_.margin * tiles.unit()},
+      visitors);
 }
 
 /// Whether there was a better way than the cells at hand: cells larger than the reach asks for are
@@ -199,7 +202,7 @@ bool GroupSearch<Dim>::search_crowded_tile(const Group<Dim>& group, const TileGr
   const bool waits = post.depth == 0 && tiles.own_count(tile) >= large_group;
   Part part{waits ? &spare_members() : &post.floors.at(post.depth).part, group.wanted, cut,
             tile_volume_in_cells(grid)};
-  collect_tile(task_.spheres, tiles, tile, grid.cell_size, task_.margin, *part.members);
+  collect_tile(task_.elements, tiles, tile, grid.cell_size, task_.margin, *part.members);
   if (!waits) {
     search(part, post);
     return true;
@@ -219,10 +222,10 @@ std::optional<double> GroupSearch<Dim>::size_cut_in(const Group<Dim>& group,
   post.histogram.clear();
   grid::Bounds<Dim> sizes;
   for (const Record<Dim>& record : tiles.records(tile)) {
-    const double radius = task_.spheres[record.number].radius;
-    post.histogram.add(radius);
-    sizes.include_radius(radius);
+    post.histogram.add(task_.elements[record.number].radius);
+    sizes.include_radius(task_.elements[record.number].radius);
   }
+  if (task_.elements.are_boxes()) sizes.count_largest_twice();
   const SortedTile<Dim>& sorted = post.worker->bench().tile;
   const auto count = static_cast<double>(sorted.size());
   const double crowded_cells = count * count / static_cast<double>(sorted.crowding());
@@ -232,7 +235,7 @@ std::optional<double> GroupSearch<Dim>::size_cut_in(const Group<Dim>& group,
 
 template <int Dim>
 void GroupSearch<Dim>::search(const Part& part, const Post& post) {
-  Group<Dim> group = group_of(task_.spheres, *part.members, part.wanted);
+  Group<Dim> group = group_of(task_.elements, *part.members, part.wanted);
   // Cells that are much smaller, because the box is, are progress enough.
   const double volume = volume_in_cells(group.bounds, cell_size_for(group.bounds, task_));
   group.least_tiles = volume * tiles_of_crowd <= part.tile_volume ? 1.0 : tiles_of_crowd;

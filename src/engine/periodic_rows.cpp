@@ -35,7 +35,7 @@ grid::Bounds<Dim> list_all(const grid::Images<Dim>& images, base::Array<base::Sp
 template <int Dim>
 void check_all(const Task<Dim>& task, std::size_t natives, base::DetectionContext& context) {
   base::PairWriter pairs(task.sink);
-  const auto all = static_cast<std::uint32_t>(task.spheres.size());
+  const auto all = static_cast<std::uint32_t>(task.elements.size());
   for (std::uint32_t i = 0; i < natives; ++i) {
     context.progress.at(i);
     context.candidate_tests += all - i - 1;
@@ -66,7 +66,7 @@ void periodic_rows(std::span<const base::Sphere<Dim>> spheres, const grid::Bound
   group.natives = Numbers(images.natives().size() + images.ghosts().size());
   const auto all =
       std::span<const base::Sphere<Dim>>(workspace.natives_and_ghosts).first(group.natives.size());
-  const Task<Dim> task{all,
+  const Task<Dim> task{{all, {}},
                        arbiter,
                        settings.margin * images.unit(),
                        images.slack() * cells_of_error,

@@ -32,8 +32,8 @@ class Recorder {
   /// Lengths times this are lengths in a tile.
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
-  [[nodiscard]] float radius(const base::Sphere<Dim>& sphere) const noexcept {
-    return static_cast<float>(sphere.radius * unit_);
+  [[nodiscard]] float length(double length) const noexcept {
+    return static_cast<float>(length * unit_);
   }
 
   [[nodiscard]] Record<Dim> record(const base::Sphere<Dim>& sphere, std::uint32_t number,

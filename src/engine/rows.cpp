@@ -22,25 +22,42 @@ double largest_number(const grid::Bounds<Dim>& bounds, double margin) {
   return largest;
 }
 
+/// A copy of the elements at the smaller scale.
 template <int Dim>
-base::Array<base::Sphere<Dim>> scaled(std::span<const base::Sphere<Dim>> spheres,
-                                      base::MemoryMeter& memory) {
-  auto result = base::make_array_for_overwrite<base::Sphere<Dim>>(memory, spheres.size());
-  std::transform(spheres.begin(), spheres.end(), result.begin(), [](base::Sphere<Dim> sphere) {
-    for (double& x : sphere.center) x *= scale_down;
-    sphere.radius *= scale_down;
-    return sphere;
-  });
-  return result;
-}
+class ScaledElements {
+ public:
+  ScaledElements(const base::Elements<Dim>& elements, base::MemoryMeter& memory)
+      : spheres_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, elements.size())),
+        boxes_(base::make_array_for_overwrite<base::Box<Dim>>(memory, elements.boxes.size())) {
+    std::transform(elements.spheres.begin(), elements.spheres.end(), spheres_.begin(),
+                   [](base::Sphere<Dim> sphere) {
+                     for (double& x : sphere.center) x *= scale_down;
+                     sphere.radius *= scale_down;
+                     return sphere;
+                   });
+    std::transform(elements.boxes.begin(), elements.boxes.end(), boxes_.begin(),
+                   [](base::Box<Dim> box) {
+                     for (double& x : box.lower) x *= scale_down;
+                     for (double& x : box.upper) x *= scale_down;
+                     return box;
+                   });
+  }
+
+  [[nodiscard]] base::Elements<Dim> elements() const noexcept { return {spheres_, boxes_}; }
+
+ private:
+  base::Array<base::Sphere<Dim>> spheres_;
+  base::Array<base::Box<Dim>> boxes_;
+};
 
 template <int Dim>
-grid::Bounds<Dim> bounds_of(std::span<const base::Sphere<Dim>> spheres) {
+grid::Bounds<Dim> bounds_of(const base::Elements<Dim>& elements) {
   grid::Bounds<Dim> bounds;
-  for (const base::Sphere<Dim>& sphere : spheres) {
-    bounds.include_center(sphere);
-    bounds.include_radius(sphere.radius);
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    bounds.include_center(elements[k]);
+    bounds.include_radius(elements[k].radius);
   }
+  if (elements.are_boxes()) bounds.count_largest_twice();
   return bounds;
 }
 
@@ -48,7 +65,7 @@ template <int Dim>
 void search(const Task<Dim>& task, const grid::Bounds<Dim>& bounds, std::size_t workers,
             Workspace<Dim>& workspace, base::DetectionContext& context) {
   Group<Dim> all;
-  all.natives = Numbers(task.spheres.size());
+  all.natives = Numbers(task.elements.size());
   all.bounds = bounds;
   GroupSearch<Dim>(task, workspace, workers, context).search(all);
 }
@@ -56,28 +73,33 @@ void search(const Task<Dim>& task, const grid::Bounds<Dim>& bounds, std::size_t 
 }  // namespace
 
 template <int Dim>
-void rows(std::span<const base::Sphere<Dim>> spheres, const grid::Bounds<Dim>& bounds,
+void rows(const base::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
           const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
           base::DetectionContext& context) {
   sink.expect_workers(settings.workers);
   const kernels::TileKernels kernels = kernels::tile_kernels(settings.simd);
   const kernels::ElementKernels element_kernels = kernels::element_kernels(settings.simd);
-  const OpenArbiter<Dim> arbiter(spheres, settings.margin);
+  const OpenArbiter<Dim> arbiter(elements, settings.margin);
   if (largest_number(bounds, settings.margin) <= largest_unscaled) {
-    const Task<Dim> task{spheres,         arbiter, settings.margin, 0.0, kernels,
+    const Task<Dim> task{elements,        arbiter, settings.margin, 0.0, kernels,
                          element_kernels, sink,    context.progress};
     return search(task, bounds, settings.workers, workspace, context);
   }
-  const auto smaller = scaled(spheres, context.memory);
-  const Task<Dim> task{smaller, arbiter,         settings.margin * scale_down,
-                       0.0,     kernels,         element_kernels,
-                       sink,    context.progress};
-  search(task, bounds_of<Dim>(smaller), settings.workers, workspace, context);
+  const ScaledElements<Dim> smaller(elements, context.memory);
+  const Task<Dim> task{smaller.elements(),
+                       arbiter,
+                       settings.margin * scale_down,
+                       0.0,
+                       kernels,
+                       element_kernels,
+                       sink,
+                       context.progress};
+  search(task, bounds_of<Dim>(smaller.elements()), settings.workers, workspace, context);
 }
 
-template void rows(std::span<const base::Sphere<2>>, const grid::Bounds<2>&, const RowsSettings&,
+template void rows(const base::Elements<2>&, const grid::Bounds<2>&, const RowsSettings&,
                    Workspace<2>&, base::PairSink&, base::DetectionContext&);
-template void rows(std::span<const base::Sphere<3>>, const grid::Bounds<3>&, const RowsSettings&,
+template void rows(const base::Elements<3>&, const grid::Bounds<3>&, const RowsSettings&,
                    Workspace<3>&, base::PairSink&, base::DetectionContext&);
 
 }  // namespace abut::engine

@@ -1,15 +1,14 @@
 #pragma once
 
 #include "base/detection_context.hpp"
+#include "base/elements.hpp"
 #include "base/pair_sink.hpp"
-#include "base/sphere_predicate.hpp"
 #include "engine/workspace.hpp"
 #include "grid/bounds.hpp"
 
 #include <abut/simd.hpp>
 
 #include <cstddef>
-#include <span>
 
 namespace abut::engine {
 
@@ -23,7 +22,7 @@ struct RowsSettings {
 /// The production algorithm: Munjiza's rows, contiguous and in tiles (docs/algorithms/rows.md).
 /// Delivers every contact pair once to `sink`.
 template <int Dim>
-void rows(std::span<const base::Sphere<Dim>> spheres, const grid::Bounds<Dim>& bounds,
+void rows(const base::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
           const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
           base::DetectionContext& context);
 

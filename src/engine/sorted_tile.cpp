@@ -85,6 +85,7 @@ class CellOf {
 template <int Dim>
 SortedTile<Dim>::SortedTile(base::MemoryMeter& memory)
     : numbers_(base::make_array_for_overwrite<float>(memory, 0)),
+      sizes_(base::make_array_for_overwrite<float>(memory, 0)),
       names_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
       order_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
       cells_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
@@ -94,14 +95,13 @@ SortedTile<Dim>::SortedTile(base::MemoryMeter& memory)
 template <int Dim>
 void SortedTile<Dim>::make_room_for(std::size_t elements, std::size_t cells) {
   const std::size_t padded = elements + row_count_ * kernels::row_padding + kernels::widest_vector;
-  base::make_room(numbers_, (Dim + 1) * padded);
+  base::make_room(numbers_, Dim * padded);
   base::make_room(names_, padded);
   base::make_room(cells_, padded);
   base::make_room(order_, padded);
   base::make_room(cell_of_, elements);
   base::make_room(cell_begin_, cells + 1);
   for (std::size_t axis = 0; axis < Dim; ++axis) view_.center[axis] = column(axis);
-  view_.radius = column(Dim);
   view_.number = names_.data();
   view_.cell = cells_.data();
   view_.cell_begin = cell_begin_.data();
@@ -137,8 +137,8 @@ void SortedTile<Dim>::count(std::span<const Record<Dim>> records, std::size_t ow
 }
 
 template <int Dim>
-void SortedTile<Dim>::sort(std::span<const Record<Dim>> records, std::span<const float> radii,
-                           float common_radius, const kernels::ElementKernels& kernels) {
+void SortedTile<Dim>::sort(std::span<const Record<Dim>> records, const RecordSizes& sizes,
+                           const kernels::ElementKernels& kernels) {
   std::uint32_t* const end = cell_begin_.data();
   for (std::size_t k = records.size(); k-- > 0;) {
     const std::uint32_t cell = cell_of_[k];
@@ -150,8 +150,9 @@ void SortedTile<Dim>::sort(std::span<const Record<Dim>> records, std::span<const
     end[row * row_length_ - 1] -= kernels::row_padding;
   }
   arrange(records, kernels);
-  view_.common_radius = radii.empty() ? common_radius : -1.0f;
-  if (!radii.empty()) arrange_radii(radii);
+  view_.shape = sizes.shape;
+  view_.common_radius = sizes.common_radius;
+  arrange_sizes(sizes);
 }
 
 /// Brings the records into order, row by row, each with its padding.
@@ -178,12 +179,20 @@ void SortedTile<Dim>::arrange(std::span<const Record<Dim>> records,
 }
 
 template <int Dim>
-void SortedTile<Dim>::arrange_radii(std::span<const float> radii) {
-  float* const radius = column(Dim);
-  for (std::size_t row = 0; row < row_count_; ++row) {
-    const auto [begin, end] = row_places(row);
-    for (std::uint32_t place = begin; place < end; ++place) radius[place] = radii[order_[place]];
-    std::fill_n(radius + end, kernels::row_padding, 0.0f);
+void SortedTile<Dim>::arrange_sizes(const RecordSizes& sizes) {
+  const std::size_t columns = kernels::size_columns(sizes.shape, Dim);
+  base::make_room(sizes_, columns * (numbers_.size() / Dim));
+  for (std::size_t k = 0; k < columns; ++k) {
+    float* const size = size_column(k);
+    view_.size[k] = size;
+    for (std::size_t row = 0; row < row_count_; ++row) {
+      const auto [begin, end] = row_places(row);
+      const float* const of_record = sizes.sizes.data() + k;
+      for (std::uint32_t place = begin; place < end; ++place) {
+        size[place] = of_record[order_[place] * columns];
+      }
+      std::fill_n(size + end, kernels::row_padding, 0.0f);
+    }
   }
 }
 

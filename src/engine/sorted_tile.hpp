@@ -12,6 +12,13 @@
 
 namespace abut::engine {
 
+/// How large the records of a tile are.
+struct RecordSizes {
+  kernels::TileShape shape = kernels::TileShape::equal_spheres;
+  std::span<const float> sizes;  ///< record by record
+  float common_radius = 0.0f;    ///< of equal spheres
+};
+
 /// One tile sorted by cell: contiguous arrays for the kernels, kept from tile to tile. The layout
 /// is that of kernels::TileView.
 template <int Dim>
@@ -26,8 +33,8 @@ class SortedTile {
   /// Sum of the squared numbers of elements in each cell: how crowded they are.
   [[nodiscard]] std::uint64_t crowding() const noexcept { return crowding_; }
 
-  /// Second half, of the same records. Without radii all are `common_radius`.
-  void sort(std::span<const Record<Dim>> records, std::span<const float> radii, float common_radius,
+  /// Second half, of the same records, with what says how large they are.
+  void sort(std::span<const Record<Dim>> records, const RecordSizes& sizes,
             const kernels::ElementKernels& kernels);
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -38,17 +45,21 @@ class SortedTile {
   void make_room_for(std::size_t elements, std::size_t cells);
 
   void arrange(std::span<const Record<Dim>> records, const kernels::ElementKernels& kernels);
-  void arrange_radii(std::span<const float> radii);
+  void arrange_sizes(const RecordSizes& sizes);
 
   [[nodiscard]] float* column(std::size_t k) noexcept {
-    return numbers_.data() + k * (numbers_.size() / (Dim + 1));
+    return numbers_.data() + k * (numbers_.size() / Dim);
+  }
+  [[nodiscard]] float* size_column(std::size_t k) noexcept {
+    return sizes_.data() + k * (numbers_.size() / Dim);
   }
   /// Of the elements of a row, without its padding.
   [[nodiscard]] kernels::Run row_places(std::size_t row) const noexcept {
     return {cell_begin_[row * row_length_], cell_begin_[(row + 1) * row_length_ - 1]};
   }
 
-  base::Array<float> numbers_;  ///< centers by axis, then radii
+  base::Array<float> numbers_;  ///< centers by axis
+  base::Array<float> sizes_;    ///< columns of the same length
   base::Array<std::uint32_t> names_;
   base::Array<std::uint32_t> order_;    ///< number of the record in each place
   base::Array<std::uint32_t> cells_;    ///< of the sorted elements

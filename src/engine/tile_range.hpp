@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/sphere_predicate.hpp"
+#include "engine/catchment.hpp"
 #include "engine/tile_grid.hpp"
 
 #include <algorithm>
@@ -14,16 +14,15 @@ namespace abut::engine {
 template <int Dim>
 class TileRange {
  public:
-  TileRange(const TileGrid<Dim>& grid, const base::Sphere<Dim>& visitor, double rounded_reach)
-      : grid_(grid) {
-    const double reach = std::max(rounded_reach * (1.0 + relative_slack), smallest_reach);
-    inverse_reach_ = 1.0 / reach;
+  TileRange(const TileGrid<Dim>& grid, const Catchment<Dim>& catchment)
+      : grid_(grid), inverse_reach_(catchment.inverse_radius) {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      center_[axis] = visitor.center[axis] - grid.lower[axis];
-      first_[axis] = tile_at(visitor.center[axis] - reach, -slack, axis);
-      last_[axis] = tile_at(visitor.center[axis] + reach, slack, axis);
-      reaches_box_ = reaches_box_ && center_[axis] >= -reach - grid.size[axis] &&
-                     center_[axis] <= reach + grid.size[axis] * (grid.count[axis] + 1);
+      center_[axis] = catchment.center[axis] - grid.lower[axis];
+      first_[axis] = tile_at(catchment.lower[axis], -slack, axis);
+      last_[axis] = tile_at(catchment.upper[axis], slack, axis);
+      reaches_box_ =
+          reaches_box_ && catchment.upper[axis] - grid.lower[axis] >= -grid.size[axis] &&
+          catchment.lower[axis] - grid.lower[axis] <= grid.size[axis] * (grid.count[axis] + 1);
     }
   }
 
@@ -47,10 +46,6 @@ class TileRange {
  private:
   /// Roundings of a position in units of tiles, generously.
   static constexpr double slack = 0x1p-20;
-  /// Roundings of the reach, and of what is compared with it, where it is far larger than a tile.
-  static constexpr double relative_slack = 0x1p-40;
-  /// Below the width of any tile; its inverse is finite.
-  static constexpr double smallest_reach = 0x1p-940;
 
   [[nodiscard]] std::int32_t tile_at(double x, double shift, std::size_t axis) const {
     const double q = (x - grid_.lower[axis]) * grid_.inverse_size[axis] + shift;
@@ -58,7 +53,7 @@ class TileRange {
         std::clamp(q, 0.0, static_cast<double>(grid_.count[axis] - 1)));
   }
 
-  /// Whether the ball reaches the tile, or nearly.
+  /// Whether the ball, if there is one, reaches the tile, or nearly.
   [[nodiscard]] bool reaches(const std::array<std::int32_t, 3>& tile) const {
     double distance_squared = 0.0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -72,7 +67,7 @@ class TileRange {
 
   const TileGrid<Dim>& grid_;
   std::array<double, Dim> center_{};  ///< from the lower corner of the box
-  double inverse_reach_ = 0.0;
+  double inverse_reach_;
   std::array<std::int32_t, Dim> first_{};
   std::array<std::int32_t, Dim> last_{};
   bool reaches_box_ = true;

@@ -1,6 +1,7 @@
 #include "engine/tile_searcher.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace abut::engine {
 namespace {
@@ -123,10 +124,11 @@ template <int Dim>
 void TileSearcher<Dim>::prepare(double unit) {
   job_.margin = static_cast<float>(task_->margin * unit);
   const std::size_t room = bench_.tile.size() + kernels::row_padding + kernels::widest_vector;
-  base::make_room(bench_.block, 4 * room);
+  constexpr std::size_t columns = std::extent_v<decltype(job_.block)>;
+  base::make_room(bench_.block, columns * room);
   base::make_room(bench_.block_number, room);
-  const std::size_t column = bench_.block.size() / 4;
-  for (std::size_t k = 0; k < 4; ++k) job_.block[k] = bench_.block.data() + k * column;
+  const std::size_t length = bench_.block.size() / columns;
+  for (std::size_t k = 0; k < columns; ++k) job_.block[k] = bench_.block.data() + k * length;
   job_.block_number = bench_.block_number.data();
 }
 
@@ -144,10 +146,10 @@ void TileSearcher<Dim>::visit(const TileFrame<Dim>& frame,
   prepare(frame.unit);
   const kernels::TileView& tile = bench_.tile.view();
   for (const std::uint32_t number : visitors) {
-    const base::Sphere<Dim>& sphere = task_->spheres[number];
-    const std::span<const kernels::Run> runs = bench_.visits.runs(tile, frame, sphere);
+    const std::span<const kernels::Run> runs =
+        bench_.visits.runs(tile, frame, task_->elements, number);
     if (runs.empty()) continue;
-    if (const auto visitor = visitor_in(frame, sphere, number)) {
+    if (const auto visitor = visitor_in(frame, task_->elements, number)) {
       task_->kernels.visit(tile, job_, Dim, *visitor, runs);
     } else {
       meet_far_visitor(runs, number);

@@ -15,10 +15,10 @@ namespace abut::engine {
 /// What all workers of a search share.
 template <int Dim>
 struct Task {
-  std::span<const base::Sphere<Dim>> spheres;  ///< as the engine maps them
-  const Arbiter& arbiter;                      ///< of what single precision leaves open
-  double margin;                               ///< in the scale of `spheres`
-  double least_cell;                           ///< positions are not known well enough for smaller
+  base::Elements<Dim> elements;  ///< as the engine maps them
+  const Arbiter& arbiter;        ///< of what single precision leaves open
+  double margin;                 ///< in the scale of `elements`
+  double least_cell;             ///< positions are not known well enough for smaller
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
   base::PairSink& sink;

@@ -1,6 +1,7 @@
 #include "engine/tiles.hpp"
 
 #include "base/workers.hpp"
+#include "engine/catchment.hpp"
 #include "engine/tile_neighbors.hpp"
 #include "engine/tile_range.hpp"
 
@@ -59,6 +60,13 @@ void for_each_block(std::size_t first, std::size_t last, Body&& body) {
   for (; first < last; first += block_size) body(first, std::min(first + block_size, last));
 }
 
+template <int Dim>
+kernels::TileShape shape_of(const base::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds) {
+  if (elements.are_boxes()) return kernels::TileShape::boxes;
+  return bounds.smallest_radius == bounds.largest_radius ? kernels::TileShape::equal_spheres
+                                                         : kernels::TileShape::spheres;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -69,23 +77,24 @@ Tiles<Dim>::Tiles(base::MemoryMeter& memory)
       begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       coordinates_(base::make_array_for_overwrite<std::array<double, Dim>>(memory, 0)),
       records_(base::make_array_for_overwrite<Record<Dim>>(memory, 0)),
-      radii_(base::make_array_for_overwrite<float>(memory, 0)),
+      sizes_(base::make_array_for_overwrite<float>(memory, 0)),
       visitor_begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       visitors_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
 
 template <int Dim>
-void Tiles<Dim>::partition(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+void Tiles<Dim>::partition(const base::Elements<Dim>& elements, const Group<Dim>& group,
                            const TileGrid<Dim>& grid, double margin,
                            const kernels::ElementKernels& kernels, std::size_t workers) {
-  equal_radii_ = group.bounds.smallest_radius == group.bounds.largest_radius;
-  count(spheres, group, grid, kernels, workers);
+  shape_ = shape_of(elements, group.bounds);
+  size_columns_ = kernels::size_columns(shape_, Dim);
+  count(elements, group, grid, kernels, workers);
   lay_out(grid.tile_count, workers);
-  scatter(spheres, group, grid, kernels, workers);
-  list_visitors(spheres, group, grid, margin);
+  scatter(elements, group, grid, kernels, workers);
+  list_visitors(elements, group, grid, margin);
 }
 
 template <int Dim>
-void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+void Tiles<Dim>::count(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                        std::size_t workers) {
   const std::size_t natives = group.natives.size();
@@ -100,7 +109,7 @@ void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<D
     const Cursors counts = cursors_of(cursors_, worker, grid.tile_count);
     std::fill_n(counts.own, 2 * grid.tile_count, std::uint64_t{0});
     const auto [first, last] = base::share_of(worker, workers, natives);
-    place(spheres, group, grid, kernels, first, last);
+    place(elements, group, grid, kernels, first, last);
     NearFaces near;
     for_each_block(first, last, [&](std::size_t begin, std::size_t end) {
       near.clear();
@@ -121,7 +130,8 @@ void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<D
   const Cursors counts = cursors_of(cursors_, workers, grid.tile_count);
   std::fill_n(counts.own, 2 * grid.tile_count, std::uint64_t{0});
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
-    const auto [tile, near_faces] = grid.place_of_foreign(spheres[group.foreigns[k]], group.bounds);
+    const auto [tile, near_faces] =
+        grid.place_of_foreign(elements[group.foreigns[k]], group.bounds);
     places_[natives + k] = packed(tile, near_faces);
     for (const std::uint8_t neighbor : neighbors.of_foreign(near_faces)) {
       ++counts.copies[neighbors.from(tile, neighbor)];
@@ -131,16 +141,16 @@ void Tiles<Dim>::count(std::span<const base::Sphere<Dim>> spheres, const Group<D
 
 /// The places of the natives [first, last).
 template <int Dim>
-void Tiles<Dim>::place(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+void Tiles<Dim>::place(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                        std::size_t first, std::size_t last) {
   std::size_t k = first;
   if (group.natives.are_the_first()) {
-    k += kernels.place(spheres[first].center, last - first, Dim, grid.place_map(),
+    k += kernels.place(elements[first].center, last - first, Dim, grid.place_map(),
                        places_.data() + first);
   }
   for (; k < last; ++k) {
-    const auto [tile, near_faces] = grid.place(spheres[group.natives[k]]);
+    const auto [tile, near_faces] = grid.place(elements[group.natives[k]]);
     places_[k] = packed(tile, near_faces);
   }
 }
@@ -167,22 +177,24 @@ void Tiles<Dim>::lay_out(std::size_t tile_count, std::size_t workers) {
   }
   begin_[tile_count] = filled;
   base::make_room(records_, filled + 1);  // readable a little beyond
-  if (!equal_radii_) base::make_room(radii_, filled);
+  base::make_room(sizes_, filled * size_columns_);
 }
 
 template <int Dim>
-void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+void Tiles<Dim>::scatter(const base::Elements<Dim>& elements, const Group<Dim>& group,
                          const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                          std::size_t workers) {
   base::make_room(coordinates_, grid.tile_count);
   for (std::size_t tile = 0; tile < grid.tile_count; ++tile)
     coordinates_[tile] = grid.coordinates(tile);
 
+  const std::span<const base::Sphere<Dim>> spheres = elements.spheres;
   const Numbers& natives = group.natives;
   const TileNeighbors<Dim> neighbors(grid);
   const Recorder<Dim> recorder(grid);
   const kernels::RecordMap map = recorder.map();
   unit_ = recorder.unit();
+  const bool sized = size_columns_ > 0;
   base::for_each_worker(workers, [&](std::size_t worker) {
     const Cursors cursors = cursors_of(cursors_, worker, grid.tile_count);
     const auto [first, last] = base::share_of(worker, workers, natives.size());
@@ -202,7 +214,7 @@ void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint64_t target = cursors.own[tile_of(places_[k])]++;
         records_[target] = block[k - begin];
-        if (!equal_radii_) radii_[target] = recorder.radius(spheres[natives[k]]);
+        if (sized) note_sizes(elements, natives[k], recorder, target);
         near.add_if_near(k, places_[k]);
       }
       for (const std::uint32_t k : near.list()) {
@@ -212,19 +224,33 @@ void Tiles<Dim>::scatter(std::span<const base::Sphere<Dim>> spheres, const Group
           if (own_[tile] == 0) continue;
           const std::uint64_t target = cursors.copies[tile]++;
           records_[target] = recorder.record(sphere, natives[k], coordinates_[tile]);
-          if (!equal_radii_) radii_[target] = recorder.radius(sphere);
+          if (sized) note_sizes(elements, natives[k], recorder, target);
         }
       }
     });
   });
-  scatter_foreigns(spheres, group, grid, recorder,
+  scatter_foreigns(elements, group, grid, recorder,
                    cursors_of(cursors_, workers, grid.tile_count).copies);
 }
 
 template <int Dim>
-void Tiles<Dim>::scatter_foreigns(std::span<const base::Sphere<Dim>> spheres,
-                                  const Group<Dim>& group, const TileGrid<Dim>& grid,
-                                  const Recorder<Dim>& recorder, std::uint64_t* cursors) {
+void Tiles<Dim>::note_sizes(const base::Elements<Dim>& elements, std::uint32_t number,
+                            const Recorder<Dim>& recorder, std::uint64_t record) {
+  float* const sizes = sizes_.data() + record * size_columns_;
+  if (!elements.are_boxes()) {
+    *sizes = recorder.length(elements[number].radius);
+    return;
+  }
+  const base::Box<Dim>& box = elements.boxes[number];
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    sizes[axis] = recorder.length(box.upper[axis] - box.lower[axis]);
+  }
+}
+
+template <int Dim>
+void Tiles<Dim>::scatter_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                                  const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
+                                  std::uint64_t* cursors) {
   const TileNeighbors<Dim> neighbors(grid);
   for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
     const std::uint32_t place = places_[group.natives.size() + k];
@@ -234,14 +260,14 @@ void Tiles<Dim>::scatter_foreigns(std::span<const base::Sphere<Dim>> spheres,
       if (own_[tile] == 0) continue;
       const std::uint64_t target = cursors[tile]++;
       records_[target] =
-          recorder.record_of_foreign(spheres[number], number, coordinates_[tile], group.bounds);
-      if (!equal_radii_) radii_[target] = recorder.radius(spheres[number]);
+          recorder.record_of_foreign(elements[number], number, coordinates_[tile], group.bounds);
+      if (size_columns_ > 0) note_sizes(elements, number, recorder, target);
     }
   }
 }
 
 template <int Dim>
-void Tiles<Dim>::list_visitors(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+void Tiles<Dim>::list_visitors(const base::Elements<Dim>& elements, const Group<Dim>& group,
                                const TileGrid<Dim>& grid, double margin) {
   has_visitors_ = !group.visitors.empty();
   if (!has_visitors_) return;
@@ -250,8 +276,9 @@ void Tiles<Dim>::list_visitors(std::span<const base::Sphere<Dim>> spheres, const
   const auto for_each_visit = [&](auto&& body) {
     for (std::size_t k = 0; k < group.visitors.size(); ++k) {
       const std::uint32_t number = group.visitors[k];
-      const double reach = spheres[number].radius + group.bounds.largest_radius + margin;
-      TileRange<Dim>(grid, spheres[number], reach).for_each([&](std::size_t tile) {
+      const auto catchment =
+          Catchment<Dim>::of(elements, number, group.bounds.largest_radius, margin);
+      TileRange<Dim>(grid, catchment).for_each([&](std::size_t tile) {
         if (own_[tile] != 0) body(tile, number);
       });
     }

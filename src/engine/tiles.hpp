@@ -1,10 +1,11 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/sphere_predicate.hpp"
+#include "base/elements.hpp"
 #include "engine/group.hpp"
 #include "engine/record.hpp"
 #include "engine/tile_grid.hpp"
+#include "kernels/tile_view.hpp"
 
 #include <array>
 #include <cstddef>
@@ -27,17 +28,18 @@ class Tiles {
   explicit Tiles(base::MemoryMeter& memory);
 
   /// Counts, then scatters: two passes over the natives, each shared by the workers.
-  void partition(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+  void partition(const base::Elements<Dim>& elements, const Group<Dim>& group,
                  const TileGrid<Dim>& grid, double margin, const kernels::ElementKernels& kernels,
                  std::size_t workers);
 
   [[nodiscard]] std::span<const Record<Dim>> records(std::size_t tile) const noexcept {
     return std::span(records_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
   }
-  /// Of the records; none where all natives and foreigns have the same.
-  [[nodiscard]] std::span<const float> radii(std::size_t tile) const noexcept {
-    if (equal_radii_) return {};
-    return std::span(radii_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
+  [[nodiscard]] kernels::TileShape shape() const noexcept { return shape_; }
+  /// Of the records, record by record, in the tile's unit: as the shape says.
+  [[nodiscard]] std::span<const float> sizes(std::size_t tile) const noexcept {
+    return std::span(sizes_).subspan(begin_[tile] * size_columns_,
+                                     (begin_[tile + 1] - begin_[tile]) * size_columns_);
   }
   [[nodiscard]] std::size_t own_count(std::size_t tile) const noexcept { return own_[tile]; }
   [[nodiscard]] std::span<const std::uint32_t> visitors(std::size_t tile) const noexcept {
@@ -49,20 +51,22 @@ class Tiles {
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
  private:
-  void count(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+  void count(const base::Elements<Dim>& elements, const Group<Dim>& group,
              const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
              std::size_t workers);
-  void place(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+  void place(const base::Elements<Dim>& elements, const Group<Dim>& group,
              const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels, std::size_t first,
              std::size_t last);
   void lay_out(std::size_t tile_count, std::size_t workers);
-  void scatter(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+  void scatter(const base::Elements<Dim>& elements, const Group<Dim>& group,
                const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                std::size_t workers);
-  void scatter_foreigns(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+  void note_sizes(const base::Elements<Dim>& elements, std::uint32_t number,
+                  const Recorder<Dim>& recorder, std::uint64_t record);
+  void scatter_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
                         const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
                         std::uint64_t* cursors);
-  void list_visitors(std::span<const base::Sphere<Dim>> spheres, const Group<Dim>& group,
+  void list_visitors(const base::Elements<Dim>& elements, const Group<Dim>& group,
                      const TileGrid<Dim>& grid, double margin);
 
   base::Array<std::uint32_t> places_;  ///< of the natives, then of the foreigns
@@ -73,11 +77,12 @@ class Tiles {
   base::Array<std::uint64_t> begin_;                  ///< tile_count + 1
   base::Array<std::array<double, Dim>> coordinates_;  ///< of the tiles, along the axes
   base::Array<Record<Dim>> records_;
-  base::Array<float> radii_;                  ///< of the records
+  base::Array<float> sizes_;                  ///< of the records
   base::Array<std::uint64_t> visitor_begin_;  ///< tile_count + 1
   base::Array<std::uint32_t> visitors_;
   bool has_visitors_ = false;
-  bool equal_radii_ = false;
+  kernels::TileShape shape_ = kernels::TileShape::equal_spheres;
+  std::size_t size_columns_ = 0;
   double unit_ = 1.0;
 };
 

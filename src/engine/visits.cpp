@@ -20,6 +20,10 @@ constexpr double farthest = 0x1p10;
 /// docs/derivations/tile_filter.md.
 constexpr double relative_error = 0x1p-20;
 
+/// A box that reaches farther out of the tile is cut off here: its own elements lie between 0 and
+/// 1, and nothing of them, nor of the margin, reaches as far as another 1.
+constexpr double box_horizon = 4.0;
+
 /// How far beyond [first, end) cells of one axis a position lies, in the tile's unit.
 double outside(double position, double first, double end, double cell_size) {
   return std::max({0.0, (first - cell_slack) * cell_size - position,
@@ -37,6 +41,44 @@ double square_of_half_chord(double reach, double beyond_y, double beyond_z) {
   return reach * reach - beyond_y * beyond_y - beyond_z * beyond_z;
 }
 
+/// The cells that a visitor may reach: a box of them, and where it is a sphere a ball.
+template <int Dim>
+struct Field {
+  std::array<double, 3> center{};
+  double reach = 2.0 * too_large_to_square;  ///< of a box: it cuts no row short
+  std::array<std::int32_t, 3> first{1, 1, 0};
+  std::array<std::int32_t, 3> last{1, 1, 0};
+};
+
+template <int Dim>
+Field<Dim> field_of(const kernels::TileView& tile, const TileFrame<Dim>& frame,
+                    const base::Elements<Dim>& elements, std::uint32_t visitor) {
+  constexpr double roundings = 1.0 + 0x1p-18;
+  const base::Sphere<Dim>& sphere = elements[visitor];
+  Field<Dim> field;
+  double before = 2.0 * frame.largest_radius + frame.margin;
+  double behind = frame.margin;
+  if (!elements.are_boxes()) {
+    before = behind = sphere.radius * frame.unit + frame.largest_radius + frame.margin;
+    field.reach = std::min(before * roundings, field.reach);
+  }
+  const auto position = [&](double x, std::size_t axis) {
+    return std::clamp(frame.position(x, axis), -too_large_to_square, too_large_to_square);
+  };
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const double end =
+        elements.are_boxes() ? elements.boxes[visitor].upper[axis] : sphere.center[axis];
+    field.center[axis] = position(sphere.center[axis], axis);
+    const double lower = field.center[axis] - before * roundings;
+    const double upper = position(end, axis) + behind * roundings;
+    field.first[axis] =
+        cell_between(lower / frame.cell_size[axis] - cell_slack + 1.0, 1, tile.cells[axis]);
+    field.last[axis] =
+        cell_between(upper / frame.cell_size[axis] + cell_slack + 1.0, 1, tile.cells[axis]);
+  }
+  return field;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -46,21 +88,10 @@ Visits<Dim>::Visits(base::MemoryMeter& memory)
 template <int Dim>
 std::span<const kernels::Run> Visits<Dim>::runs(const kernels::TileView& tile,
                                                 const TileFrame<Dim>& frame,
-                                                const base::Sphere<Dim>& visitor) {
-  std::array<double, 3> center{};
-  std::array<std::int32_t, 3> first{1, 1, 0};
-  std::array<std::int32_t, 3> last{1, 1, 0};
-  const double reach =
-      std::min((visitor.radius * frame.unit + frame.largest_reach) * (1.0 + 0x1p-18),
-               2.0 * too_large_to_square);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    center[axis] = std::clamp(frame.position(visitor.center[axis], axis), -too_large_to_square,
-                              too_large_to_square);
-    const double q = center[axis] / frame.cell_size[axis];
-    const double width = reach / frame.cell_size[axis] + cell_slack;
-    first[axis] = cell_between(q - width + 1.0, 1, tile.cells[axis]);
-    last[axis] = cell_between(q + width + 1.0, 1, tile.cells[axis]);
-  }
+                                                const base::Elements<Dim>& elements,
+                                                std::uint32_t visitor) {
+  const Field<Dim> field = field_of(tile, frame, elements, visitor);
+  const auto& [center, reach, first, last] = field;
   const auto rows = static_cast<std::size_t>(last[1] - first[1] + 1) *
                     static_cast<std::size_t>(last[2] - first[2] + 1);
   base::make_room(runs_, rows);
@@ -84,9 +115,11 @@ std::span<const kernels::Run> Visits<Dim>::runs(const kernels::TileView& tile,
   return std::span(runs_).first(count);
 }
 
+namespace {
+
 template <int Dim>
-std::optional<kernels::Visitor> visitor_in(const TileFrame<Dim>& frame,
-                                           const base::Sphere<Dim>& sphere, std::uint32_t number) {
+std::optional<kernels::Visitor> sphere_in(const TileFrame<Dim>& frame,
+                                          const base::Sphere<Dim>& sphere) {
   kernels::Visitor visitor{};
   const double radius = sphere.radius * frame.unit;
   double largest = std::max(1.0, radius);
@@ -96,17 +129,44 @@ std::optional<kernels::Visitor> visitor_in(const TileFrame<Dim>& frame,
     visitor.center[axis] = static_cast<float>(x);
   }
   if (largest > farthest) return std::nullopt;
-  visitor.radius = static_cast<float>(radius);
+  visitor.size[0] = static_cast<float>(radius);
   visitor.slack = static_cast<float>(largest * (4.0 * relative_error));
-  visitor.number = number;
+  return visitor;
+}
+
+template <int Dim>
+kernels::Visitor box_in(const TileFrame<Dim>& frame, const base::Box<Dim>& box) {
+  kernels::Visitor visitor{};
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const auto position = [&](double x) {
+      return std::clamp(frame.position(x, axis), -box_horizon, box_horizon);
+    };
+    const double lower = position(box.lower[axis]);
+    visitor.center[axis] = static_cast<float>(lower);
+    visitor.size[axis] = static_cast<float>(position(box.upper[axis]) - lower);
+  }
+  visitor.slack = static_cast<float>(2.0 * box_horizon * (4.0 * relative_error));
+  return visitor;
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<kernels::Visitor> visitor_in(const TileFrame<Dim>& frame,
+                                           const base::Elements<Dim>& elements,
+                                           std::uint32_t number) {
+  std::optional<kernels::Visitor> visitor = elements.are_boxes()
+                                                ? box_in(frame, elements.boxes[number])
+                                                : sphere_in(frame, elements[number]);
+  if (visitor) visitor->number = number;
   return visitor;
 }
 
 template class Visits<2>;
 template class Visits<3>;
-template std::optional<kernels::Visitor> visitor_in(const TileFrame<2>&, const base::Sphere<2>&,
+template std::optional<kernels::Visitor> visitor_in(const TileFrame<2>&, const base::Elements<2>&,
                                                     std::uint32_t);
-template std::optional<kernels::Visitor> visitor_in(const TileFrame<3>&, const base::Sphere<3>&,
+template std::optional<kernels::Visitor> visitor_in(const TileFrame<3>&, const base::Elements<3>&,
                                                     std::uint32_t);
 
 }  // namespace abut::engine

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/sphere_predicate.hpp"
+#include "base/elements.hpp"
 #include "engine/tile_grid.hpp"
 #include "kernels/tile_view.hpp"
 
@@ -18,7 +18,8 @@ struct TileFrame {
   std::array<double, Dim> tile{};       ///< its coordinates, along the axes
   std::array<double, Dim> cell_size{};  ///< in the tile's unit
   double unit = 1.0;
-  double largest_reach = 0.0;  ///< largest radius of the tile's own + margin
+  double largest_radius = 0.0;  ///< of the tile's own, in its unit
+  double margin = 0.0;          ///< in its unit
 
   /// In the tile's unit.
   [[nodiscard]] double position(double x, std::size_t axis) const noexcept {
@@ -35,17 +36,18 @@ class Visits {
   /// The runs are valid until the next call.
   [[nodiscard]] std::span<const kernels::Run> runs(const kernels::TileView& tile,
                                                    const TileFrame<Dim>& frame,
-                                                   const base::Sphere<Dim>& visitor);
+                                                   const base::Elements<Dim>& elements,
+                                                   std::uint32_t visitor);
 
  private:
   base::Array<kernels::Run> runs_;
 };
 
-/// The visitor in the tile's coordinates, with the error of its distances; none where it is so
-/// large or so far that single precision says nothing.
+/// The visitor in the tile's coordinates, with the error of its distances; none where it is a
+/// sphere so large or so far that single precision says nothing.
 template <int Dim>
 [[nodiscard]] std::optional<kernels::Visitor> visitor_in(const TileFrame<Dim>& frame,
-                                                         const base::Sphere<Dim>& sphere,
+                                                         const base::Elements<Dim>& elements,
                                                          std::uint32_t number);
 
 }  // namespace abut::engine

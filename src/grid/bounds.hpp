@@ -31,6 +31,10 @@ struct Bounds {
     largest_radius = std::max(largest_radius, radius);
   }
 
+  /// Two boxes are within reach as far as the wider one is wide: with the largest counted twice, the
+  /// two largest radii + margin are the largest reach of boxes too.
+  void count_largest_twice() noexcept { second_largest_radius = largest_radius; }
+
   void include(const Bounds& others) noexcept {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       lower[axis] = std::min(lower[axis], others.lower[axis]);

@@ -2,15 +2,19 @@
 // namespace of tile_search_simd.cpp, whose names it uses: no include guard, and no includes.
 
 /// Tests an element against runs of candidates.
-template <int Dim, bool EqualRadii>
+template <int Dim, TileShape Shape>
 class SimdMeeting {
  public:
   HWY_INLINE SimdMeeting(const TileView& tile, SearchJob& job)
       : tile_(tile),
         job_(job),
         findings_(*job.findings),
-        sorted_{{tile.center[0], tile.center[1], tile.center[2]}, tile.radius, tile.number},
-        block_{{job.block[0], job.block[1], job.block[2]}, job.block[3], job.block_number},
+        sorted_{{tile.center[0], tile.center[1], tile.center[2]},
+                {tile.size[0], tile.size[1], tile.size[2]},
+                tile.number},
+        block_{{job.block[0], job.block[1], job.block[2]},
+               {job.block[3], job.block[4], job.block[5]},
+               job.block_number},
         element_(job.findings->element),
         partner_(job.findings->partner) {}
 
@@ -34,14 +38,14 @@ class SimdMeeting {
       if (HWY_UNLIKELY(findings_.found + size + lanes > Findings::room)) job_.take(job_);
       if (HWY_UNLIKELY(size + lanes > Findings::room) ||
           !meet_gathered(runs[0].begin + k, first, size)) {
-        meet_with_care(ball_of(runs[0].begin + k), block_, first, size);
+        meet_with_care(probe_of(runs[0].begin + k), block_, first, size);
       }
     }
   }
 
   void meet(const Visitor& visitor, std::span<const Run> runs) {
-    const Ball ball = ball_of(visitor);
-    for (const Run& run : runs) meet_with_care(ball, run);
+    const Probe probe(tile_, job_, visitor);
+    for (const Run& run : runs) meet_with_care(probe, run);
   }
 
  private:
@@ -81,7 +85,7 @@ class SimdMeeting {
   template <class Runs>
   HWY_INLINE Hits hits_among(std::uint32_t p, const Runs& runs) {
     static_assert(Runs::size() * short_run <= most_hits);
-    const Ball ball = ball_of(p);
+    const Probe probe = probe_of(p);
     Mask doubtful = hn::MaskFromVec(hn::Zero(floats));
     std::uint64_t spare_lanes = 0;  // near a multiple of 2^32 once a run is too long
     Hits hits = 0;
@@ -90,7 +94,7 @@ class SimdMeeting {
       const std::uint32_t spare = short_run + run.begin - run.end;
       spare_lanes += spare;
       for (std::size_t k = 0; k < short_run; k += lanes) {
-        const Filtered filtered = filter(ball, sorted_, run.begin + k);
+        const Filtered filtered = probe.filter(sorted_, run.begin + k);
         doubtful = hn::Or(doubtful, hn::AndNot(filtered.sure, filtered.hit));
         Hits found = bits_of(filtered.hit);
         if constexpr (!Runs::harmless_beyond) found &= all_of_short_run >> (spare & 31u) >> k;
@@ -128,84 +132,14 @@ class SimdMeeting {
   /// An element with runs of any length, and notes of what the filter cannot decide.
   template <class RunsOf>
   HWY_NOINLINE void meet_with_care(std::uint32_t p, RunsOf runs_of) {
-    const Ball ball = ball_of(p);
+    const Probe probe = probe_of(p);
     const auto runs = runs_of(p);
-    for (std::size_t r = 0; r < runs.size(); ++r) meet_with_care(ball, runs[r]);
+    for (std::size_t r = 0; r < runs.size(); ++r) meet_with_care(probe, runs[r]);
   }
 
-  /// An element in all lanes.
-  struct Ball {
-    Floats center[Dim];
-    Floats outer;  ///< reach + slack and reach - slack, its own part ...
-    Floats inner;
-    Floats farthest;  ///< ... or the squares of the whole, where all radii are equal
-    Floats nearest;
-    Numbers number;
-  };
+  using Probe = SimdProbe<Dim, Shape>;
 
-  /// Where candidates stand.
-  struct Columns {
-    const float* center[3];
-    const float* radius;
-    const std::uint32_t* number;
-  };
-
-  struct Filtered {
-    Mask hit;   ///< not certainly apart
-    Mask sure;  ///< certainly within reach
-  };
-
-  HWY_INLINE Ball ball_of(std::uint32_t p) const {
-    Ball ball;
-    for (int axis = 0; axis < Dim; ++axis) {
-      ball.center[axis] = hn::Set(floats, tile_.center[axis][p]);
-    }
-    set_reach(ball, EqualRadii ? tile_.common_radius : tile_.radius[p], job_.slack);
-    ball.number = hn::Set(numbers, tile_.number[p]);
-    return ball;
-  }
-
-  HWY_INLINE Ball ball_of(const Visitor& visitor) const {
-    Ball ball;
-    for (int axis = 0; axis < Dim; ++axis) {
-      ball.center[axis] = hn::Set(floats, visitor.center[axis]);
-    }
-    set_reach(ball, visitor.radius, visitor.slack);
-    ball.number = hn::Set(numbers, visitor.number);
-    return ball;
-  }
-
-  HWY_INLINE void set_reach(Ball& ball, float radius, float slack) const {
-    const float reach = radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f);
-    const Floats outer = hn::Set(floats, reach + slack);
-    const Floats inner = hn::Set(floats, reach - slack);
-    if constexpr (EqualRadii) {
-      ball.farthest = hn::Mul(outer, outer);
-      const Floats nearest = hn::Max(inner, hn::Zero(floats));
-      ball.nearest = hn::Mul(nearest, nearest);
-    } else {
-      ball.outer = outer;
-      ball.inner = inner;
-    }
-  }
-
-  HWY_INLINE static Filtered filter(const Ball& ball, const Columns& columns, std::size_t q) {
-    Floats difference = hn::Sub(ball.center[0], hn::LoadU(floats, columns.center[0] + q));
-    Floats distance_squared = hn::Mul(difference, difference);
-    for (int axis = 1; axis < Dim; ++axis) {
-      difference = hn::Sub(ball.center[axis], hn::LoadU(floats, columns.center[axis] + q));
-      distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
-    }
-    if constexpr (EqualRadii) {
-      return {hn::Le(distance_squared, ball.farthest), hn::Lt(distance_squared, ball.nearest)};
-    } else {
-      const Floats radius = hn::LoadU(floats, columns.radius + q);
-      const Floats farthest = hn::Add(ball.outer, radius);
-      const Floats nearest = hn::Max(hn::Add(ball.inner, radius), hn::Zero(floats));
-      return {hn::Le(distance_squared, hn::Mul(farthest, farthest)),
-              hn::Lt(distance_squared, hn::Mul(nearest, nearest))};
-    }
-  }
+  HWY_INLINE Probe probe_of(std::uint32_t p) const { return Probe(tile_, job_, p); }
 
   /// Puts the runs one behind the other and returns how many candidates there are; what follows
   /// them is within reach of nothing. Whole vectors: the excess is overwritten.
@@ -219,15 +153,18 @@ class SimdMeeting {
           hn::StoreU(hn::LoadU(floats, sorted_.center[axis] + run.begin + k), floats,
                      to[axis] + size + k);
         }
-        if constexpr (!EqualRadii) {
-          hn::StoreU(hn::LoadU(floats, sorted_.radius + run.begin + k), floats, to[3] + size + k);
+        for (int column = 0; column < Probe::size_columns; ++column) {
+          hn::StoreU(hn::LoadU(floats, sorted_.size[column] + run.begin + k), floats,
+                     to[3 + column] + size + k);
         }
         hn::StoreU(hn::LoadU(numbers, sorted_.number + run.begin + k), numbers, number + size + k);
       }
       size += run.end - run.begin;
     }
     hn::StoreU(hn::Set(floats, far_away), floats, to[0] + size);
-    if constexpr (!EqualRadii) hn::StoreU(hn::Zero(floats), floats, to[3] + size);
+    for (int column = 0; column < Probe::size_columns; ++column) {
+      hn::StoreU(hn::Zero(floats), floats, to[3 + column] + size);
+    }
     return size;
   }
 
@@ -235,14 +172,14 @@ class SimdMeeting {
   /// turns, which the processor foresees. Returns false, having found nothing, where the filter
   /// cannot decide everything.
   HWY_INLINE bool meet_gathered(std::uint32_t p, std::size_t first, std::size_t size) {
-    const Ball ball = ball_of(p);
+    const Probe probe = probe_of(p);
     const Columns columns = block_;
     std::uint32_t* const begin = partner_ + findings_.found;
     std::uint32_t* end = begin;
     Mask doubtful = hn::MaskFromVec(hn::Zero(floats));
     Bits wanted = all_lanes << first % lanes & all_lanes;
     for (std::size_t q = first / lanes * lanes; q < size; q += lanes) {
-      const Filtered filtered = filter(ball, columns, q);
+      const Filtered filtered = probe.filter(columns, q);
       doubtful = hn::Or(doubtful, hn::AndNot(filtered.sure, filtered.hit));
       const Bits hits = bits_of(filtered.hit) & wanted;
       wanted = all_lanes;
@@ -252,37 +189,37 @@ class SimdMeeting {
     if (HWY_UNLIKELY(!hn::AllFalse(floats, doubtful))) return false;
     const auto count = static_cast<std::size_t>(end - begin);
     for (std::size_t k = 0; k < count; k += lanes) {
-      hn::StoreU(ball.number, numbers, element_ + findings_.found + k);
+      hn::StoreU(probe.number(), numbers, element_ + findings_.found + k);
     }
     findings_.found += count;
     return true;
   }
 
-  HWY_INLINE void meet_with_care(const Ball& ball, const Run& run) {
+  HWY_INLINE void meet_with_care(const Probe& probe, const Run& run) {
     candidate_tests_ += run.end - run.begin;
-    meet_with_care(ball, sorted_, run.begin, run.end);
+    meet_with_care(probe, sorted_, run.begin, run.end);
   }
 
   /// Candidates [first, last), in pieces for which there is room.
-  HWY_NOINLINE void meet_with_care(const Ball& ball, const Columns& columns, std::size_t first,
+  HWY_NOINLINE void meet_with_care(const Probe& probe, const Columns& columns, std::size_t first,
                                    std::size_t last) {
     constexpr std::size_t longest_piece = Findings::room / 4;
     for (; first < last; first += longest_piece) {
       const std::size_t end = std::min(last, first + longest_piece);
       if (findings_.found + (end - first) > Findings::room) job_.take(job_);
-      findings_.found = meet_piece(ball, columns, first, end, findings_.found);
+      findings_.found = meet_piece(probe, columns, first, end, findings_.found);
     }
   }
 
-  HWY_INLINE std::size_t meet_piece(const Ball& ball, const Columns& columns, std::size_t begin,
+  HWY_INLINE std::size_t meet_piece(const Probe& probe, const Columns& columns, std::size_t begin,
                                     std::size_t end, std::size_t found) {
     for (std::size_t q = begin; q < end; q += lanes) {
-      const Filtered filtered = filter(ball, columns, q);
+      const Filtered filtered = probe.filter(columns, q);
       const Bits within = end - q < lanes ? (1u << (end - q)) - 1 : all_lanes;
       const Bits hits = bits_of(filtered.hit) & within;
       const Bits doubtful = hits & ~bits_of(filtered.sure);
       if (HWY_UNLIKELY(doubtful != 0)) note(hits, doubtful, found);
-      hn::StoreU(ball.number, numbers, element_ + found);
+      hn::StoreU(probe.number(), numbers, element_ + found);
       hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, partner_ + found);
       found += static_cast<std::size_t>(std::popcount(hits));
     }

@@ -4,13 +4,109 @@
 #include "kernels/tile_search.hpp"
 
 #include <algorithm>
-#include <array>
+#include <type_traits>
 
 namespace abut::kernels {
 namespace {
 
+enum class Finding { none, doubtful, sure };
+
+/// An element beside its candidates: equal spheres, or spheres.
+template <int Dim, TileShape Shape>
+class Probe {
+ public:
+  Probe(const TileView& tile, const SearchJob& job, std::uint32_t p)
+      : tile_(tile), number_(tile.number[p]) {
+    for (int axis = 0; axis < Dim; ++axis) center_[axis] = tile.center[axis][p];
+    set_reach(job, equal ? tile.common_radius : tile.size[0][p], job.slack);
+  }
+
+  Probe(const TileView& tile, const SearchJob& job, const Visitor& visitor)
+      : tile_(tile), number_(visitor.number) {
+    std::copy_n(visitor.center, Dim, center_);
+    set_reach(job, visitor.size[0], visitor.slack);
+  }
+
+  [[nodiscard]] std::uint32_t number() const { return number_; }
+
+  [[nodiscard]] Finding meet(std::uint32_t q) const {
+    float difference = center_[0] - tile_.center[0][q];
+    float distance_squared = difference * difference;
+    for (int axis = 1; axis < Dim; ++axis) {
+      difference = center_[axis] - tile_.center[axis][q];
+      distance_squared += difference * difference;
+    }
+    const float radius = equal ? 0.0f : tile_.size[0][q];
+    const float farthest = outer_ + radius;
+    if (!(distance_squared <= farthest * farthest)) return Finding::none;
+    const float nearest = std::max(inner_ + radius, 0.0f);
+    return distance_squared < nearest * nearest ? Finding::sure : Finding::doubtful;
+  }
+
+ private:
+  static constexpr bool equal = Shape == TileShape::equal_spheres;
+
+  void set_reach(const SearchJob& job, float radius, float slack) {
+    const float reach = radius + job.margin + (equal ? tile_.common_radius : 0.0f);
+    outer_ = reach + slack;
+    inner_ = reach - slack;
+  }
+
+  const TileView& tile_;
+  float center_[Dim];
+  float outer_;
+  float inner_;
+  std::uint32_t number_;
+};
+
+/// The same among boxes: on each axis neither may lie behind the other's end.
+template <int Dim>
+class Probe<Dim, TileShape::boxes> {
+ public:
+  Probe(const TileView& tile, const SearchJob& job, std::uint32_t p)
+      : tile_(tile),
+        outer_(job.margin + job.slack),
+        inner_(job.margin - job.slack),
+        number_(tile.number[p]) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      lower_[axis] = tile.center[axis][p];
+      width_[axis] = tile.size[axis][p];
+    }
+  }
+
+  Probe(const TileView& tile, const SearchJob& job, const Visitor& visitor)
+      : tile_(tile),
+        outer_(job.margin + visitor.slack),
+        inner_(job.margin - visitor.slack),
+        number_(visitor.number) {
+    std::copy_n(visitor.center, Dim, lower_);
+    std::copy_n(visitor.size, Dim, width_);
+  }
+
+  [[nodiscard]] std::uint32_t number() const { return number_; }
+
+  [[nodiscard]] Finding meet(std::uint32_t q) const {
+    bool sure = true;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const float behind = lower_[axis] - tile_.center[axis][q];
+      const float width = tile_.size[axis][q];
+      if (!(behind <= width + outer_ && -behind <= width_[axis] + outer_)) return Finding::none;
+      sure = sure && behind < width + inner_ && -behind < width_[axis] + inner_;
+    }
+    return sure ? Finding::sure : Finding::doubtful;
+  }
+
+ private:
+  const TileView& tile_;
+  float lower_[Dim];
+  float width_[Dim];
+  float outer_;
+  float inner_;
+  std::uint32_t number_;
+};
+
 /// Tests an element against runs of candidates.
-template <int Dim, bool EqualRadii>
+template <int Dim, TileShape Shape>
 class ScalarMeeting {
  public:
   ScalarMeeting(const TileView& tile, SearchJob& job) : tile_(tile), job_(job) {}
@@ -18,7 +114,7 @@ class ScalarMeeting {
   template <class RunsOf>
   void meet_all(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
     for (std::uint32_t p = first; p < last; ++p) {
-      const Element element = element_at(p);
+      const Element element(tile_, job_, p);
       const auto runs = runs_of(p);
       for (std::size_t k = 0; k < runs.size(); ++k) meet(element, runs[k]);
     }
@@ -28,69 +124,39 @@ class ScalarMeeting {
   void meet_block(std::uint32_t own, std::span<const Run> runs) {
     const std::uint32_t begin = runs[0].begin;
     for (std::uint32_t p = begin; p < begin + own; ++p) {
-      const Element element = element_at(p);
+      const Element element(tile_, job_, p);
       meet(element, {p + 1, runs[0].end});
       for (const Run& run : runs.subspan(1)) meet(element, run);
     }
   }
 
   void meet(const Visitor& visitor, std::span<const Run> runs) {
-    Element element;
-    std::copy_n(visitor.center, Dim, element.center);
-    element.reach = reach_of(visitor.radius);
-    element.slack = visitor.slack;
-    element.number = visitor.number;
+    const Element element(tile_, job_, visitor);
     for (const Run& run : runs) meet(element, run);
   }
 
   void finish() {}
 
  private:
-  struct Element {
-    float center[Dim];
-    float reach;  ///< radius + margin, + the common radius where all are equal
-    float slack;
-    std::uint32_t number;
-  };
-
-  [[nodiscard]] Element element_at(std::uint32_t p) const {
-    Element element;
-    for (int axis = 0; axis < Dim; ++axis) element.center[axis] = tile_.center[axis][p];
-    element.reach = reach_of(EqualRadii ? tile_.common_radius : tile_.radius[p]);
-    element.slack = job_.slack;
-    element.number = tile_.number[p];
-    return element;
-  }
+  using Element = Probe<Dim, Shape>;
 
   void meet(const Element& element, const Run& run) {
     job_.candidate_tests += run.end - run.begin;
-    const float outer = element.reach + element.slack;
-    const float inner = element.reach - element.slack;
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
-      float difference = element.center[0] - tile_.center[0][q];
-      float distance_squared = difference * difference;
-      for (int axis = 1; axis < Dim; ++axis) {
-        difference = element.center[axis] - tile_.center[axis][q];
-        distance_squared += difference * difference;
-      }
-      const float radius = EqualRadii ? 0.0f : tile_.radius[q];
-      const float farthest = outer + radius;
-      if (!(distance_squared <= farthest * farthest)) continue;
-      const float nearest = std::max(inner + radius, 0.0f);
-      push(element.number, tile_.number[q], distance_squared < nearest * nearest);
+      const Finding finding = element.meet(q);
+      if (finding == Finding::none) continue;
+      push(element.number(), tile_.number[q], finding);
     }
   }
 
-  void push(std::uint32_t element, std::uint32_t partner, bool sure) {
+  void push(std::uint32_t element, std::uint32_t partner, Finding finding) {
     Findings& to = *job_.findings;
     if (to.found == Findings::room) job_.take(job_);
-    if (!sure) to.doubtful[to.doubts++] = static_cast<std::uint32_t>(to.found);
+    if (finding == Finding::doubtful) {
+      to.doubtful[to.doubts++] = static_cast<std::uint32_t>(to.found);
+    }
     to.element[to.found] = element;
     to.partner[to.found++] = partner;
-  }
-
-  [[nodiscard]] float reach_of(float radius) const {
-    return radius + job_.margin + (EqualRadii ? tile_.common_radius : 0.0f);
   }
 
   const TileView& tile_;

@@ -3,9 +3,9 @@
 // The filter works in single precision. `slack` bounds the error of a computed distance, so that
 //   d < r_i + r_j + margin - slack  is certainly a contact pair,
 //   d > r_i + r_j + margin + slack  is certainly none,
-// and what lies between is decided exactly on the original numbers
-// (docs/derivations/tile_filter.md). Products are not fused with sums: the same lanes are undecided
-// on every processor.
+// of boxes the same on each axis with their ends, and what lies between is decided exactly on the
+// original numbers (docs/derivations/tile_filter.md). Products are not fused with sums: the same
+// lanes are undecided on every processor.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/tile_search_simd.cpp"
@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
@@ -57,6 +58,8 @@ constexpr Bits all_of_short_run = (1u << short_run) - 1;
 constexpr Bits all_lanes = (1u << lanes) - 1;
 /// Of five runs.
 constexpr std::size_t most_hits = 5 * short_run;
+
+#include "kernels/simd_probe-inl.hpp"
 
 #include "kernels/simd_meeting-inl.hpp"
 

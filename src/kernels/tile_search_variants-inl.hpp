@@ -1,27 +1,37 @@
 // The kernels of one instruction set, from its `TileSearch` and its `Meeting`. Included
 // like tile_search-inl.hpp.
 
-template <template <int, bool> class Meeting>
-void search_with(const TileView& tile, SearchJob& job, int dimensions) {
-  const bool equal_radii = tile.common_radius >= 0.0f;
+/// Calls body with the dimensions and the shape of a tile as constants.
+template <class Body>
+void with_variant(const TileView& tile, int dimensions, Body body) {
+  const auto with_shape = [&](auto dimension) {
+    switch (tile.shape) {
+      case TileShape::equal_spheres:
+        return body(dimension, std::integral_constant<TileShape, TileShape::equal_spheres>());
+      case TileShape::spheres:
+        return body(dimension, std::integral_constant<TileShape, TileShape::spheres>());
+      case TileShape::boxes:
+        return body(dimension, std::integral_constant<TileShape, TileShape::boxes>());
+    }
+  };
   if (dimensions == 2) {
-    equal_radii ? TileSearch<2, Meeting<2, true>>(tile, job).search()
-                : TileSearch<2, Meeting<2, false>>(tile, job).search();
+    with_shape(std::integral_constant<int, 2>());
   } else {
-    equal_radii ? TileSearch<3, Meeting<3, true>>(tile, job).search()
-                : TileSearch<3, Meeting<3, false>>(tile, job).search();
+    with_shape(std::integral_constant<int, 3>());
   }
 }
 
-template <template <int, bool> class Meeting>
+template <template <int, TileShape> class Meeting>
+void search_with(const TileView& tile, SearchJob& job, int dimensions) {
+  with_variant(tile, dimensions, [&](auto dimension, auto shape) {
+    TileSearch<dimension(), Meeting<dimension(), shape()>>(tile, job).search();
+  });
+}
+
+template <template <int, TileShape> class Meeting>
 void visit_with(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,
                 std::span<const Run> runs) {
-  const bool equal_radii = tile.common_radius >= 0.0f;
-  if (dimensions == 2) {
-    equal_radii ? visit<Meeting<2, true>>(tile, job, visitor, runs)
-                : visit<Meeting<2, false>>(tile, job, visitor, runs);
-  } else {
-    equal_radii ? visit<Meeting<3, true>>(tile, job, visitor, runs)
-                : visit<Meeting<3, false>>(tile, job, visitor, runs);
-  }
+  with_variant(tile, dimensions, [&](auto dimension, auto shape) {
+    visit<Meeting<dimension(), shape()>>(tile, job, visitor, runs);
+  });
 }

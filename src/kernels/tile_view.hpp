@@ -19,6 +19,18 @@ inline constexpr std::uint32_t row_padding = 8;
 /// within reach of nothing.
 inline constexpr float far_away = 1e18f;
 
+/// What the elements of a tile are, and so which columns say how large they are.
+enum class TileShape {
+  equal_spheres,  ///< none
+  spheres,        ///< one: radii
+  boxes,          ///< one for each axis: widths; centers are lower corners
+};
+
+[[nodiscard]] constexpr std::size_t size_columns(TileShape shape, int dimensions) {
+  if (shape == TileShape::boxes) return static_cast<std::size_t>(dimensions);
+  return shape == TileShape::spheres ? 1 : 0;
+}
+
 /// The elements of a tile sorted by cell. Along each axis the tile's own cells are framed by one
 /// layer of copies of the elements around it; each row ends with padding:
 ///
@@ -29,9 +41,10 @@ inline constexpr float far_away = 1e18f;
 ///
 /// A cell holds either own elements or copies, never both.
 struct TileView {
+  TileShape shape;
   const float* center[3];           ///< by axis
-  const float* radius;              ///< unused where all radii are equal
-  float common_radius;              ///< of all elements, where they are equal; else negative
+  const float* size[3];             ///< as the shape says
+  float common_radius;              ///< of equal spheres
   const std::uint32_t* number;      ///< of the element in the caller's arrays
   const std::uint32_t* cell;        ///< of the element
   const std::uint32_t* cell_begin;  ///< first place of each cell; one more at the end
@@ -59,7 +72,7 @@ struct SearchJob {
   float margin;
   float slack;  ///< bounds the error of a computed distance, in the tile's unit
   Findings* findings;
-  float* block[4];              ///< scratch for candidates: centers by axis, radii
+  float* block[6];              ///< scratch for candidates: centers by axis, sizes
   std::uint32_t* block_number;  ///< each with room for all places of the tile + widest_vector
   std::uint64_t candidate_tests;
   void* owner;
@@ -75,7 +88,7 @@ struct Run {
 /// A larger element that meets elements of a tile without being sorted into its cells.
 struct Visitor {
   float center[3];
-  float radius;
+  float size[3];  ///< as the shape of the tile says, but the radius of a sphere in any case
   float slack;
   std::uint32_t number;
 };

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "base/detection_context.hpp"
+#include "base/elements.hpp"
 #include "base/pair_sink.hpp"
-#include "base/sphere_predicate.hpp"
 
 #include <abut/pair.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace abut::reference {
 
@@ -20,22 +19,22 @@ inline ContactPair half_pair(std::int32_t a, std::int32_t b) noexcept {
 template <int Dim>
 class ContactTest {
  public:
-  ContactTest(std::span<const base::Sphere<Dim>> spheres, double margin, base::PairWriter& pairs,
+  ContactTest(const base::Elements<Dim>& elements, double margin, base::PairWriter& pairs,
               base::DetectionContext& context)
-      : spheres_(spheres), margin_(margin), pairs_(pairs), context_(context) {}
+      : elements_(elements), margin_(margin), pairs_(pairs), context_(context) {}
 
   void operator()(std::int32_t a, std::int32_t b) {
     if ((++context_.candidate_tests & (tests_between_polls - 1)) == 0) context_.progress.poll();
     const auto i = static_cast<std::size_t>(a);
     const auto j = static_cast<std::size_t>(b);
-    if (!base::within_reach(spheres_[i], spheres_[j], margin_, context_.exact_decisions)) return;
+    if (!elements_.within_reach(i, j, margin_, context_.exact_decisions)) return;
     pairs_.push(half_pair(a, b));
   }
 
  private:
   static constexpr std::uint64_t tests_between_polls = 1 << 18;
 
-  std::span<const base::Sphere<Dim>> spheres_;
+  base::Elements<Dim> elements_;
   double margin_;
   base::PairWriter& pairs_;
   base::DetectionContext& context_;

@@ -51,10 +51,10 @@ class SortedTileOf : public ::testing::Test {
     return records;
   }
 
-  void sort(SortedTile<dim>& tile, std::span<const float> its_radii, float common, Simd level) {
+  void sort(SortedTile<dim>& tile, const RecordSizes& sizes, Simd level) {
     const auto kernels = kernels::element_kernels(level);
     tile.count(all(), own, cells, kernels);
-    tile.sort(all(), its_radii, common, kernels);
+    tile.sort(all(), sizes, kernels);
   }
 
   std::vector<Record<dim>> records;
@@ -92,7 +92,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
   SortedTile<TypeParam::value> tile(this->memory);
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
     this->make(seed, 700 * seed, 300);
-    this->sort(tile, this->radii, -1.0f, Simd::scalar);
+    this->sort(tile, {kernels::TileShape::spheres, this->radii, 0.0f}, Simd::scalar);
     const kernels::TileView& view = tile.view();
     const std::int32_t total = cells_in<TypeParam::value>(view);
     const std::int32_t rows = total / view.row_length();
@@ -121,7 +121,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
         ++seen.at(r);
         ASSERT_EQ(view.cell[k], static_cast<std::uint32_t>(cell));
         ASSERT_EQ(frame, r >= this->own) << "record " << r;
-        ASSERT_EQ(view.radius[k], this->radii[r]);
+        ASSERT_EQ(view.size[0][k], this->radii[r]);
         for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
           ASSERT_EQ(view.center[axis][k], this->records[r].center[axis]);
           const double q = view.center[axis][k] * this->cells.per_unit[axis] + 1.0;
@@ -133,7 +133,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
     EXPECT_EQ(tile.crowding(), crowding);
     EXPECT_EQ(tile.size(), this->records.size());
-    EXPECT_LT(view.common_radius, 0.0f);
+    EXPECT_EQ(view.shape, kernels::TileShape::spheres);
   }
 }
 
@@ -141,7 +141,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
 TYPED_TEST(SortedTileOf, TheSortIsStable) {
   SortedTile<TypeParam::value> tile(this->memory);
   this->make(9, 2000, 200);
-  this->sort(tile, {}, 0.25f, Simd::scalar);
+  this->sort(tile, {kernels::TileShape::equal_spheres, {}, 0.25f}, Simd::scalar);
   const kernels::TileView& view = tile.view();
   for (std::int32_t cell = 0; cell < cells_in<TypeParam::value>(view); ++cell) {
     if (cell % view.row_length() == view.cells[0] + 2) continue;
@@ -154,13 +154,13 @@ TYPED_TEST(SortedTileOf, TheSortIsStable) {
 TYPED_TEST(SortedTileOf, VectorsSortAlike) {
   SortedTile<TypeParam::value> plain(this->memory);
   this->make(10, 3001, 203);
-  this->sort(plain, this->radii, -1.0f, Simd::scalar);
+  this->sort(plain, {kernels::TileShape::spheres, this->radii, 0.0f}, Simd::scalar);
   const kernels::TileView& expected = plain.view();
   const std::int32_t total = cells_in<TypeParam::value>(expected);
   for (const Simd level : testing::simd_levels_here()) {
     SCOPED_TRACE(std::string(name_of(level)));
     SortedTile<TypeParam::value> tile(this->memory);
-    this->sort(tile, this->radii, -1.0f, level);
+    this->sort(tile, {kernels::TileShape::spheres, this->radii, 0.0f}, level);
     const kernels::TileView& view = tile.view();
     ASSERT_TRUE(std::equal(view.cell_begin, view.cell_begin + total + 1, expected.cell_begin));
     for (std::int32_t cell = 0; cell < total; ++cell) {
@@ -169,7 +169,7 @@ TYPED_TEST(SortedTileOf, VectorsSortAlike) {
         ASSERT_EQ(view.center[0][k], expected.center[0][k]);
         if (padding) continue;
         ASSERT_EQ(view.number[k], expected.number[k]);
-        ASSERT_EQ(view.radius[k], expected.radius[k]);
+        ASSERT_EQ(view.size[0][k], expected.size[0][k]);
         for (std::size_t axis = 1; axis < TypeParam::value; ++axis) {
           ASSERT_EQ(view.center[axis][k], expected.center[axis][k]);
         }

@@ -50,7 +50,7 @@ class TilesOf : public ::testing::Test {
   }
 
   void partition(Tiles<dim>& tiles, std::size_t workers, Simd level = Simd::scalar) {
-    tiles.partition(spheres, group, grid, margin, kernels::element_kernels(level), workers);
+    tiles.partition({spheres, {}}, group, grid, margin, kernels::element_kernels(level), workers);
   }
 
   /// Own elements and copies of a tile by the rule, element by element.
@@ -125,7 +125,7 @@ TYPED_TEST(TilesOf, RecordsAreTheElementsInSinglePrecision) {
   for (std::size_t tile = 0; tile < this->grid.tile_count; ++tile) {
     const auto t = this->grid.coordinates(tile);
     const auto records = tiles.records(tile);
-    const auto radii = tiles.radii(tile);
+    const auto radii = tiles.sizes(tile);
     ASSERT_EQ(radii.size(), records.size()) << "the radii differ";
     for (std::size_t k = 0; k < records.size(); ++k) {
       const auto& record = records[k];
@@ -146,7 +146,7 @@ TYPED_TEST(TilesOf, EqualRadiiNeedNoColumn) {
   Tiles<TypeParam::value> tiles(this->memory);
   this->partition(tiles, 1);
   for (std::size_t tile = 0; tile < this->grid.tile_count; ++tile) {
-    EXPECT_TRUE(tiles.radii(tile).empty());
+    EXPECT_TRUE(tiles.sizes(tile).empty());
   }
 }
 
@@ -163,7 +163,7 @@ TYPED_TEST(TilesOf, LayoutDoesNotDependOnWorkersAndVectors) {
         ASSERT_EQ(a.size(), b.size());
         ASSERT_EQ(first.own_count(tile), other.own_count(tile));
         ASSERT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
-        ASSERT_TRUE(std::ranges::equal(first.radii(tile), other.radii(tile)));
+        ASSERT_TRUE(std::ranges::equal(first.sizes(tile), other.sizes(tile)));
         ASSERT_TRUE(std::ranges::equal(first.visitors(tile), other.visitors(tile)));
       }
     }

@@ -8,6 +8,11 @@
 namespace abut::engine {
 namespace {
 
+template <int Dim>
+base::Elements<Dim> just(const base::Sphere<Dim>& visitor) {
+  return {std::span(&visitor, 1), {}};
+}
+
 template <class Dimension>
 class VisitsOf : public ::testing::Test {
  protected:
@@ -43,16 +48,17 @@ class VisitsOf : public ::testing::Test {
     const auto cells = choose_tile_cells(grid, 1.0, records.size());
     const auto kernels = kernels::element_kernels(Simd::scalar);
     tile.count(records, 3000, cells, kernels);
-    tile.sort(records, radii, -1.0f, kernels);
+    tile.sort(records, {kernels::TileShape::spheres, radii, 0.0f}, kernels);
     frame.cell_size = cells.size_in_unit(grid, 1.0);
-    frame.largest_reach = largest_radius + margin;
+    frame.largest_radius = largest_radius;
+    frame.margin = margin;
   }
 
   base::MemoryMeter memory;
   SortedTile<dim> tile;
   Visits<dim> visits;
   TileGrid<dim> grid;
-  TileFrame<dim> frame{grid, {}, {}, 1.0, 0.0};
+  TileFrame<dim> frame{grid, {}, {}, 1.0, 0.0, 0.0};
   Spheres<dim> spheres;
   std::vector<Record<dim>> records;
   std::vector<float> radii;
@@ -81,7 +87,7 @@ TYPED_TEST(VisitsOf, RunsHoldAllThatIsWithinReach) {
     }
     std::vector<int> in_runs(this->spheres.size());
     const kernels::TileView& view = this->tile.view();
-    for (const kernels::Run& run : this->visits.runs(view, this->frame, visitor)) {
+    for (const kernels::Run& run : this->visits.runs(view, this->frame, just(visitor), 0)) {
       ASSERT_LT(run.begin, run.end);
       for (std::uint32_t p = run.begin; p < run.end; ++p) ++in_runs[view.number[p]];
     }
@@ -102,25 +108,26 @@ TYPED_TEST(VisitsOf, NoRunsForVisitorsOutOfReach) {
   base::Sphere<TypeParam::value> visitor{};
   visitor.radius = 1.0;
   visitor.center[0] = -100.0;
-  EXPECT_TRUE(this->visits.runs(this->tile.view(), this->frame, visitor).empty());
+  EXPECT_TRUE(this->visits.runs(this->tile.view(), this->frame, just(visitor), 0).empty());
   visitor.radius = 0x1p700;
   visitor.center[0] = -0x1p702;
   visitor.center[1] = -0x1p702;
-  EXPECT_TRUE(visitor_in(this->frame, visitor, 0) == std::nullopt);
+  EXPECT_TRUE(visitor_in(this->frame, just(visitor), 0) == std::nullopt);
 }
 
 TYPED_TEST(VisitsOf, AVisitorInSinglePrecisionKnowsItsError) {
   base::Sphere<TypeParam::value> visitor{};
   visitor.radius = 300.0;
   visitor.center[0] = -295.0;
-  const auto near = visitor_in(this->frame, visitor, 7);
+  const std::vector several(8, visitor);
+  const auto near = visitor_in<TypeParam::value>(this->frame, {several, {}}, 7);
   ASSERT_TRUE(near.has_value());
   EXPECT_EQ(near->number, 7U);
-  EXPECT_EQ(near->radius, 300.0f);
+  EXPECT_EQ(near->size[0], 300.0f);
   EXPECT_NEAR(near->center[0], -300.0f, 1e-4f);
   EXPECT_GE(near->slack, 300.0f * 0x1p-20f);
   visitor.radius = 3000.0;
-  EXPECT_FALSE(visitor_in(this->frame, visitor, 7).has_value());
+  EXPECT_FALSE(visitor_in(this->frame, just(visitor), 0).has_value());
 }
 
 }  // namespace

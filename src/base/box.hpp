@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+namespace abut::base {
+
+/// A closed axis-aligned box as the library works with it: finite numbers, lower <= upper.
+template <int Dim>
+struct Box {
+  double lower[Dim];
+  double upper[Dim];
+};
+
+/// Whether a - b <= margin in real arithmetic, where the difference of doubles rounds to margin.
+[[nodiscard]] bool difference_rounds_up(double a, double b, double rounded) noexcept;
+
+/// Whether a <= b + margin in real arithmetic, for every finite double. A rounded difference on
+/// either side of the margin is on the right side; one that meets it is looked at again.
+[[nodiscard]] inline bool at_most(double a, double b, double margin,
+                                  std::uint64_t& exact_decisions) noexcept {
+  if (margin == 0.0) return a <= b;
+  const double difference = a - b;
+  if (difference != margin) return difference < margin;
+  ++exact_decisions;
+  return difference_rounds_up(a, b, difference);
+}
+
+/// The contract for boxes (docs/contract.md): on every axis lo_a <= hi_b + margin and
+/// lo_b <= hi_a + margin. Touching counts. Adds to `exact_decisions` as the spheres' predicate
+/// does.
+template <int Dim>
+[[nodiscard]] inline bool within_reach(const Box<Dim>& a, const Box<Dim>& b, double margin,
+                                       std::uint64_t& exact_decisions) noexcept {
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!at_most(a.lower[axis], b.upper[axis], margin, exact_decisions) ||
+        !at_most(b.lower[axis], a.upper[axis], margin, exact_decisions)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The largest separation of two boxes over the axes: lower end minus upper end, rounded once, and
+/// so of the right sign; <= 0 exactly if they touch. What exceeds the largest double is that.
+template <int Dim>
+[[nodiscard]] double gap(const Box<Dim>& a, const Box<Dim>& b) noexcept;
+
+}  // namespace abut::base

@@ -1,0 +1,134 @@
+// An element in all lanes beside eight candidates at a time, included like simd_meeting-inl.hpp.
+
+/// Where candidates stand.
+struct Columns {
+  const float* center[3];
+  const float* size[3];
+  const std::uint32_t* number;
+};
+
+struct Filtered {
+  Mask hit;   ///< not certainly apart
+  Mask sure;  ///< certainly within reach
+};
+
+/// Spheres, or equal spheres.
+template <int Dim, TileShape Shape>
+class SimdProbe {
+ public:
+  /// Columns that say how large a candidate is.
+  static constexpr int size_columns = Shape == TileShape::equal_spheres ? 0 : 1;
+
+  HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, std::uint32_t p) {
+    for (int axis = 0; axis < Dim; ++axis) center_[axis] = hn::Set(floats, tile.center[axis][p]);
+    set_reach(tile, job, equal ? tile.common_radius : tile.size[0][p], job.slack);
+    number_ = hn::Set(numbers, tile.number[p]);
+  }
+
+  HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, const Visitor& visitor) {
+    for (int axis = 0; axis < Dim; ++axis) center_[axis] = hn::Set(floats, visitor.center[axis]);
+    set_reach(tile, job, visitor.size[0], visitor.slack);
+    number_ = hn::Set(numbers, visitor.number);
+  }
+
+  [[nodiscard]] HWY_INLINE Numbers number() const { return number_; }
+
+  [[nodiscard]] HWY_INLINE Filtered filter(const Columns& columns, std::size_t q) const {
+    Floats difference = hn::Sub(center_[0], hn::LoadU(floats, columns.center[0] + q));
+    Floats distance_squared = hn::Mul(difference, difference);
+    for (int axis = 1; axis < Dim; ++axis) {
+      difference = hn::Sub(center_[axis], hn::LoadU(floats, columns.center[axis] + q));
+      distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
+    }
+    if constexpr (equal) {
+      return {hn::Le(distance_squared, outer_), hn::Lt(distance_squared, inner_)};
+    } else {
+      const Floats radius = hn::LoadU(floats, columns.size[0] + q);
+      const Floats farthest = hn::Add(outer_, radius);
+      const Floats nearest = hn::Max(hn::Add(inner_, radius), hn::Zero(floats));
+      return {hn::Le(distance_squared, hn::Mul(farthest, farthest)),
+              hn::Lt(distance_squared, hn::Mul(nearest, nearest))};
+    }
+  }
+
+ private:
+  static constexpr bool equal = Shape == TileShape::equal_spheres;
+
+  HWY_INLINE void set_reach(const TileView& tile, const SearchJob& job, float radius, float slack) {
+    const float reach = radius + job.margin + (equal ? tile.common_radius : 0.0f);
+    outer_ = hn::Set(floats, reach + slack);
+    inner_ = hn::Set(floats, reach - slack);
+    if constexpr (equal) {
+      outer_ = hn::Mul(outer_, outer_);
+      inner_ = hn::Max(inner_, hn::Zero(floats));
+      inner_ = hn::Mul(inner_, inner_);
+    }
+  }
+
+  Floats center_[Dim];
+  Floats outer_;  ///< reach + slack and reach - slack, the element's own part of it,
+  Floats inner_;  ///< or the squares of the whole, where all radii are equal
+  Numbers number_;
+};
+
+/// Boxes: on each axis neither may lie behind the other's end.
+template <int Dim>
+class SimdProbe<Dim, TileShape::boxes> {
+ public:
+  static constexpr int size_columns = Dim;
+
+  HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, std::uint32_t p) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      set_axis(axis, tile.center[axis][p], tile.size[axis][p], job.margin, job.slack);
+    }
+    set_reach(job.margin, job.slack);
+    number_ = hn::Set(numbers, tile.number[p]);
+  }
+
+  HWY_INLINE SimdProbe(const TileView&, const SearchJob& job, const Visitor& visitor) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      set_axis(axis, visitor.center[axis], visitor.size[axis], job.margin, visitor.slack);
+    }
+    set_reach(job.margin, visitor.slack);
+    number_ = hn::Set(numbers, visitor.number);
+  }
+
+  [[nodiscard]] HWY_INLINE Numbers number() const { return number_; }
+
+  [[nodiscard]] HWY_INLINE Filtered filter(const Columns& columns, std::size_t q) const {
+    Filtered result = filter_axis<0>(columns, q);
+    const auto narrow = [&](const Filtered& axis) {
+      result = {hn::And(result.hit, axis.hit), hn::And(result.sure, axis.sure)};
+    };
+    narrow(filter_axis<1>(columns, q));
+    if constexpr (Dim == 3) narrow(filter_axis<2>(columns, q));
+    return result;
+  }
+
+ private:
+  HWY_INLINE void set_axis(int axis, float lower, float width, float margin, float slack) {
+    lower_[axis] = hn::Set(floats, lower);
+    before_[axis] = hn::Set(floats, -(width + (margin + slack)));
+    surely_before_[axis] = hn::Set(floats, -(width + (margin - slack)));
+  }
+
+  HWY_INLINE void set_reach(float margin, float slack) {
+    outer_ = hn::Set(floats, margin + slack);
+    inner_ = hn::Set(floats, margin - slack);
+  }
+
+  template <int Axis>
+  [[nodiscard]] HWY_INLINE Filtered filter_axis(const Columns& columns, std::size_t q) const {
+    const Floats behind = hn::Sub(lower_[Axis], hn::LoadU(floats, columns.center[Axis] + q));
+    const Floats width = hn::LoadU(floats, columns.size[Axis] + q);
+    return {hn::And(hn::Le(behind, hn::Add(width, outer_)), hn::Ge(behind, before_[Axis])),
+            hn::And(hn::Lt(behind, hn::Add(width, inner_)), hn::Gt(behind, surely_before_[Axis]))};
+  }
+
+  Floats lower_[Dim];
+  Floats before_[Dim];         ///< how far the element may lie before a candidate, negative ...
+  Floats surely_before_[Dim];  ///< ... or does so for certain
+  Floats outer_;               ///< margin + slack, margin - slack
+  Floats inner_;
+  Numbers number_;
+};

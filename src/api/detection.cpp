@@ -190,7 +190,9 @@ Statistics Detection::run_in(const Request& request, PairSink& sink, DetectionCo
   found_in_order_ = false;
   if (request.others != nullptr) {
     search_sets<Dim>(settings, request, sink, context, statistics);
-  } else if (skin_choice_.skin().kind() == Skin::Kind::none) {
+  } else if (skin_choice_.skin().kind() == Skin::Kind::none ||
+             request.elements.shape() == Shape::box) {
+    // Of boxes no candidates are kept.
     search<Dim>(settings, request, sink, context, statistics);
   } else {
     search_with_skin<Dim>(settings, request, sink, context, statistics);

@@ -31,8 +31,8 @@ struct Bounds {
     largest_radius = std::max(largest_radius, radius);
   }
 
-  /// Two boxes are within reach as far as the wider one is wide: with the largest counted twice, the
-  /// two largest radii + margin are the largest reach of boxes too.
+  /// Two boxes are within reach as far as the wider one is wide: with the largest counted twice,
+  /// the two largest radii + margin are the largest reach of boxes too.
   void count_largest_twice() noexcept { second_largest_radius = largest_radius; }
 
   void include(const Bounds& others) noexcept {

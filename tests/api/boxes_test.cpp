@@ -120,5 +120,17 @@ TEST(BoxLists, HoldTheSamePairs) {
   EXPECT_EQ(visited, pairs.size());
 }
 
+TEST(BoxSkin, ChangesNothing) {
+  auto scene = scenes::boxes_in(scenes::scene_named("dense").make(2000, 5), 6);
+  Detector detector;
+  detector.set_skin(Skin::fixed(0.5));
+  for (int step = 0; step < 4; ++step) {
+    for (double& end : scene.upper[0]) end += 0.01;
+    const PairList fresh = find_contact_pairs(testing::view_of(scene));
+    const PairList& kept = detector.find_contact_pairs(testing::view_of(scene));
+    EXPECT_TRUE(std::ranges::equal(fresh.pairs(), kept.pairs())) << "step " << step;
+  }
+}
+
 }  // namespace
 }  // namespace abut

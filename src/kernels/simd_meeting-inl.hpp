@@ -51,8 +51,10 @@ class SimdMeeting {
  private:
   /// The hits of an element among the first eight candidates of each run: a byte for each run.
   using Hits = std::uint64_t;
-  /// Runs are longer, or the filter could not decide everything.
+  /// Runs are longer.
   static constexpr Hits unknown = ~Hits{0};
+  /// The filter could not decide everything. Less than `unknown`, more than any hits.
+  static constexpr Hits some_doubtful = Hits{1} << most_hits;
 
   static constexpr std::uint32_t batch_size = 64;
 
@@ -60,6 +62,7 @@ class SimdMeeting {
   /// short enough for the processor to have several elements under way.
   template <class RunsOf>
   HWY_INLINE void meet_batch(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
+    static_assert(most_hits < 63);
     Hits hits[batch_size];
     for (std::uint32_t p = first; p < last; ++p) hits[p - first] = hits_among(p, runs_of(p));
     std::size_t found = findings_.found;
@@ -71,8 +74,10 @@ class SimdMeeting {
         job_.take(job_);
         found = 0;
       }
-      if (HWY_LIKELY(own != unknown)) {
+      if (HWY_LIKELY(own < some_doubtful)) {
         found += write(p, own, runs_of(p), found);
+      } else if (own == some_doubtful) {
+        found += write_doubtful(p, runs_of(p), found);
       } else {
         findings_.found = found;
         meet_with_care(p, runs_of);
@@ -102,9 +107,39 @@ class SimdMeeting {
       }
     }
     constexpr std::size_t lanes_of_all = Runs::size() * short_run;
-    if (HWY_UNLIKELY(spare_lanes > lanes_of_all || !hn::AllFalse(floats, doubtful))) return unknown;
+    if (HWY_UNLIKELY(spare_lanes > lanes_of_all)) return unknown;
     candidate_tests_ += lanes_of_all - spare_lanes;
-    return hits;
+    return HWY_LIKELY(hn::AllFalse(floats, doubtful)) ? hits : some_doubtful;
+  }
+
+  /// As `write`, of an element whose runs are short and among whose hits are doubtful ones. No lane
+  /// beyond a run is among them.
+  template <class Runs>
+  HWY_NOINLINE std::size_t write_doubtful(std::uint32_t p, const Runs& runs, std::size_t place) {
+    const Probe probe = probe_of(p);
+    Hits hits = 0;
+    Hits doubts = 0;
+    for (std::size_t r = 0; r < Runs::size(); ++r) {
+      const Run run = runs[r];
+      const Hits within = all_of_short_run >> (short_run + run.begin - run.end);
+      for (std::size_t k = 0; k < short_run; k += lanes) {
+        const Filtered filtered = probe.filter(sorted_, run.begin + k);
+        const Hits hit = (Hits{bits_of(filtered.hit)} << k) & within;
+        hits |= hit << (8 * r);
+        doubts |= (hit & ~(Hits{bits_of(filtered.sure)} << k)) << (8 * r);
+      }
+    }
+    note_doubts(hits, doubts, place);
+    return write(p, hits, runs, place);
+  }
+
+  /// The doubtful ones among the hits that are about to be written from that place on.
+  HWY_INLINE void note_doubts(Hits hits, Hits doubts, std::size_t place) {
+    for (; doubts != 0; doubts &= doubts - 1) {
+      const Hits below = (doubts & (Hits{0} - doubts)) - 1;
+      const std::size_t own = place + static_cast<std::size_t>(std::popcount(hits & below));
+      findings_.doubtful[findings_.doubts++] = static_cast<std::uint32_t>(own);
+    }
   }
 
   /// Writes the element's hits to that place of the findings and returns how many there are. Whole
@@ -218,21 +253,12 @@ class SimdMeeting {
       const Bits within = end - q < lanes ? (1u << (end - q)) - 1 : all_lanes;
       const Bits hits = bits_of(filtered.hit) & within;
       const Bits doubtful = hits & ~bits_of(filtered.sure);
-      if (HWY_UNLIKELY(doubtful != 0)) note(hits, doubtful, found);
+      if (HWY_UNLIKELY(doubtful != 0)) note_doubts(hits, doubtful, found);
       hn::StoreU(probe.number(), numbers, element_ + found);
       hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, partner_ + found);
       found += static_cast<std::size_t>(std::popcount(hits));
     }
     return found;
-  }
-
-  /// The doubtful ones among the hits that are written from that place on.
-  HWY_INLINE void note(Bits hits, Bits doubtful, std::size_t place) {
-    for (; doubtful != 0; doubtful &= doubtful - 1) {
-      const Bits below = (doubtful & (0u - doubtful)) - 1;
-      const std::size_t own = place + static_cast<std::size_t>(std::popcount(hits & below));
-      findings_.doubtful[findings_.doubts++] = static_cast<std::uint32_t>(own);
-    }
   }
 
   const TileView& tile_;

@@ -2,6 +2,7 @@
 
 #include <abut/algorithm.hpp>
 #include <abut/column.hpp>
+#include <abut/contact_history.hpp>
 #include <abut/detect.hpp>
 #include <abut/detector.hpp>
 #include <abut/domain.hpp>

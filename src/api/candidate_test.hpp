@@ -57,7 +57,14 @@ class PeriodicCandidateTest {
            Survivors& survivors, std::uint64_t& exact_decisions) const;
 
   /// The shift of a pair of the elements as given.
-  [[nodiscard]] ImageShift shift_of(ContactPair pair, std::uint16_t number) const;
+  [[nodiscard]] ImageShift shift_of(ContactPair pair, std::uint16_t number) const noexcept {
+    const ImageShift& shift = shifts_[number];
+    if (!placing_.moved(pair.first) && !placing_.moved(pair.second)) return shift;
+    const CellNumbers& first = placing_.cells(pair.first);
+    const CellNumbers& second = placing_.cells(pair.second);
+    return {shift.x + first[0] - second[0], shift.y + first[1] - second[1],
+            shift.z + first[2] - second[2]};
+  }
 
  private:
   std::span<const base::Sphere<Dim>> spheres_;

@@ -21,11 +21,15 @@ constexpr double underflow = 0x1p-500;
 /// Of the magnitude of what a placed element is computed from: 8 u.
 constexpr double placing_error = 0x1p-50;
 
+bool is_moved(const CellNumbers& cells) {
+  return (cells[0] | cells[1] | cells[2]) != 0;
+}
+
 /// x - cells A. Raises `largest` to the sum of the amounts of all numbers that this takes.
 template <int Dim>
 base::Sphere<Dim> place(const base::Sphere<Dim>& sphere, const CellNumbers& cells,
                         const base::Lattice& lattice, double& largest) {
-  if (cells == CellNumbers{}) return sphere;
+  if (!is_moved(cells)) return sphere;
   double magnitude = 0.0;
   base::Sphere<Dim> placed = sphere;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -101,7 +105,8 @@ template <int Dim>
 Displacement<Dim>::Displacement(base::MemoryMeter& memory)
     : anchor_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
       own_placed_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
-      cells_(base::make_array_for_overwrite<CellNumbers>(memory, 0)) {}
+      cells_(base::make_array_for_overwrite<CellNumbers>(memory, 0)),
+      moved_(base::make_array_for_overwrite<std::uint8_t>(memory, 0)) {}
 
 template <int Dim>
 bool Displacement<Dim>::start(const Snapshot<Dim>& now) {
@@ -133,6 +138,7 @@ template <int Dim>
 void Displacement<Dim>::start_in_cell(const Snapshot<Dim>& now) {
   base::make_room(own_placed_, size_);
   base::make_room(cells_, size_);
+  base::make_room(moved_, size_);
   placed_ = {own_placed_.data(), size_};
   std::array<double, Dim> middle{};
   for (std::size_t k = 0; k < Dim; ++k) {
@@ -155,6 +161,7 @@ void Displacement<Dim>::start_in_cell(const Snapshot<Dim>& now) {
         cells[k] = static_cast<std::int32_t>(std::nearbyint(away));
       }
       anchor_[i] = own_placed_[i] = place(now.spheres[i], cells, then_->lattice(), part.magnitude);
+      moved_[i] = is_moved(cells) ? 1 : 0;
       for (std::size_t k = 0; k < Dim; ++k) {
         const double fraction = then_->fraction(k, anchor_[i].center);
         part.lower[k] = std::min(part.lower[k], fraction);
@@ -256,6 +263,7 @@ typename Displacement<Dim>::Part Displacement<Dim>::measure_periodic(const Snaps
       square = squared_distance(placed, anchor_[i]);
     }
     own_placed_[i] = placed;
+    moved_[i] = is_moved(cells_[i]) ? 1 : 0;
     part.include(std::sqrt(square), placed.radius - anchor_[i].radius);
   }
   return part;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,6 +43,9 @@ class Displacement {
   /// Number of lattice vectors that were taken off when element i was placed.
   [[nodiscard]] const CellNumbers& cells(std::size_t i) const noexcept { return cells_[i]; }
 
+  /// Whether any such number is not 0. Cheaper to ask than these, which lie farther apart.
+  [[nodiscard]] bool moved(std::size_t i) const noexcept { return moved_[i] != 0; }
+
   /// Sum of the amounts of all numbers from which an element was placed, at most.
   [[nodiscard]] double magnitude() const noexcept { return magnitude_; }
 
@@ -53,8 +57,8 @@ class Displacement {
   struct alignas(128) Part {
     double farthest = 0.0;  ///< the two largest displacements, growth included
     double second = 0.0;
-    double growth = 0.0;  ///< largest
-    double magnitude = 0.0;
+    double growth = 0.0;     ///< largest
+    double magnitude = 0.0;  ///< of moved elements
     double radii = 0.0;
     bool known = true;
     std::array<double, Dim> lower{};
@@ -75,6 +79,7 @@ class Displacement {
   base::Array<base::Sphere<Dim>> anchor_;
   base::Array<base::Sphere<Dim>> own_placed_;
   base::Array<CellNumbers> cells_;
+  base::Array<std::uint8_t> moved_;
   std::span<const base::Sphere<Dim>> placed_;
   std::vector<Part> parts_;
 

@@ -34,6 +34,11 @@ class LatticeFrame {
   /// Of the vector that `fraction` multiplies by, rounded up.
   [[nodiscard]] double dual_length(std::size_t axis) const noexcept { return dual_length_[axis]; }
 
+  /// The same for vector k of the reduced basis, 0 where there is none.
+  [[nodiscard]] double reduced_dual_length(std::size_t k) const noexcept {
+    return k < reduced_.count ? reduced_.dual_length[k] * reduced_.scale : 0.0;
+  }
+
   /// Whether the fractions of any lattice vector are off by less than 2^-20 of the largest number
   /// in it.
   [[nodiscard]] bool accurate() const noexcept { return accurate_; }

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <abut/domain.hpp>
+#include <abut/element_view.hpp>
+#include <abut/export.hpp>
+#include <abut/pair.hpp>
+#include <abut/pair_list.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace abut {
+
+/// A contact of the step before that is none any more, with what was known of it.
+template <class T>
+struct LostContact {
+  std::uint64_t first = 0;  ///< ids; numbers of the step before, where there are no ids
+  std::uint64_t second = 0;
+  T value{};
+};
+
+namespace detail {
+
+/// Finds contact pairs of one step among those of the next.
+class ABUT_API ContactMatcher {
+ public:
+  /// `count` pairs from `now` on are those from `before` on.
+  struct Run {
+    PairCount now = 0;
+    PairCount before = 0;
+    PairCount count = 0;
+  };
+  struct Lost {
+    PairCount before = 0;
+    std::uint64_t first = 0;
+    std::uint64_t second = 0;
+  };
+
+  ContactMatcher();
+  ~ContactMatcher();
+  ContactMatcher(ContactMatcher&&) noexcept;
+  ContactMatcher& operator=(ContactMatcher&&) noexcept;
+
+  /// Compares with the pairs accepted last. On an error nothing has changed.
+  void match(const PairList& pairs, const ElementView& elements, const Domain& domain,
+             std::span<const std::uint64_t> ids);
+
+  /// The pairs matched last are the ones to compare with from now on.
+  void accept() noexcept;
+
+  [[nodiscard]] std::span<const Run> runs() const noexcept;
+  [[nodiscard]] std::span<const PairCount> born() const noexcept;
+  [[nodiscard]] std::span<const PairCount> flipped() const noexcept;
+  [[nodiscard]] std::span<const Lost> lost() const noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace detail
+
+/// Data of the caller, one value for each contact pair, carried from step to step: a contact that
+/// persists keeps its value, a new one begins with T{}. What persists is the pair of elements and
+/// the image, whatever is done to numbers and positions in between:
+///
+///  elements inserted, removed or renumbered   where ids are given, one for each element
+///  positions wrapped into the cell            for elements that move less than half a cell a step
+///
+/// Without ids an element is its number.
+template <class T>
+requires std::is_trivially_copyable_v<T> && std::is_default_constructible_v<T>
+class ContactHistory {
+ public:
+  /// Brings the history to the contacts of this step: `pairs` in canonical order, in a periodic
+  /// domain with their shifts, as found for these elements. Deterministic; linear in pairs and
+  /// elements while ids stay or only grow.
+  ///
+  /// Throws Error, and then nothing has changed:
+  ///  wrong_usage    pairs in another order, without shifts, or not of these elements
+  ///  invalid_input  ids of another number than elements; an id that comes twice
+  void update(const PairList& pairs, const ElementView& elements,
+              const Domain& domain = Domain::open(), std::span<const std::uint64_t> ids = {}) {
+    matcher_.match(pairs, elements, domain, ids);
+    collect(pairs.size());
+    matcher_.accept();
+    values_.swap(next_values_);
+    lost_.swap(next_lost_);
+    kept_ = pairs.size() - matcher_.born().size();
+  }
+
+  /// One for each pair of the list updated with, in its order.
+  [[nodiscard]] std::span<T> values() noexcept { return values_; }
+  [[nodiscard]] std::span<const T> values() const noexcept { return values_; }
+
+  /// How many contacts there were in the step before, too.
+  [[nodiscard]] PairCount kept() const noexcept { return kept_; }
+
+  /// Positions in the list of those that are new, ascending.
+  [[nodiscard]] std::span<const PairCount> born() const noexcept { return matcher_.born(); }
+
+  /// Those that were in the step before and are no more.
+  [[nodiscard]] std::span<const LostContact<T>> lost() const noexcept { return lost_; }
+
+  /// Positions in the list of kept contacts whose elements have changed roles, ascending: what was
+  /// `first` is `second` now. Values that point from the one to the other must be turned around.
+  /// None as long as elements keep their order.
+  [[nodiscard]] std::span<const PairCount> flipped() const noexcept { return matcher_.flipped(); }
+
+  /// Forgets all contacts.
+  void clear() { *this = ContactHistory(); }
+
+ private:
+  using Values = std::vector<T, detail::PageAllocator<T>>;
+
+  void collect(PairCount count) {
+    if (next_values_.capacity() < count) next_values_.clear();
+    next_values_.resize(count);
+    PairCount end = 0;  // of what is written
+    for (const auto& run : matcher_.runs()) {
+      std::fill(next_values_.data() + end, next_values_.data() + run.now, T{});
+      std::copy_n(values_.data() + run.before, run.count, next_values_.data() + run.now);
+      end = run.now + run.count;
+    }
+    std::fill(next_values_.data() + end, next_values_.data() + count, T{});
+    next_lost_.clear();
+    for (const auto& lost : matcher_.lost()) {
+      next_lost_.push_back({lost.first, lost.second, values_[lost.before]});
+    }
+  }
+
+  detail::ContactMatcher matcher_;
+  Values values_;
+  Values next_values_;
+  std::vector<LostContact<T>> lost_;
+  std::vector<LostContact<T>> next_lost_;
+  PairCount kept_ = 0;
+};
+
+}  // namespace abut

@@ -225,6 +225,29 @@ TEST(Skin, MarginsAndDomainsThatChangeAreNoticed) {
   }
 }
 
+/// Rules of who may pair hold for what is delivered, as they are in that call.
+TEST(Skin, RulesMayChangeFromCallToCall) {
+  MovingSystem system(3, 500, {.space = Space::periodic}, 19);
+  std::vector<std::uint32_t> groups(system.scene.size());
+  Detector detector({.shifts = Shifts::stored});
+  detector.set_skin(Skin::fixed(0.3));
+  for (std::uint32_t count = 1; count < 6; ++count) {
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      groups[k] = static_cast<std::uint32_t>(k) % count;
+    }
+    Options options{.shifts = Shifts::stored};
+    options.rule.elements.groups = groups;
+    detector.set_options(options);
+    const PairList fresh = find_contact_pairs(system.elements(), system.domain(), options);
+    const PairList& kept = detector.find_contact_pairs(system.elements(), system.domain());
+    ASSERT_TRUE(std::ranges::equal(fresh.pairs(), kept.pairs()));
+    ASSERT_TRUE(std::ranges::equal(fresh.shifts(), kept.shifts()));
+    EXPECT_EQ(kept.empty(), count == 1);
+    system.step();
+  }
+  EXPECT_EQ(detector.skin_statistics().reuses, 4U);
+}
+
 TEST(Skin, BadInputIsRefusedAsEver) {
   MovingSystem system(3, 300, {.space = Space::periodic}, 13);
   const double inf = std::numeric_limits<double>::infinity();

@@ -74,7 +74,8 @@ class MovingSystem {
     ++time_;
     for (std::size_t k = 0; k < scene.size(); ++k) {
       for (std::size_t axis = 0; axis < axes(); ++axis) {
-        velocity_[k][axis] += 0.1 * motion_.speed * random_.uniform(-1.0, 1.0);
+        velocity_[k][axis] =
+            0.98 * velocity_[k][axis] + 0.1 * motion_.speed * random_.uniform(-1.0, 1.0);
         coordinates(axis)[k] += velocity_[k][axis];
       }
       scene.radius[k] += motion_.growth;

@@ -103,7 +103,7 @@ std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot) {
           {fmt::format("center {}", "xyz"[axis]),
            fmt::format("{} to {}", measure(ranges[axis].least), measure(ranges[axis].most))});
     }
-    table.add_row({"radii", radii_text(snapshot)});
+    table.add_row({snapshot.holds_boxes() ? "half widths" : "radii", radii_text(snapshot)});
   }
   const std::string axes = axes_text(periodic_axes(snapshot));
   table.add_row(

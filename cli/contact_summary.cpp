@@ -72,8 +72,9 @@ std::string file_line(const Contacts& contacts) {
   line += ", " + elements_text(snapshot);
   if (snapshot.size() > 0) {
     const auto [least, most] = std::minmax_element(snapshot.radius.begin(), snapshot.radius.end());
-    line += *least == *most ? fmt::format(" of radius {}", measure(*least))
-                            : fmt::format(" of radius {} to {}", measure(*least), measure(*most));
+    const char* const size = snapshot.holds_boxes() ? "half width" : "radius";
+    line += *least == *most ? fmt::format(" of {} {}", size, measure(*least))
+                            : fmt::format(" of {} {} to {}", size, measure(*least), measure(*most));
   }
   return line + domain_text(contacts);
 }
@@ -95,7 +96,8 @@ std::string closest_text(const io::Snapshot& snapshot, const Findings& found) {
   const double smaller =
       std::min(snapshot.radius[found.closest.first], snapshot.radius[found.closest.second]);
   if (found.smallest_gap < 0.0 && smaller > 0.0) {
-    text += fmt::format(", {:.2f} % of the smaller radius", -100.0 * found.smallest_gap / smaller);
+    text += fmt::format(", {:.2f} % of the smaller {}", -100.0 * found.smallest_gap / smaller,
+                        snapshot.holds_boxes() ? "half width" : "radius");
   }
   return text;
 }

@@ -27,7 +27,12 @@ std::string frame_text(const io::Snapshot& snapshot) {
 }
 
 std::string elements_text(const io::Snapshot& snapshot) {
-  return counted(snapshot.size(), snapshot.dimensions == 2 ? "disc" : "sphere");
+  if (!snapshot.holds_boxes()) {
+    return counted(snapshot.size(), snapshot.dimensions == 2 ? "disc" : "sphere");
+  }
+  return snapshot.dimensions == 2 ? counted(snapshot.size(), "rectangle")
+         : snapshot.size() == 1   ? "1 box"
+                                  : grouped(snapshot.size()) + " boxes";
 }
 
 }  // namespace abut::cli

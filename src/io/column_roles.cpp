@@ -98,4 +98,41 @@ TableColumns find_columns(const LineReader& reader, std::vector<std::string> nam
                   listed(table.names)));
 }
 
+bool names_boxes(std::span<const std::string> names) {
+  const auto has = [&](std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return !(has("x") && has("y")) && (has("xmin") || has("xmax"));
+}
+
+TableColumns find_box_columns(const LineReader& reader, std::vector<std::string> names) {
+  struct Corner {
+    std::string_view name;
+    ColumnRole role;
+  };
+  constexpr Corner in_plane[] = {{"xmin", ColumnRole::xmin},
+                                 {"ymin", ColumnRole::ymin},
+                                 {"xmax", ColumnRole::xmax},
+                                 {"ymax", ColumnRole::ymax}};
+  constexpr Corner upright[] = {{"zmin", ColumnRole::zmin}, {"zmax", ColumnRole::zmax}};
+  TableColumns table;
+  table.names = std::move(names);
+  table.roles.assign(table.names.size(), ColumnRole::other);
+  Finder finder(reader, table);
+  const auto require = [&](const Corner& corner) {
+    if (finder.assign(corner.name, corner.role)) return;
+    reader.fail_at_line(fmt::format(
+        "column {} is missing (the columns are {}); boxes need xmin, ymin, xmax and ymax, in 3D "
+        "also zmin and zmax",
+        corner.name, listed(table.names)));
+  };
+  for (const Corner& corner : in_plane) require(corner);
+  table.dimensions = finder.has("zmin") || finder.has("zmax") ? 3 : 2;
+  if (table.dimensions == 3) {
+    for (const Corner& corner : upright) require(corner);
+  }
+  finder.assign("id", ColumnRole::id);
+  return table;
+}
+
 }  // namespace abut::io

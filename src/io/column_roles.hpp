@@ -12,7 +12,21 @@
 namespace abut::io {
 
 /// What a column of a table of elements holds.
-enum class ColumnRole : std::uint8_t { other, x, y, z, radius, diameter, id };
+enum class ColumnRole : std::uint8_t {
+  other,
+  x,
+  y,
+  z,
+  radius,
+  diameter,
+  id,
+  xmin,
+  ymin,
+  zmin,
+  xmax,
+  ymax,
+  zmax
+};
 
 /// The columns of a table and what is taken from them.
 struct TableColumns {
@@ -22,6 +36,7 @@ struct TableColumns {
   std::size_t axis_names = 0;  ///< which of the given names of the axes were found
 
   [[nodiscard]] bool has(ColumnRole role) const;
+  [[nodiscard]] bool hold_boxes() const { return has(ColumnRole::xmin); }
 };
 
 /// Names of the columns of the coordinates, x first.
@@ -35,5 +50,13 @@ enum class RadiusColumn { required, ignored };
 /// is needed is missing or named twice.
 [[nodiscard]] TableColumns find_columns(const LineReader& reader, std::vector<std::string> names,
                                         std::span<const AxisNames> axes, RadiusColumn radius);
+
+/// Whether a table without `x` and `y` names ends of boxes.
+[[nodiscard]] bool names_boxes(std::span<const std::string> names);
+
+/// Finds the corners of boxes, `xmin`, `ymin`, `xmax`, `ymax`, in 3D also `zmin` and `zmax`, and
+/// `id`. Throws likewise.
+[[nodiscard]] TableColumns find_box_columns(const LineReader& reader,
+                                            std::vector<std::string> names);
 
 }  // namespace abut::io

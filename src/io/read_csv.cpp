@@ -47,6 +47,12 @@ TableColumns read_header(LineReader& reader, std::string_view header, Separator 
                     "x,y,z,radius",
                     quoted(names[0])));
   }
+  if (names_boxes(names)) {
+    if (options.radius) {
+      reader.fail_at_line("has columns of boxes, which have no radius; leave --radius out");
+    }
+    return find_box_columns(reader, std::move(names));
+  }
   return find_columns(reader, std::move(names), axis_names,
                       options.radius ? RadiusColumn::ignored : RadiusColumn::required);
 }

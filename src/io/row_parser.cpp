@@ -85,6 +85,7 @@ RowParser::RowParser(const LineReader& reader, const TableColumns& columns, Sepa
       common_radius_(common_radius),
       id_rule_(id_rule),
       takes_ids_(columns.has(ColumnRole::id)),
+      takes_boxes_(columns.hold_boxes()),
       snapshot_(snapshot) {
   snapshot_.dimensions = columns.dimensions;
 }
@@ -111,6 +112,48 @@ void RowParser::append(std::string_view row) {
   }
   if (fields != columns) fail_at_size(fields);
   if (common_radius_) snapshot_.radius.push_back(*common_radius_);
+  if (takes_boxes_) append_stand_in();
+}
+
+void RowParser::append_stand_in() {
+  std::vector<double>* const center[3] = {&snapshot_.x, &snapshot_.y, &snapshot_.z};
+  double half = 0.0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(columns_.dimensions); ++axis) {
+    const double lower = snapshot_.lower[axis].back();
+    const double upper = snapshot_.upper[axis].back();
+    if (lower > upper) {
+      reader_.fail_at_line(fmt::format("has {}min = {} above {}max = {}; exchange or correct them",
+                                       "xyz"[axis], lower, "xyz"[axis], upper));
+    }
+    center[axis]->push_back(0.5 * lower + 0.5 * upper);
+    half = std::max(half, 0.5 * upper - 0.5 * lower);
+  }
+  snapshot_.radius.push_back(half);
+}
+
+std::vector<double>& RowParser::column_of(ColumnRole role) const {
+  switch (role) {
+    case ColumnRole::x:
+      return snapshot_.x;
+    case ColumnRole::y:
+      return snapshot_.y;
+    case ColumnRole::z:
+      return snapshot_.z;
+    case ColumnRole::xmin:
+      return snapshot_.lower[0];
+    case ColumnRole::ymin:
+      return snapshot_.lower[1];
+    case ColumnRole::zmin:
+      return snapshot_.lower[2];
+    case ColumnRole::xmax:
+      return snapshot_.upper[0];
+    case ColumnRole::ymax:
+      return snapshot_.upper[1];
+    case ColumnRole::zmax:
+      return snapshot_.upper[2];
+    default:
+      return snapshot_.radius;
+  }
 }
 
 void RowParser::append_number(std::size_t column, std::string_view field) {
@@ -124,18 +167,7 @@ void RowParser::append_number(std::size_t column, std::string_view field) {
     reader_.fail_in_column(quoted(columns_.names[column]),
                            quoted(field) + " is negative; correct or remove this element");
   }
-  switch (role) {
-    case ColumnRole::x:
-      return snapshot_.x.push_back(value);
-    case ColumnRole::y:
-      return snapshot_.y.push_back(value);
-    case ColumnRole::z:
-      return snapshot_.z.push_back(value);
-    case ColumnRole::diameter:
-      return snapshot_.radius.push_back(0.5 * value);
-    default:
-      return snapshot_.radius.push_back(value);
-  }
+  column_of(role).push_back(role == ColumnRole::diameter ? 0.5 * value : value);
 }
 
 void RowParser::append_id(std::size_t column, std::string_view field) {

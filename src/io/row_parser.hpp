@@ -44,6 +44,9 @@ class RowParser {
  private:
   void append_number(std::size_t column, std::string_view field);
   void append_id(std::size_t column, std::string_view field);
+  /// What stands for the box of the row in pictures and summaries.
+  void append_stand_in();
+  [[nodiscard]] std::vector<double>& column_of(ColumnRole role) const;
   [[noreturn]] void fail_at_size(std::size_t fields) const;
 
   const LineReader& reader_;
@@ -52,6 +55,7 @@ class RowParser {
   std::optional<double> common_radius_;
   IdRule id_rule_;
   bool takes_ids_;
+  bool takes_boxes_;
   Snapshot& snapshot_;
 };
 

@@ -19,6 +19,11 @@ struct Snapshot {
   std::vector<double> radius;     ///< one per element
   std::vector<std::int64_t> ids;  ///< the file's own numbers; empty if it has none
 
+  /// Corners of boxes, by axis; empty where the elements are spheres. Then x, y, z are rounded
+  /// centers and `radius` is half the widest side, for pictures and summaries.
+  std::array<std::vector<double>, 3> lower;
+  std::array<std::vector<double>, 3> upper;
+
   /// Axes on which the file says that its box is periodic, and the edges of the box, row by row;
   /// its corner is of no account to contacts.
   std::array<bool, 3> periodic{};
@@ -31,8 +36,12 @@ struct Snapshot {
 
   [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
 
+  [[nodiscard]] bool holds_boxes() const noexcept { return !lower[0].empty(); }
+
   [[nodiscard]] ElementView elements() const {
-    return dimensions == 2 ? discs(x, y, radius) : spheres(x, y, z, radius);
+    if (!holds_boxes()) return dimensions == 2 ? discs(x, y, radius) : spheres(x, y, z, radius);
+    return dimensions == 2 ? rectangles(lower[0], lower[1], upper[0], upper[1])
+                           : boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
   }
 };
 

@@ -58,6 +58,17 @@ def test_pairs_of_periodic_discs(abut, golden, name, arguments):
     golden(f"periodic_discs_{name}", done.stdout)
 
 
+BOXES = "xmin,ymin,zmin,xmax,ymax,zmax\n0,0,0,1,1,1\n1,1,1,2,2,2\n1.5,1,0,3,1.25,1\n9,9,9,9,9,9\n"
+
+
+def test_pairs_and_summary_of_boxes(abut, golden):
+    done = abut("contacts", "-", "-o", "-", "-q", stdin=BOXES)
+    assert (done.returncode, done.stdout) == (0, "i,j,gap\n0,1,0\n1,2,0\n")
+    golden("summary_boxes", without_measurements(abut("contacts", "-", stdin=BOXES).stdout))
+    refused = abut("contacts", "-", "--box", "9,9,9", stdin=BOXES)
+    assert refused.returncode == 2 and "boxes in a periodic domain" in refused.stderr
+
+
 @pytest.mark.parametrize("name, arguments", [
     ("discs", ["-"]),
     ("periodic_discs", ["-", "--box", "4,2.5", "--periodic", "y"]),

@@ -1,5 +1,7 @@
 #include "scratch.hpp"
 
+#include <abut/detect.hpp>
+
 #include <clocale>
 
 namespace abut::io::testing {
@@ -50,6 +52,27 @@ TEST(ReadCsv, FormsOfTheSameTable) {
     named.format = "csv";
     expect_two_discs(read_text("a.xyz", text, named));
   }
+}
+
+TEST(ReadCsv, Boxes) {
+  const Snapshot boxes =
+      read_text("a.csv", "id,xmin,ymin,zmin,xmax,ymax,zmax\n7,0,0,0,1,2,3\n8,-1,0.1,3,0,0.1,4\n");
+  EXPECT_EQ(boxes.dimensions, 3);
+  EXPECT_TRUE(boxes.holds_boxes());
+  EXPECT_EQ(boxes.size(), 2U);
+  EXPECT_EQ(boxes.lower, (std::array<Numbers, 3>{{{0, -1}, {0, 0.1}, {0, 3}}}));
+  EXPECT_EQ(boxes.upper, (std::array<Numbers, 3>{{{1, 0}, {2, 0.1}, {3, 4}}}));
+  EXPECT_EQ(boxes.z, (Numbers{1.5, 3.5}));
+  EXPECT_EQ(boxes.radius, (Numbers{1.5, 0.5}));
+  EXPECT_EQ(boxes.ids, (std::vector<std::int64_t>{7, 8}));
+  EXPECT_EQ(find_contact_pairs(boxes.elements()).size(), 1U);
+
+  const Snapshot flat = read_text("a.csv", "ymax,xmax,ymin,xmin\n4,3,2,1\n");
+  EXPECT_EQ(flat.dimensions, 2);
+  EXPECT_EQ(flat.elements().shape(), Shape::box);
+  EXPECT_EQ(flat.upper[1], (Numbers{4}));
+  const Snapshot discs = read_text("a.csv", "xmin,x,y,radius\n4,3,2,1\n");
+  EXPECT_FALSE(discs.holds_boxes()) << "where there are centers, other columns are ignored";
 }
 
 TEST(ReadCsv, OneRadiusForAllWinsOverTheFilesOwn) {

@@ -130,7 +130,8 @@ void Detection::search(const engine::RowsSettings& settings, const Request& requ
     statistics.simd = settings.simd;
   }
   const base::Elements<Dim> elements = own.elements.elements();
-  const System<Dim> system{elements, own.elements.bounds, settings, own.workspace};
+  const System<Dim> system{elements, own.elements.spheres, own.elements.bounds, settings,
+                           own.workspace};
   if (request.domain.is_periodic()) {
     return choice.row->runs<Dim>().on_images(system, lattice_of(request.domain), sink, context);
   }

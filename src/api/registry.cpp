@@ -77,8 +77,8 @@ constexpr Runs<3> munjiza_nbs_3d_runs{.on_cells = munjiza_nbs_3d<ContactTest<3>>
 template <int Dim>
 void periodic_rows(const System<Dim>& system, const base::Lattice& lattice, base::PairSink& sink,
                    base::DetectionContext& context) {
-  engine::periodic_rows(system.elements.spheres, system.bounds, lattice, system.settings,
-                        system.workspace, sink, context);
+  engine::periodic_rows(system.spheres, system.bounds, lattice, system.settings, system.workspace,
+                        sink, context);
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/array.hpp"
 #include "base/detection_context.hpp"
 #include "base/lattice.hpp"
 #include "base/pair_sink.hpp"
@@ -18,6 +19,7 @@ namespace abut::api {
 template <int Dim>
 struct System {
   const base::Elements<Dim>& elements;
+  base::Array<base::Sphere<Dim>>& spheres;  ///< of the elements; a search may put others behind
   const grid::Bounds<Dim>& bounds;
   const engine::RowsSettings& settings;
   engine::Workspace<Dim>& workspace;

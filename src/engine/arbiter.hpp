@@ -3,7 +3,7 @@
 #include "base/elements.hpp"
 #include "base/periodic_predicate.hpp"
 #include "base/sphere_predicate.hpp"
-#include "grid/images.hpp"
+#include "engine/images.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -58,7 +58,7 @@ template <int Dim>
 class PeriodicArbiter final : public Arbiter {
  public:
   PeriodicArbiter(std::span<const base::Sphere<Dim>> originals, const base::Lattice& lattice,
-                  const grid::Images<Dim>& images, double margin)
+                  const Images<Dim>& images, double margin)
       : originals_(originals), lattice_(lattice), images_(images), margin_(margin) {}
 
   void fetch(std::uint32_t element) const noexcept override {
@@ -73,7 +73,7 @@ class PeriodicArbiter final : public Arbiter {
     if (second < natives) {
       return decide(first, second, images_.shift_between(first, second), exact_decisions);
     }
-    const grid::Ghost& ghost = images_.ghosts()[second - natives];
+    const Ghost& ghost = images_.ghosts()[second - natives];
     return decide(first, ghost.element, images_.shift_between(first, ghost), exact_decisions);
   }
 
@@ -86,7 +86,7 @@ class PeriodicArbiter final : public Arbiter {
 
   std::span<const base::Sphere<Dim>> originals_;
   const base::Lattice& lattice_;
-  const grid::Images<Dim>& images_;
+  const Images<Dim>& images_;
   double margin_;
 };
 

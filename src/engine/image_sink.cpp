@@ -1,9 +1,14 @@
 #include "engine/image_sink.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace abut::engine {
 namespace {
+
+/// Pairs that are looked at together.
+constexpr std::size_t block_size = 512;
 
 /// The shift of the same pair, seen from the other element.
 ImageShift reversed(const ImageShift& shift) {
@@ -13,7 +18,7 @@ ImageShift reversed(const ImageShift& shift) {
 }  // namespace
 
 template <int Dim>
-void ImageSink<Dim>::start_anew(base::PairSink& next, const grid::Images<Dim>& images) {
+void ImageSink<Dim>::start_anew(base::PairSink& next, const Images<Dim>& images) {
   next_ = &next;
   images_ = &images;
 }
@@ -34,55 +39,63 @@ std::span<ContactPair> ImageSink<Dim>::room(std::size_t worker) {
 
 template <int Dim>
 void ImageSink<Dim>::commit(std::size_t count, const base::Origin& origin) {
-  const Room& own = rooms_[origin.worker];
-  const std::size_t kept = own.shifts.empty() ? name_elements(own, count) : name_images(own, count);
+  const std::size_t kept = name(rooms_[origin.worker], count);
   if (kept > 0) next_->commit(kept, origin);
 }
 
-/// Where shifts are not wanted, but those that would not fit are refused. Pairs of two ghosts are
-/// dropped: they are found elsewhere, as pairs of a native. Returns how many pairs are left.
+/// Most pairs are of two natives. The others are listed first, since a branch for each pair could
+/// not be foreseen.
 template <int Dim>
-std::size_t ImageSink<Dim>::name_elements(const Room& room, std::size_t count) const {
+std::size_t ImageSink<Dim>::name(const Room& room, std::size_t count) const {
   const std::size_t natives = images_->natives().size();
-  const bool always_fit = images_->shifts_always_fit();
+  std::array<std::uint32_t, block_size> with_ghosts;
   std::size_t kept = 0;
-  // Most pairs are of two natives and stay what they are.
-  while (always_fit && kept < count && room.pairs[kept].second < natives) ++kept;
-  for (std::size_t k = kept; k < count; ++k) {
-    auto [first, second] = room.pairs[k];
-    if (first >= natives) continue;
-    if (second < natives) {
-      if (!always_fit) static_cast<void>(images_->shift_between(first, second));
-    } else {
-      const grid::Ghost& ghost = images_->ghosts()[second - natives];
-      if (!always_fit) static_cast<void>(images_->shift_between(first, ghost));
-      second = ghost.element;
+  for (std::size_t begin = 0; begin < count; begin += block_size) {
+    const std::size_t end = std::min(count, begin + block_size);
+    std::size_t listed = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      with_ghosts[listed] = static_cast<std::uint32_t>(k - begin);
+      listed += room.pairs[k].second >= natives ? 1 : 0;
     }
-    room.pairs[kept++] = {std::min(first, second), std::max(first, second)};
+    std::size_t done = begin;
+    for (const std::uint32_t k : std::span(with_ghosts).first(listed)) {
+      kept = name_natives(room, done, begin + k, kept);
+      done = begin + k + 1;
+      if (room.pairs[begin + k].first < natives) name_ghost(room, begin + k, kept++);
+    }
+    kept = name_natives(room, done, end, kept);
   }
   return kept;
 }
 
-/// The same with shifts.
+/// Moves the pairs [begin, end) of two natives down to where kept ones end, and returns their new
+/// end.
 template <int Dim>
-std::size_t ImageSink<Dim>::name_images(const Room& room, std::size_t count) const {
-  const std::size_t natives = images_->natives().size();
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto [first, second] = room.pairs[k];
-    if (first >= natives) continue;
-    if (second < natives) {
-      room.pairs[kept] = {first, second};
-      room.shifts[kept++] = images_->shift_between(first, second);
-      continue;
+std::size_t ImageSink<Dim>::name_natives(const Room& room, std::size_t begin, std::size_t end,
+                                         std::size_t kept) const {
+  const std::span pairs = room.pairs.subspan(begin, end - begin);
+  if (kept != begin) std::copy(pairs.begin(), pairs.end(), room.pairs.begin() + kept);
+  if (!room.shifts.empty()) {
+    images_->shifts_between(room.pairs.subspan(kept, pairs.size()),
+                            room.shifts.subspan(kept, pairs.size()));
+  } else if (!images_->shifts_always_fit()) {
+    // Those that would not fit are refused also where they are not wanted.
+    for (const auto [first, second] : room.pairs.subspan(kept, pairs.size())) {
+      static_cast<void>(images_->shift_between(first, second));
     }
-    const grid::Ghost& ghost = images_->ghosts()[second - natives];
-    const ImageShift shift = images_->shift_between(first, ghost);
-    const bool in_order = first < ghost.element || (first == ghost.element && ImageShift{} < shift);
-    room.pairs[kept] = {std::min(first, ghost.element), std::max(first, ghost.element)};
-    room.shifts[kept++] = in_order ? shift : reversed(shift);
   }
-  return kept;
+  return kept + pairs.size();
+}
+
+template <int Dim>
+void ImageSink<Dim>::name_ghost(const Room& room, std::size_t from, std::size_t to) const {
+  const auto [first, second] = room.pairs[from];
+  const Ghost& ghost = images_->ghosts()[second - images_->natives().size()];
+  room.pairs[to] = {std::min(first, ghost.element), std::max(first, ghost.element)};
+  if (room.shifts.empty() && images_->shifts_always_fit()) return;
+  const ImageShift shift = images_->shift_between(first, ghost);
+  const bool in_order = first < ghost.element || (first == ghost.element && ImageShift{} < shift);
+  if (!room.shifts.empty()) room.shifts[to] = in_order ? shift : reversed(shift);
 }
 
 template class ImageSink<2>;

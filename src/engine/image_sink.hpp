@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/pair_sink.hpp"
-#include "grid/images.hpp"
+#include "engine/images.hpp"
 
 #include <cstddef>
 #include <span>
@@ -16,7 +16,7 @@ template <int Dim>
 class ImageSink final : public base::PairSink {
  public:
   /// Both must live until the last pairs are committed.
-  void start_anew(base::PairSink& next, const grid::Images<Dim>& images);
+  void start_anew(base::PairSink& next, const Images<Dim>& images);
 
   void expect_workers(std::size_t count) override;
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
@@ -29,11 +29,15 @@ class ImageSink final : public base::PairSink {
     std::span<ImageShift> shifts;
   };
 
-  std::size_t name_elements(const Room& room, std::size_t count) const;
-  std::size_t name_images(const Room& room, std::size_t count) const;
+  /// Pairs of two ghosts are dropped: they are found elsewhere, as pairs of a native. Returns how
+  /// many pairs are left.
+  std::size_t name(const Room& room, std::size_t count) const;
+  std::size_t name_natives(const Room& room, std::size_t begin, std::size_t end,
+                           std::size_t kept) const;
+  void name_ghost(const Room& room, std::size_t from, std::size_t to) const;
 
   base::PairSink* next_ = nullptr;
-  const grid::Images<Dim>* images_ = nullptr;
+  const Images<Dim>* images_ = nullptr;
   std::vector<Room> rooms_;
 };
 

@@ -2,8 +2,8 @@
 
 #include "engine/bench.hpp"
 #include "engine/image_sink.hpp"
+#include "engine/images.hpp"
 #include "engine/tile_searcher.hpp"
-#include "grid/images.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -15,11 +15,7 @@ namespace abut::engine {
 /// allocations.
 template <int Dim>
 struct Workspace {
-  explicit Workspace(base::MemoryMeter& meter)
-      : memory(meter),
-        floors(meter),
-        images(meter),
-        natives_and_ghosts(base::make_array_for_overwrite<base::Sphere<Dim>>(meter, 0)) {}
+  explicit Workspace(base::MemoryMeter& meter) : memory(meter), floors(meter), images(meter) {}
 
   void expect_workers(std::size_t count) {
     while (workers.size() < count) {
@@ -31,9 +27,8 @@ struct Workspace {
   Floors<Dim> floors;  ///< for groups that all workers search together
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;
-  grid::Images<Dim> images;  ///< of a periodic domain
+  Images<Dim> images;  ///< of a periodic domain
   ImageSink<Dim> image_sink;
-  base::Array<base::Sphere<Dim>> natives_and_ghosts;
   std::vector<std::unique_ptr<Members>> deferred;  ///< large groups that wait until all are free
 };
 

@@ -2,7 +2,7 @@
 
 #include "base/sphere_predicate.hpp"
 #include "grid/bounds.hpp"
-#include "grid/fraction_map.hpp"
+#include "grid/brick.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,8 @@
 
 namespace abut::grid {
 
-/// The fractional coordinates that occur among some elements, and their farthest coordinates.
+/// The coordinates along the sides of a brick that occur among some elements, and how far these lie
+/// from the origin.
 template <int Dim>
 struct CellExtent {
   using Vector = std::array<double, Dim>;
@@ -40,15 +41,15 @@ struct CellExtent {
 
 template <int Dim>
 [[nodiscard]] CellExtent<Dim> extent_of(std::span<const base::Sphere<Dim>> spheres,
-                                        const FractionMap<Dim>& fractions) noexcept {
-  return with_count<Dim>(fractions.count, [&](auto count) {
-    const FractionMap<Dim> map = fractions;  // a copy that nothing can change
+                                        const Brick<Dim>& brick) noexcept {
+  return with_count<Dim>(brick.count, [&](auto count) {
+    const Brick<Dim> map = brick;  // a copy that nothing can change
     CellExtent<Dim> extent;
     for (const base::Sphere<Dim>& sphere : spheres) {
       for (std::size_t k = 0; k < count(); ++k) {
-        const double fraction = map(k, sphere.center);
-        extent.lower[k] = std::min(extent.lower[k], fraction);
-        extent.upper[k] = std::max(extent.upper[k], fraction);
+        const double place = map.coordinate(k, sphere.center);
+        extent.lower[k] = std::min(extent.lower[k], place);
+        extent.upper[k] = std::max(extent.upper[k], place);
       }
       for (std::size_t axis = 0; axis < Dim; ++axis) {
         extent.farthest[axis] = std::max(extent.farthest[axis], std::fabs(sphere.center[axis]));
@@ -58,15 +59,14 @@ template <int Dim>
   });
 }
 
-/// Where basis vectors are aligned the box of the elements has their extent, in rounded numbers
-/// too.
+/// Where sides are aligned the box of the elements has their extent, in rounded numbers too.
 template <int Dim>
 [[nodiscard]] CellExtent<Dim> extent_of(const Bounds<Dim>& bounds,
-                                        const FractionMap<Dim>& fractions) noexcept {
+                                        const Brick<Dim>& brick) noexcept {
   std::array<base::Sphere<Dim>, 2> corners{};
   std::copy(bounds.lower.begin(), bounds.lower.end(), corners[0].center);
   std::copy(bounds.upper.begin(), bounds.upper.end(), corners[1].center);
-  return extent_of<Dim>(std::span<const base::Sphere<Dim>>(corners), fractions);
+  return extent_of<Dim>(std::span<const base::Sphere<Dim>>(corners), brick);
 }
 
 }  // namespace abut::grid

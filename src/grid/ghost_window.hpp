@@ -1,9 +1,8 @@
 #pragma once
 
 #include "base/sphere_predicate.hpp"
+#include "grid/brick.hpp"
 #include "grid/cell_extent.hpp"
-#include "grid/fraction_map.hpp"
-#include "grid/image_box.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,76 +18,104 @@ struct Reaches {
   double margin;
 };
 
-/// Says which images of an element may be within reach of some native: those whose fractional
-/// coordinates are nowhere farther outside of the natives' than the reach over the height of the
-/// cell. A little is added for all that is rounded (docs/derivations/periodic_images.md, 3).
+/// Says which images of an element may be within reach of some native: those whose coordinates
+/// along the brick are nowhere farther outside of the natives' than the reach. A little is added
+/// for all that is rounded (docs/derivations/periodic_images.md, 3).
 template <int Dim>
 class GhostWindow {
  public:
-  /// `extent` is that of the natives, which are given times `unit`.
-  GhostWindow(const ReducedLattice<Dim>& lattice, const CellExtent<Dim>& extent,
-              const Reaches& reaches, double unit) noexcept
-      : fractions_(lattice, unit), extent_(extent) {
+  /// `extent` holds all natives, which are given times `unit`.
+  GhostWindow(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
+              const CellExtent<Dim>& extent, const Reaches& reaches, double unit) noexcept
+      : brick_(brick), extent_(extent) {
     const double scale = lattice.scale / unit;
     const double common = reaches.largest_radius * scale + reaches.margin * scale;
     double lengths = common + reaches.largest_radius * scale;
     for (std::size_t k = 0; k < lattice.count; ++k) lengths += lattice.length[k] * lattice.scale;
     lengths += 0x1p-20 * (farthest_along(lattice, extent) * scale);
-    for (std::size_t k = 0; k < lattice.count; ++k) {
-      const double dual_length = lattice.dual_length[k];
-      const double magnitude = fractions_.magnitude(k, extent.farthest) + dual_length * lengths;
+    for (std::size_t k = 0; k < brick.count; ++k) {
+      const double dual_length = brick.dual_length[k];
+      const double magnitude = brick.magnitude(k, extent.farthest) + dual_length * lengths;
       per_radius_[k] = dual_length * scale * (1.0 + 0x1p-38);
       least_[k] = dual_length * common + 0x1p-38 * magnitude + 0x1p-40;
-      widest_[k] = width(k, reaches.largest_radius);
-      inner_lower_[k] = extent.upper[k] + widest_[k] - 1.0;
+      widest_[k] = per_radius_[k] * reaches.largest_radius + least_[k];
+      outer_below_[k] = extent.upper[k] + widest_[k] - 1.0;
+      most_cells_[k] = extent.upper[k] - extent.lower[k] + widest_[k] + 2.0;
+      for (std::size_t l = 0; l < k; ++l) {
+        most_cells_[k] += std::fabs(brick.offset[l][k]) * most_cells_[l];
+      }
     }
   }
 
-  /// How far outside of the natives an image may be along vector k; and with the largest radius.
-  [[nodiscard]] double width(std::size_t k, double radius) const noexcept {
-    return per_radius_[k] * radius + least_[k];
-  }
+  [[nodiscard]] std::size_t sides() const noexcept { return brick_.count; }
+
+  /// How far outside of the natives an image may be along side k, in sides, with the largest
+  /// radius.
   [[nodiscard]] double widest(std::size_t k) const noexcept { return widest_[k]; }
 
-  /// Numbers of images are less than this.
-  [[nodiscard]] double most_cells(std::size_t k) const noexcept {
-    return extent_.upper[k] - extent_.lower[k] + widest_[k] + 2.0;
-  }
+  /// Numbers of images along the vector of side k are less than this.
+  [[nodiscard]] double most_cells(std::size_t k) const noexcept { return most_cells_[k]; }
 
-  /// The images of a native that may be within reach; the native itself, image 0, is one of them.
-  [[nodiscard]] ImageBox box_of(const base::Sphere<Dim>& native) const noexcept {
-    ImageBox box;
-    for (std::size_t k = 0; k < fractions_.count; ++k) {
-      const double fraction = fractions_(k, native.center);
-      const double outside = width(k, native.radius);
-      box.first[k] = static_cast<std::int64_t>(std::ceil(extent_.lower[k] - fraction - outside));
-      box.last[k] = static_cast<std::int64_t>(std::floor(extent_.upper[k] - fraction + outside));
+  /// No native has more images in its window.
+  [[nodiscard]] double most_images() const noexcept {
+    double images = 1.0;
+    for (std::size_t k = 0; k < brick_.count; ++k) {
+      images *= extent_.upper[k] - extent_.lower[k] + 2.0 * widest_[k] + 1.0;
     }
-    return box;
+    return images;
   }
 
-  /// Writes the numbers of those natives of a block that may have positive images in their box;
-  /// returns how many. A positive image has some m_k >= 1, so that its native lies within the reach
-  /// of the cell's lower faces, whatever the radius.
-  std::size_t outer_of(std::span<const base::Sphere<Dim>> natives,
-                       std::uint32_t* numbers) const noexcept {
-    return with_count<Dim>(fractions_.count, [&](auto count) {
-      const GhostWindow window = *this;  // a copy that nothing can change
-      std::size_t found = 0;
-      for (std::size_t i = 0; i < natives.size(); ++i) {
-        int outer = 0;
-        for (std::size_t k = 0; k < count(); ++k) {
-          const double fraction = window.fractions_(k, natives[i].center);
-          outer |= static_cast<int>(!(fraction > window.inner_lower_[k]));
-        }
-        numbers[found] = static_cast<std::uint32_t>(i);
-        found += static_cast<std::size_t>(outer);
-      }
-      return found;
-    });
+  /// A native may have ghosts only if its coordinate on some side is at most this: of a ghost's
+  /// numbers, the first that is not 0 is at least 1, and earlier ones do not move it along that
+  /// side.
+  [[nodiscard]] const std::array<double, Dim>& outer_below() const noexcept { return outer_below_; }
+
+  /// Calls visit(first, last, numbers) for rows of images of a native that may be within reach, by
+  /// their numbers along the sides, the last of which runs from first to last. Of m and -m it is
+  /// the one whose first number that is not 0 is positive.
+  template <class Visit>
+  void for_each_row(const base::Sphere<Dim>& native, Visit&& visit) const {
+    std::array<double, Dim> places{};
+    std::array<double, Dim> widths{};
+    for (std::size_t k = 0; k < brick_.count; ++k) {
+      places[k] = brick_.coordinate(k, native.center);
+      widths[k] = per_radius_[k] * native.radius + least_[k];
+    }
+    ImageNumbers numbers{};
+    walk<0>(places, widths, true, numbers, visit);
   }
 
  private:
+  template <std::size_t k, class Visit>
+  void walk(const std::array<double, Dim>& places, const std::array<double, Dim>& widths,
+            bool all_zero, ImageNumbers& numbers, Visit& visit) const {
+    const std::int64_t last = below(extent_.upper[k] - places[k] + widths[k]);
+    std::int64_t first = -below(places[k] - extent_.lower[k] + widths[k]);
+    const bool is_last = k + 1 == brick_.count;
+    if (all_zero) first = is_last ? 1 : 0;
+    if (is_last) {
+      if (first <= last) visit(first, last, numbers);
+      return;
+    }
+    if constexpr (k + 1 < Dim) {
+      for (std::int64_t number = first; number <= last; ++number) {
+        std::array<double, Dim> moved = places;
+        for (std::size_t l = k + 1; l < Dim; ++l) {
+          moved[l] += static_cast<double>(number) * brick_.offset[k][l];
+        }
+        numbers[k] = number;
+        walk<k + 1>(moved, widths, all_zero && number == 0, numbers, visit);
+      }
+      numbers[k] = 0;
+    }
+  }
+
+  /// The largest whole number that is not above x, where |x| < 2^62: without a call to the library.
+  static std::int64_t below(double x) noexcept {
+    const auto whole = static_cast<std::int64_t>(x);
+    return whole - static_cast<std::int64_t>(static_cast<double>(whole) > x);
+  }
+
   /// The farthest coordinate on an axis along which some vector leads.
   static double farthest_along(const ReducedLattice<Dim>& lattice,
                                const CellExtent<Dim>& extent) noexcept {
@@ -102,12 +129,13 @@ class GhostWindow {
     return farthest;
   }
 
-  FractionMap<Dim> fractions_;
+  Brick<Dim> brick_;
   CellExtent<Dim> extent_;
   std::array<double, Dim> per_radius_{};
   std::array<double, Dim> least_{};
   std::array<double, Dim> widest_{};
-  std::array<double, Dim> inner_lower_{};
+  std::array<double, Dim> outer_below_{};
+  std::array<double, Dim> most_cells_{};
 };
 
 }  // namespace abut::grid

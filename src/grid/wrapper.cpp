@@ -2,7 +2,6 @@
 
 #include "base/doubled.hpp"
 #include "base/written.hpp"
-#include "grid/image_box.hpp"
 
 #include <abut/error.hpp>
 
@@ -31,13 +30,14 @@ template <int Dim>
 }  // namespace
 
 template <int Dim>
-Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice,
+Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
                       const std::array<bool, Dim>& along) noexcept
-    : lattice_(lattice), along_(along), unscale_(1.0 / lattice.scale) {
-  for (std::size_t k = 0; k < lattice.count; ++k) {
+    : brick_(brick), along_(along), scale_(lattice.scale) {
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    const std::size_t v = brick.vector_of[k];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      vectors_[k][axis] = lattice.vectors[k][axis] * lattice.scale;
-      remainders_[k][axis] = lattice.remainders[k][axis] * lattice.scale;
+      vectors_[k][axis] = lattice.vectors[v][axis] * scale_;
+      remainders_[k][axis] = lattice.remainders[v][axis] * scale_;
     }
   }
 }
@@ -45,8 +45,11 @@ Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice,
 template <int Dim>
 typename Wrapper<Dim>::Cells Wrapper<Dim>::cells_of(const double* position) const noexcept {
   Cells cells{};
-  for (std::size_t k = 0; k < lattice_.count; ++k) {
-    if (along_[k]) cells[k] = std::floor(lattice_.fraction(k, position));
+  for (std::size_t k = 0; k < brick_.count; ++k) {
+    if (!along_[k]) continue;
+    double place = brick_.coordinate(k, position);
+    for (std::size_t l = 0; l < k; ++l) place -= cells[l] * brick_.offset[l][k];
+    cells[k] = std::floor(place);
   }
   return cells;
 }
@@ -55,14 +58,14 @@ template <int Dim>
 void Wrapper<Dim>::move(const double* from, const Cells& cells, double* to) const noexcept {
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     base::CompensatedSum sum;
-    sum.add(from[axis] * lattice_.scale);
-    for (std::size_t k = 0; k < lattice_.count; ++k) {
+    sum.add(from[axis] * scale_);
+    for (std::size_t k = 0; k < brick_.count; ++k) {
       // Mostly, vectors lie along axes and are not rounded.
       if (cells[k] == 0.0 || vectors_[k][axis] == 0.0) continue;
       sum.add(base::two_product(-cells[k], vectors_[k][axis]));
       if (remainders_[k][axis] != 0.0) sum.add(-cells[k] * remainders_[k][axis]);
     }
-    to[axis] = sum.value().high * unscale_;
+    to[axis] = sum.value().high * (1.0 / scale_);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/sphere_predicate.hpp"
-#include "grid/reduced_lattice.hpp"
+#include "grid/brick.hpp"
 
 #include <array>
 #include <cstddef>
@@ -9,15 +9,18 @@
 
 namespace abut::grid {
 
-/// How many cells an element was moved, along each vector of the reduced basis.
+/// How many cells an element was moved, along the vector of each side of a brick.
 using CellsMoved = std::array<std::int32_t, 3>;
 
-/// Moves elements into the primary cell, 0 <= f_k < 1 but for the rounding of f_k, along some of
-/// the basis vectors.
+/// Moves elements into the brick at the origin, 0 <= coordinate < 1 but for the rounding of the
+/// coordinate, along some of its sides.
 template <int Dim>
 class Wrapper {
  public:
-  Wrapper(const ReducedLattice<Dim>& lattice, const std::array<bool, Dim>& along) noexcept;
+  /// `brick` is for positions as given, and must live on. If one of its sides is wrapped along, so
+  /// must those be that it has an offset on.
+  Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
+          const std::array<bool, Dim>& along) noexcept;
 
   /// Moves a center by minus the cells returned, in doubled precision: the new coordinates are off
   /// by at most half of their last place and 2^-55 of the cell, however far they were moved, and
@@ -26,15 +29,15 @@ class Wrapper {
   CellsMoved wrap(base::Sphere<Dim>& sphere, std::size_t number) const;
 
  private:
-  using Cells = std::array<double, Dim>;
+  using Cells = std::array<double, Dim>;  ///< of the sides
 
   [[nodiscard]] Cells cells_of(const double* position) const noexcept;
   void move(const double* from, const Cells& cells, double* to) const noexcept;
 
-  const ReducedLattice<Dim>& lattice_;
+  const Brick<Dim>& brick_;
   std::array<bool, Dim> along_;
-  double unscale_;
-  std::array<std::array<double, Dim>, Dim> vectors_{};  ///< times the lattice's scale
+  double scale_;
+  std::array<std::array<double, Dim>, Dim> vectors_{};  ///< of the sides, times the scale
   std::array<std::array<double, Dim>, Dim> remainders_{};
 };
 

@@ -1,6 +1,7 @@
 #include "kernels/simd_level.hpp"
 
 #include "kernels/element_kernels.hpp"
+#include "kernels/image_kernels.hpp"
 #include "kernels/tile_search.hpp"
 
 #include <abut/error.hpp>
@@ -141,6 +142,18 @@ ElementKernels element_kernels(Simd level) {
       },
       [](const void*, std::size_t, int, const CellMap&, std::uint32_t*) { return std::size_t{0}; },
       [](const Arrangement&, int) { return std::size_t{0}; }};
+}
+
+ImageKernels image_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_image_kernels(row_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const double*, std::size_t, int, const BrickMap&, double*, std::int32_t*,
+             CenterBounds&) { return std::size_t{0}; },
+          [](const double*, std::size_t, int, const BrickMap&, std::uint32_t*, std::size_t&) {
+            return std::size_t{0};
+          }};
 }
 
 }  // namespace kernels

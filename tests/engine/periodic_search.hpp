@@ -2,7 +2,7 @@
 
 #include "base/periodic_predicate.hpp"
 #include "base/rational_oracle.hpp"
-#include "grid/images.hpp"
+#include "engine/images.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -62,6 +62,14 @@ void expect_same(const grid::Bounds<Dim>& a, const grid::Bounds<Dim>& b) {
   EXPECT_EQ(a.second_largest_radius, b.second_largest_radius);
 }
 
+template <int Dim>
+[[nodiscard]] base::Array<base::Sphere<Dim>> array_of(const std::vector<base::Sphere<Dim>>& spheres,
+                                                      base::MemoryMeter& memory) {
+  auto array = base::make_array_for_overwrite<base::Sphere<Dim>>(memory, spheres.size());
+  std::copy(spheres.begin(), spheres.end(), array.begin());
+  return array;
+}
+
 /// Whether two elements may be within reach of each other, as a search in open space sees it that
 /// knows the slack.
 template <int Dim>
@@ -78,13 +86,16 @@ template <int Dim>
 /// there twice.
 template <int Dim>
 [[nodiscard]] std::vector<FoundPair> pairs_by_images(const PeriodicSystem<Dim>& system,
-                                                     std::size_t workers = 1) {
+                                                     std::size_t workers = 1,
+                                                     Simd simd = Simd::scalar) {
   const grid::ReducedLattice<Dim> reduced(system.lattice);
   base::MemoryMeter memory;
-  grid::Images<Dim> images(memory);
-  images.find(system.spheres, bounds_of<Dim>(system.spheres), reduced, system.margin, workers);
+  base::Array<base::Sphere<Dim>> elements = array_of(system.spheres, memory);
+  engine::Images<Dim> images(memory);
+  images.find(elements, bounds_of<Dim>(system.spheres), reduced,
+              {system.margin, workers, kernels::image_kernels(simd)});
   const double margin = system.margin * images.unit();
-  expect_same(images.bounds(), bounds_of<Dim>(images.natives()));
+  expect_same(images.bounds(), bounds_of<Dim>(images.natives_and_ghosts()));
   std::vector<FoundPair> pairs;
   std::uint64_t exact_decisions = 0;
   const auto decide = [&](std::size_t i, std::size_t j, const ImageShift& shift) {
@@ -99,8 +110,10 @@ template <int Dim>
       if (!may_pair(natives[i], natives[j], margin, images.slack())) continue;
       decide(i, j, images.shift_between(i, j));
     }
-    for (const grid::Ghost& ghost : images.ghosts()) {
-      if (!may_pair(natives[i], images.sphere_of(ghost), margin, images.slack())) continue;
+    for (std::size_t g = 0; g < images.ghosts().size(); ++g) {
+      const base::Sphere<Dim>& stored = images.natives_and_ghosts()[natives.size() + g];
+      if (!may_pair(natives[i], stored, margin, images.slack())) continue;
+      const engine::Ghost& ghost = images.ghosts()[g];
       decide(i, ghost.element, images.shift_between(i, ghost));
     }
   }

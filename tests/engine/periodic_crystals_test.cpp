@@ -1,7 +1,7 @@
 // Crystals in periodic boxes, whose pairs are known.
 
-#include "grid/images.hpp"
-#include "grid/periodic_search.hpp"
+#include "engine/images.hpp"
+#include "engine/periodic_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -88,9 +88,12 @@ TEST(ImagesOfAnOrthogonalCell, LeaveElementsWhereTheyAre) {
   for (auto& sphere : system.spheres) sphere.center[1] -= 1000.0;
   const grid::ReducedLattice<3> reduced(system.lattice);
   base::MemoryMeter memory;
-  grid::Images<3> images(memory);
-  images.find(system.spheres, bounds_of<3>(system.spheres), reduced, 0.0, 1);
-  EXPECT_EQ(images.natives().data(), system.spheres.data());
+  auto elements = array_of(system.spheres, memory);
+  engine::Images<3> images(memory);
+  images.find(elements, bounds_of<3>(system.spheres), reduced,
+              {0.0, 1, kernels::image_kernels(Simd::scalar)});
+  EXPECT_EQ(images.natives().data(), elements.data());
+  EXPECT_EQ(elements.size(), system.spheres.size() + images.ghosts().size());
   // Faces of the positive half: one layer of 100 in z, and in y and x with the layers beside it.
   // Of 10 layers one lies within reach of the next cell, one of the last.
   std::size_t expected = 0;
@@ -109,9 +112,11 @@ TEST(ImagesOfAnOrthogonalCell, OneTenthOfACellOutsideIsWrapped) {
   system.spheres[7].center[2] = 11.0;
   const grid::ReducedLattice<3> reduced(system.lattice);
   base::MemoryMeter memory;
-  grid::Images<3> images(memory);
-  images.find(system.spheres, bounds_of<3>(system.spheres), reduced, 0.0, 1);
-  ASSERT_NE(images.natives().data(), system.spheres.data());
+  auto elements = array_of(system.spheres, memory);
+  engine::Images<3> images(memory);
+  images.find(elements, bounds_of<3>(system.spheres), reduced,
+              {0.0, 1, kernels::image_kernels(Simd::scalar)});
+  ASSERT_NE(images.natives().data(), elements.data());
   EXPECT_EQ(images.natives()[7].center[2], 1.0);
   EXPECT_EQ(images.natives()[8].center[2], 8.0);
   EXPECT_EQ(images.shift_between(7, 8), (ImageShift{0, 0, 1}));

@@ -1,9 +1,10 @@
-// Natives and ghosts against all images in rational numbers.
+// Natives and ghosts against all images in rational numbers, with the widest vectors there are.
 
-#include "grid/images.hpp"
+#include "engine/images.hpp"
 
+#include "engine/periodic_search.hpp"
 #include "grid/lattices.hpp"
-#include "grid/periodic_search.hpp"
+#include "kernels/simd_level.hpp"
 
 #include <abut/error.hpp>
 
@@ -62,6 +63,7 @@ template <int Dim>
 void compare(const PeriodicSystem<Dim>& system, std::size_t& pairs) {
   const auto expected = pairs_by_rationals(system);
   ASSERT_EQ(pairs_by_images(system), expected);
+  ASSERT_EQ(pairs_by_images(system, 1, kernels::level_to_run(Simd::automatic)), expected);
   pairs += expected.size();
 }
 
@@ -198,43 +200,64 @@ TYPED_TEST(Images, AtEveryScale) {
   EXPECT_GT(pairs, 50u);
 }
 
-TYPED_TEST(Images, DoNotDependOnTheNumberOfWorkers) {
+template <int Dim>
+PeriodicSystem<Dim> system_with_ghosts(std::uint64_t seed, std::size_t count) {
+  Random random(seed);
+  const auto named = random_lattice<Dim>(random);
+  const double radius = 0.2 * shortest_height<Dim>(named.lattice);
+  return random_system<Dim>(named.lattice, count, radius, 2.0, random);
+}
+
+TYPED_TEST(Images, DoNotDependOnWorkersAndVectors) {
   constexpr int dim = TypeParam::value;
-  Random random(96);
-  const auto named = random_lattice<dim>(random);
-  const double radius = 0.2 * shortest_height<dim>(named.lattice);
-  const auto system = random_system<dim>(named.lattice, 40, radius, 2.0, random);
+  const auto system = system_with_ghosts<dim>(96, 1200);
   const grid::ReducedLattice<dim> reduced(system.lattice);
   base::MemoryMeter memory;
-  grid::Images<dim> one(memory);
-  one.find(system.spheres, bounds_of<dim>(system.spheres), reduced, system.margin, 1);
+  const auto find = [&](engine::Images<dim>& images, std::size_t workers, Simd simd) {
+    auto elements = array_of(system.spheres, memory);
+    images.find(elements, bounds_of<dim>(system.spheres), reduced,
+                {system.margin, workers, kernels::image_kernels(simd)});
+    ASSERT_NE(images.natives().data(), elements.data()) << "nothing had to be moved";
+  };
+  engine::Images<dim> one(memory);
+  find(one, 1, Simd::scalar);
   ASSERT_GT(one.ghosts().size(), 10u);
-  for (const std::size_t workers : {2u, 3u, 7u, 50u}) {
-    grid::Images<dim> several(memory);
-    several.find(system.spheres, bounds_of<dim>(system.spheres), reduced, system.margin, workers);
-    ASSERT_EQ(several.ghosts().size(), one.ghosts().size());
-    for (std::size_t k = 0; k < one.ghosts().size(); ++k) {
-      ASSERT_EQ(several.ghosts()[k].element, one.ghosts()[k].element);
-      ASSERT_EQ(several.ghosts()[k].image, one.ghosts()[k].image);
+  for (const Simd simd : simd_levels()) {
+    if (!available(simd)) continue;
+    for (const std::size_t workers : {1u, 2u, 3u, 7u, 50u}) {
+      engine::Images<dim> several(memory);
+      find(several, workers, simd);
+      ASSERT_EQ(several.ghosts().size(), one.ghosts().size());
+      for (std::size_t k = 0; k < one.ghosts().size(); ++k) {
+        ASSERT_EQ(several.ghosts()[k].element, one.ghosts()[k].element);
+        ASSERT_EQ(several.ghosts()[k].image, one.ghosts()[k].image);
+      }
+      for (std::size_t k = 0; k < one.natives_and_ghosts().size(); ++k) {
+        for (std::size_t axis = 0; axis < dim; ++axis) {
+          ASSERT_EQ(several.natives_and_ghosts()[k].center[axis],
+                    one.natives_and_ghosts()[k].center[axis]);
+        }
+      }
+      ASSERT_EQ(several.slack(), one.slack());
+      expect_same(several.bounds(), one.bounds());
     }
-    ASSERT_EQ(several.slack(), one.slack());
-    expect_same(several.bounds(), one.bounds());
   }
 }
 
 TYPED_TEST(Images, AreFoundAgainInTheSameMemory) {
   constexpr int dim = TypeParam::value;
-  Random random(97);
-  const auto named = random_lattice<dim>(random);
-  const double radius = 0.2 * shortest_height<dim>(named.lattice);
-  const auto system = random_system<dim>(named.lattice, 40, radius, 2.0, random);
+  const auto system = system_with_ghosts<dim>(97, 40);
   const grid::ReducedLattice<dim> reduced(system.lattice);
   base::MemoryMeter memory;
-  grid::Images<dim> images(memory);
+  engine::Images<dim> images(memory);
+  auto elements = array_of(system.spheres, memory);
   for (const std::size_t workers : {1u, 2u}) {
-    images.find(system.spheres, bounds_of<dim>(system.spheres), reduced, system.margin, workers);
+    const engine::ImageSettings settings{system.margin, workers,
+                                         kernels::image_kernels(Simd::scalar)};
+    images.find(elements, bounds_of<dim>(system.spheres), reduced, settings);
     const std::uint64_t held = memory.held();
-    images.find(system.spheres, bounds_of<dim>(system.spheres), reduced, system.margin, workers);
+    elements.resize(system.spheres.size());
+    images.find(elements, bounds_of<dim>(system.spheres), reduced, settings);
     EXPECT_EQ(memory.held(), held);
     EXPECT_GT(held, 0u);
   }

@@ -1,0 +1,118 @@
+#include "engine/place_natives.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::engine {
+namespace {
+
+/// grid::Brick::coordinate.
+template <int Dim>
+double coordinate(const kernels::BrickMap& map, std::size_t side, const double* center) {
+  double sum = map.coefficients[side][0] * center[0];
+  for (std::size_t axis = 1; axis < Dim; ++axis) sum += map.coefficients[side][axis] * center[axis];
+  return sum;
+}
+
+/// One element of move_quickly.
+template <int Dim>
+grid::CellsMoved move_quickly(const kernels::BrickMap& map, base::Sphere<Dim>& sphere) {
+  std::array<double, 3> cells{};
+  for (std::size_t k = 0; k < map.sides; ++k) {
+    if (!map.along[k]) continue;
+    double place = coordinate<Dim>(map, k, sphere.center);
+    for (std::size_t l = 0; l < k; ++l) place -= cells[l] * map.offset[l][k];
+    cells[k] = std::floor(place);
+  }
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    for (std::size_t k = 0; k < map.sides; ++k) {
+      sphere.center[axis] -= cells[k] * map.vectors[k][axis];
+    }
+  }
+  grid::CellsMoved moved{};
+  for (std::size_t k = 0; k < 3; ++k) moved[k] = static_cast<std::int32_t>(cells[k]);
+  return moved;
+}
+
+}  // namespace
+
+template <int Dim>
+kernels::BrickMap map_of(const grid::ReducedLattice<Dim>& lattice, const grid::Brick<Dim>& brick,
+                         const std::array<bool, Dim>& along,
+                         const std::array<double, Dim>& outer_below) {
+  kernels::BrickMap map{};
+  map.sides = brick.count;
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    map.along[k] = along[k];
+    map.outer_below[k] = outer_below[k];
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      map.coefficients[k][axis] = brick.coefficients[k][axis];
+      map.vectors[k][axis] = lattice.vectors[brick.vector_of[k]][axis];
+    }
+    for (std::size_t l = 0; l < brick.count; ++l) map.offset[k][l] = brick.offset[k][l];
+  }
+  return map;
+}
+
+template <int Dim>
+Journey<Dim>::Journey(const grid::ReducedLattice<Dim>& lattice, const grid::Brick<Dim>& brick,
+                      const grid::CellExtent<Dim>& given, const std::array<bool, Dim>& along)
+    : extent(given) {
+  constexpr double longest = 0x1p24;  // in sides
+  constexpr double rounding = 0x1p-20;
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    if (!along[k]) continue;
+    most_cells[k] = brick.magnitude(k, given.farthest) + 2.0;
+    for (std::size_t l = 0; l < k; ++l) {
+      most_cells[k] += std::fabs(brick.offset[l][k]) * most_cells[l];
+    }
+  }
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    const auto& vector = lattice.vectors[brick.vector_of[k]];
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      extent.farthest[axis] += most_cells[k] * std::fabs(vector[axis]);
+    }
+    double distance = brick.magnitude(k, given.farthest);
+    for (std::size_t l = 0; l < brick.count; ++l) {
+      distance += brick.dual_length[k] * (lattice.length[brick.vector_of[l]] * lattice.scale) *
+                  most_cells[l];
+    }
+    is_short = is_short && distance <= longest;
+    extent.lower[k] = (along[k] ? 0.0 : given.lower[k]) - rounding;
+    extent.upper[k] = (along[k] ? 1.0 : given.upper[k]) + rounding;
+  }
+}
+
+template <int Dim>
+void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::BrickMap& map,
+                  const kernels::ImageKernels& kernels, std::span<base::Sphere<Dim>> natives,
+                  std::span<grid::CellsMoved> cells, grid::Bounds<Dim>& bounds) {
+  static_assert(sizeof(grid::CellsMoved) == 3 * sizeof(std::int32_t));
+  kernels::CenterBounds box{};
+  std::copy(bounds.lower.begin(), bounds.lower.end(), box.lower);
+  std::copy(bounds.upper.begin(), bounds.upper.end(), box.upper);
+  std::size_t i = kernels.wrap(elements[0].center, elements.size(), Dim, map, natives[0].center,
+                               cells[0].data(), box);
+  std::copy_n(box.lower, Dim, bounds.lower.begin());
+  std::copy_n(box.upper, Dim, bounds.upper.begin());
+  for (; i < elements.size(); ++i) {
+    natives[i] = elements[i];
+    cells[i] = move_quickly<Dim>(map, natives[i]);
+    bounds.include_center(natives[i]);
+  }
+}
+
+template kernels::BrickMap map_of<2>(const grid::ReducedLattice<2>&, const grid::Brick<2>&,
+                                     const std::array<bool, 2>&, const std::array<double, 2>&);
+template kernels::BrickMap map_of<3>(const grid::ReducedLattice<3>&, const grid::Brick<3>&,
+                                     const std::array<bool, 3>&, const std::array<double, 3>&);
+template struct Journey<2>;
+template struct Journey<3>;
+template void move_quickly(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
+                           const kernels::ImageKernels&, std::span<base::Sphere<2>>,
+                           std::span<grid::CellsMoved>, grid::Bounds<2>&);
+template void move_quickly(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
+                           const kernels::ImageKernels&, std::span<base::Sphere<3>>,
+                           std::span<grid::CellsMoved>, grid::Bounds<3>&);
+
+}  // namespace abut::engine

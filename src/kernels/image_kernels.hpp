@@ -1,0 +1,50 @@
+#pragma once
+
+#include <abut/simd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::kernels {
+
+/// grid::Brick and the vectors of its sides.
+struct BrickMap {
+  std::size_t sides;
+  double coefficients[3][3];  ///< of side, by axis
+  double offset[3][3];
+  double vectors[3][3];  ///< of side, by axis
+  bool along[3];         ///< whether to wrap along this side
+  double outer_below[3];
+};
+
+/// list_outer writes so many numbers beyond those that it found.
+inline constexpr std::size_t most_lanes = 8;
+
+/// The box of some centers.
+struct CenterBounds {
+  double lower[3];
+  double upper[3];
+};
+
+/// Passes over the elements of a periodic domain, in vectors. Each treats whole vectors from the
+/// front and returns how many elements it treated; what is left is the caller's, who has the same
+/// in plain C++ (so the level `scalar` treats none).
+struct ImageKernels {
+  /// natives[k] = record k moved into the brick; cells[3 k + side] = by how many vectors. Widens
+  /// the bounds. Presupposes less than 2^31 cells.
+  std::size_t (*wrap)(const double* records, std::size_t count, int dimensions, const BrickMap& map,
+                      double* natives, std::int32_t* cells, CenterBounds& bounds);
+
+  /// Appends to `numbers` the number of each record that has a coordinate of at most outer_below;
+  /// `found` counts them.
+  std::size_t (*list_outer)(const double* records, std::size_t count, int dimensions,
+                            const BrickMap& map, std::uint32_t* numbers, std::size_t& found);
+};
+
+/// `level` must be available.
+[[nodiscard]] ImageKernels image_kernels(Simd level);
+
+/// `target` as Highway numbers instruction sets. Only where Highway is built in.
+[[nodiscard]] ImageKernels simd_image_kernels(std::int64_t target);
+
+}  // namespace abut::kernels

@@ -8,7 +8,7 @@ namespace abut::engine {
 namespace {
 
 /// Pairs that are looked at together.
-constexpr std::size_t block_size = 512;
+constexpr std::size_t block_size = 64;
 
 /// The shift of the same pair, seen from the other element.
 ImageShift reversed(const ImageShift& shift) {
@@ -52,6 +52,9 @@ std::size_t ImageSink<Dim>::name(const Room& room, std::size_t count) const {
   std::size_t kept = 0;
   for (std::size_t begin = 0; begin < count; begin += block_size) {
     const std::size_t end = std::min(count, begin + block_size);
+    if (!room.shifts.empty()) {
+      images_->fetch_shifts(room.pairs.subspan(end, std::min(count - end, block_size)));
+    }
     std::size_t listed = 0;
     for (std::size_t k = begin; k < end; ++k) {
       with_ghosts[listed] = static_cast<std::uint32_t>(k - begin);

@@ -48,7 +48,7 @@ template <int Dim>
 Images<Dim>::Images(base::MemoryMeter& memory)
     : memory_(memory),
       own_natives_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
-      cells_moved_(base::make_array_for_overwrite<grid::CellsMoved>(memory, 0)),
+      cells_moved_(memory),
       own_ghosts_(base::make_array_for_overwrite<Ghost>(memory, 0)) {}
 
 template <int Dim>
@@ -67,7 +67,6 @@ void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bou
     return add_ghosts(elements, {brick, window, {}, {}}, settings);
   }
   overwrite(own_natives_, elements.size(), elements.size() + elements.size() / 8);
-  overwrite(cells_moved_, elements.size(), elements.size());
   if (unit_ == 1.0) {
     const Journey<Dim> journey(lattice, brick, extent_, along);
     const Window after(lattice, brick, journey.extent, reaches, 1.0);
@@ -156,6 +155,9 @@ bool Images<Dim>::move_quickly_if_near(std::span<const base::Sphere<Dim>> elemen
     return false;
   }
   cells_moved_at_most_ = journey.most_cells;
+  cells_moved_.make_room(elements.size(),
+                         std::all_of(journey.most_cells.begin(), journey.most_cells.end(),
+                                     [](double n) { return n <= MovedCells::most_packed; }));
   add_ghosts(own_natives_, plan, settings);
   return true;
 }
@@ -165,6 +167,7 @@ void Images<Dim>::move_exactly(std::span<const base::Sphere<Dim>> elements,
                                const grid::Brick<Dim>& brick, const Along& along,
                                std::size_t workers) {
   const grid::Wrapper<Dim> wrapper(*lattice_, brick, along);
+  cells_moved_.make_room(elements.size(), false);
   const grid::Brick<Dim> scaled_brick(*lattice_, unit_);
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, elements.size());
@@ -173,9 +176,10 @@ void Images<Dim>::move_exactly(std::span<const base::Sphere<Dim>> elements,
     part.bounds = {};
     for (std::size_t i = first; i < last; ++i) {
       base::Sphere<Dim> sphere = elements[i];
-      cells_moved_[i] = wrapper.wrap(sphere, i);
+      const grid::CellsMoved moved = wrapper.wrap(sphere, i);
+      cells_moved_.triples()[i] = moved;
       for (std::size_t k = 0; k < 3; ++k) {
-        part.farthest[k] = std::max(part.farthest[k], std::abs(cells_moved_[i][k]));
+        part.farthest[k] = std::max(part.farthest[k], std::abs(moved[k]));
       }
       for (double& x : sphere.center) x *= unit_;
       sphere.radius *= unit_;
@@ -205,8 +209,8 @@ void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& p
                              const ImageSettings& settings) {
   require_countable<Dim>(home, plan.window);
   note_shifts(plan.window);
-  const kernels::BrickMap map =
-      map_of<Dim>(*lattice_, plan.brick, plan.along, plan.window.outer_below());
+  kernels::BrickMap map = map_of<Dim>(*lattice_, plan.brick, plan.along, plan.window.outer_below());
+  map.pack = cells_moved_.is_packed();
   const std::size_t workers = settings.workers;
   const bool moves = !plan.to_move.empty();
   base::for_each_worker(workers, [&](std::size_t worker) {
@@ -219,7 +223,7 @@ void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& p
       const auto natives = std::span(home).subspan(begin, count);
       if (moves) {
         move_quickly<Dim>(plan.to_move.subspan(begin, count), map, settings.kernels, natives,
-                          std::span(cells_moved_).subspan(begin, count), part.bounds);
+                          cells_moved_, begin, part.bounds);
       }
       list_ghosts<Dim>(natives, begin, map, plan.window, settings.kernels, part.ghosts);
     }
@@ -321,17 +325,36 @@ void Images<Dim>::shifts_between(std::span<const ContactPair> pairs,
                                  std::span<base::ImageShift> shifts) const {
   if (!moved_any_) {
     std::fill(shifts.begin(), shifts.end(), base::ImageShift{});
-  } else if (side_of_axis_) {
-    const auto [x, y, z] = *side_of_axis_;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const grid::CellsMoved& i = cells_moved_[pairs[k].first];
-      const grid::CellsMoved& j = cells_moved_[pairs[k].second];
-      shifts[k] = {i[x] - j[x], i[y] - j[y], i[z] - j[z]};
-    }
+  } else if (side_of_axis_ && cells_moved_.is_packed()) {
+    packed_shifts_between(pairs, shifts);
   } else {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       shifts[k] = shift_between(pairs[k].first, pairs[k].second, {});
     }
+  }
+}
+
+template <int Dim>
+void Images<Dim>::packed_shifts_between(std::span<const ContactPair> pairs,
+                                        std::span<base::ImageShift> shifts) const {
+  const std::uint32_t* const words = cells_moved_.words();
+  const auto [x, y, z] = *side_of_axis_;
+  const int bits[3] = {MovedCells::bits_of(x), MovedCells::bits_of(y), MovedCells::bits_of(z)};
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const std::uint32_t word =
+        MovedCells::difference(words[pairs[k].first], words[pairs[k].second]);
+    shifts[k] = {MovedCells::along(word, bits[0]), MovedCells::along(word, bits[1]),
+                 MovedCells::along(word, bits[2])};
+  }
+}
+
+template <int Dim>
+void Images<Dim>::fetch_shifts(std::span<const ContactPair> pairs) const noexcept {
+  if (!moved_any_ || !cells_moved_.is_packed()) return;
+  const std::uint32_t* const words = cells_moved_.words();
+  for (const ContactPair& pair : pairs) {
+    __builtin_prefetch(words + pair.first);
+    __builtin_prefetch(words + pair.second);
   }
 }
 

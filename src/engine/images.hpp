@@ -3,6 +3,7 @@
 #include "base/array.hpp"
 #include "base/sphere_predicate.hpp"
 #include "engine/list_ghosts.hpp"
+#include "engine/moved_cells.hpp"
 #include "engine/place_natives.hpp"
 #include "grid/bounds.hpp"
 #include "grid/cell_extent.hpp"
@@ -86,6 +87,8 @@ class Images {
   [[nodiscard]] base::ImageShift shift_between(std::size_t i, const Ghost& ghost) const {
     return shift_between(i, ghost.element, ghost.image);
   }
+  /// Asks for what the shifts of these pairs will need, ahead of them.
+  void fetch_shifts(std::span<const ContactPair> pairs) const noexcept;
   /// Of many pairs of two natives.
   void shifts_between(std::span<const ContactPair> pairs, std::span<base::ImageShift> shifts) const;
 
@@ -131,6 +134,8 @@ class Images {
   void append_ghosts(base::Array<base::Sphere<Dim>>& home, std::size_t workers);
   void note_shifts(const Window& window);
   [[nodiscard]] double magnitude_of(const Window& window) const;
+  void packed_shifts_between(std::span<const ContactPair> pairs,
+                             std::span<base::ImageShift> shifts) const;
   [[nodiscard]] base::ImageShift shift_between(std::size_t i, std::size_t j,
                                                const std::array<std::int32_t, 3>& image) const;
 
@@ -152,7 +157,7 @@ class Images {
   std::optional<std::array<std::size_t, 3>> side_of_axis_;
 
   base::Array<base::Sphere<Dim>> own_natives_;
-  base::Array<grid::CellsMoved> cells_moved_;
+  MovedCells cells_moved_;
   base::Array<Ghost> own_ghosts_;
   std::vector<Part> parts_;
 };

@@ -86,18 +86,25 @@ Journey<Dim>::Journey(const grid::ReducedLattice<Dim>& lattice, const grid::Bric
 template <int Dim>
 void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::BrickMap& map,
                   const kernels::ImageKernels& kernels, std::span<base::Sphere<Dim>> natives,
-                  std::span<grid::CellsMoved> cells, grid::Bounds<Dim>& bounds) {
+                  MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds) {
   static_assert(sizeof(grid::CellsMoved) == 3 * sizeof(std::int32_t));
   kernels::CenterBounds box{};
   std::copy(bounds.lower.begin(), bounds.lower.end(), box.lower);
   std::copy(bounds.upper.begin(), bounds.upper.end(), box.upper);
-  std::size_t i = kernels.wrap(elements[0].center, elements.size(), Dim, map, natives[0].center,
-                               cells[0].data(), box);
+  void* const out = map.pack ? static_cast<void*>(cells.words() + first)
+                             : static_cast<void*>(cells.triples() + first);
+  std::size_t i =
+      kernels.wrap(elements[0].center, elements.size(), Dim, map, natives[0].center, out, box);
   std::copy_n(box.lower, Dim, bounds.lower.begin());
   std::copy_n(box.upper, Dim, bounds.upper.begin());
   for (; i < elements.size(); ++i) {
     natives[i] = elements[i];
-    cells[i] = move_quickly<Dim>(map, natives[i]);
+    const grid::CellsMoved moved = move_quickly<Dim>(map, natives[i]);
+    if (map.pack) {
+      cells.words()[first + i] = MovedCells::packed(moved);
+    } else {
+      cells.triples()[first + i] = moved;
+    }
     bounds.include_center(natives[i]);
   }
 }
@@ -109,10 +116,10 @@ template kernels::BrickMap map_of<3>(const grid::ReducedLattice<3>&, const grid:
 template struct Journey<2>;
 template struct Journey<3>;
 template void move_quickly(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
-                           const kernels::ImageKernels&, std::span<base::Sphere<2>>,
-                           std::span<grid::CellsMoved>, grid::Bounds<2>&);
+                           const kernels::ImageKernels&, std::span<base::Sphere<2>>, MovedCells&,
+                           std::size_t, grid::Bounds<2>&);
 template void move_quickly(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
-                           const kernels::ImageKernels&, std::span<base::Sphere<3>>,
-                           std::span<grid::CellsMoved>, grid::Bounds<3>&);
+                           const kernels::ImageKernels&, std::span<base::Sphere<3>>, MovedCells&,
+                           std::size_t, grid::Bounds<3>&);
 
 }  // namespace abut::engine

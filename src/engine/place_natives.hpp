@@ -2,6 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/sphere_predicate.hpp"
+#include "engine/moved_cells.hpp"
 #include "grid/bounds.hpp"
 #include "grid/brick.hpp"
 #include "grid/cell_extent.hpp"
@@ -35,10 +36,11 @@ struct Journey {
 };
 
 /// Moves elements as grid::Wrapper does, but in plain doubles, each product and sum rounded: off by
-/// less than 7 u (|x| + moved distance) on an axis. For short journeys.
+/// less than 7 u (|x| + moved distance) on an axis. For short journeys. `first` is the number of
+/// the first of them.
 template <int Dim>
 void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::BrickMap& map,
                   const kernels::ImageKernels& kernels, std::span<base::Sphere<Dim>> natives,
-                  std::span<grid::CellsMoved> cells, grid::Bounds<Dim>& bounds);
+                  MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds);
 
 }  // namespace abut::engine

@@ -14,6 +14,7 @@ struct BrickMap {
   double offset[3][3];
   double vectors[3][3];  ///< of side, by axis
   bool along[3];         ///< whether to wrap along this side
+  bool pack;             ///< cells moved to words, engine::MovedCells, else to triples
   double outer_below[3];
 };
 
@@ -30,10 +31,10 @@ struct CenterBounds {
 /// front and returns how many elements it treated; what is left is the caller's, who has the same
 /// in plain C++ (so the level `scalar` treats none).
 struct ImageKernels {
-  /// natives[k] = record k moved into the brick; cells[3 k + side] = by how many vectors. Widens
-  /// the bounds. Presupposes less than 2^31 cells.
+  /// natives[k] = record k moved into the brick, and by how many vectors: one word or three of
+  /// `cells`. Widens the bounds. Presupposes less than 2^31 cells.
   std::size_t (*wrap)(const double* records, std::size_t count, int dimensions, const BrickMap& map,
-                      double* natives, std::int32_t* cells, CenterBounds& bounds);
+                      double* natives, void* cells, CenterBounds& bounds);
 
   /// Appends to `numbers` the number of each record that has a coordinate of at most outer_below;
   /// `found` counts them.

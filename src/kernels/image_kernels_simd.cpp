@@ -41,9 +41,10 @@ HWY_INLINE Doubles coordinate(const double* coefficients, const Doubles* center)
 
 template <int Dim, std::size_t Sides>
 std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& given,
-                    double* natives, std::int32_t* cells_moved, CenterBounds& bounds) {
+                    double* natives, void* cells_moved, CenterBounds& bounds) {
   const BrickMap map = given;  // a copy that nothing can change
   const hn::Rebind<std::int32_t, DoubleTag> integers;
+  auto* const out = static_cast<std::int32_t*>(cells_moved);
   Doubles lower[Dim];
   Doubles upper[Dim];
   for (int axis = 0; axis < Dim; ++axis) {
@@ -77,8 +78,17 @@ std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& gi
     } else {
       hn::StoreInterleaved4(center[0], center[1], center[2], radius, doubles, natives + i * 4);
     }
-    hn::StoreInterleaved3(hn::DemoteTo(integers, cells[0]), hn::DemoteTo(integers, cells[1]),
-                          hn::DemoteTo(integers, cells[2]), integers, cells_moved + i * 3);
+    if (map.pack) {
+      const Doubles zero = hn::Set(doubles, 512.0);
+      const Doubles width = hn::Set(doubles, 1024.0);
+      Doubles word = hn::Add(cells[0], zero);
+      word = hn::Add(hn::Mul(word, width), hn::Add(cells[1], zero));
+      word = hn::Add(hn::Mul(word, width), hn::Add(cells[2], zero));
+      hn::StoreU(hn::DemoteTo(integers, word), integers, out + i);
+    } else {
+      hn::StoreInterleaved3(hn::DemoteTo(integers, cells[0]), hn::DemoteTo(integers, cells[1]),
+                            hn::DemoteTo(integers, cells[2]), integers, out + i * 3);
+    }
   }
   for (int axis = 0; axis < Dim; ++axis) {
     bounds.lower[axis] = hn::GetLane(hn::MinOfLanes(doubles, lower[axis]));
@@ -116,7 +126,7 @@ std::size_t list_outer_in(const double* records, std::size_t count, const BrickM
 }
 
 std::size_t wrap(const double* records, std::size_t count, int dimensions, const BrickMap& map,
-                 double* natives, std::int32_t* cells, CenterBounds& bounds) {
+                 double* natives, void* cells, CenterBounds& bounds) {
   const auto run = [&](auto wrapped) {
     return wrapped(records, count, map, natives, cells, bounds);
   };

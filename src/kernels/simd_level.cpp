@@ -149,8 +149,9 @@ ImageKernels image_kernels(Simd level) {
   if (level != Simd::scalar) return simd_image_kernels(row_of(level).target);
 #endif
   static_cast<void>(level);
-  return {[](const double*, std::size_t, int, const BrickMap&, double*, std::int32_t*,
-             CenterBounds&) { return std::size_t{0}; },
+  return {[](const double*, std::size_t, int, const BrickMap&, double*, void*, CenterBounds&) {
+            return std::size_t{0};
+          },
           [](const double*, std::size_t, int, const BrickMap&, std::uint32_t*, std::size_t&) {
             return std::size_t{0};
           }};

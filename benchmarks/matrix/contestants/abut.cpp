@@ -92,6 +92,9 @@ Entry entry_of(Algorithm algorithm, Task task, int threads) {
   if (algorithm == Algorithm::direct_check) {
     entry.most_elements = 20'000;
     entry.reason_of_limit = "its time grows with the square of N";
+  } else if (algorithm != Algorithm::automatic && algorithm != Algorithm::rows) {
+    entry.most_elements = 1'000'000;
+    entry.reason_of_limit = "the algorithms of the book are measured up to 10^6 elements";
   }
   entry.make = [=] { return std::make_unique<AbutContestant>(task, algorithm, threads); };
   return entry;

@@ -17,6 +17,7 @@
 #include <abut/pair.hpp>
 #include <abut/pair_list.hpp>
 #include <abut/pair_rule.hpp>
+#include <abut/points.hpp>
 #include <abut/progress.hpp>
 #include <abut/simd.hpp>
 #include <abut/skin.hpp>

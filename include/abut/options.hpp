@@ -24,6 +24,14 @@ enum class Shifts {
   stored,  ///< 12 bytes more a pair
 };
 
+/// What a neighbor list holds beside the numbers of the neighbors.
+enum class NeighborData {
+  none,
+  distances,              ///< 8 bytes more a neighbor
+  vectors,                ///< 24 bytes more a neighbor
+  distances_and_vectors,  ///< both
+};
+
 /// No limit on the number of pairs.
 inline constexpr PairCount unlimited_pairs = std::numeric_limits<PairCount>::max();
 
@@ -36,6 +44,9 @@ struct Options {
   Order order = Order::canonical;
 
   Shifts shifts = Shifts::none;
+
+  /// For neighbor lists.
+  NeighborData neighbor_data = NeighborData::none;
 
   /// Elements within this distance of touching are contact pairs too; finite, >= 0, in the unit
   /// of the positions.

@@ -17,8 +17,8 @@ namespace abut {
 /// order of (i, j, image shift of j). Elements of one set never pair with each other, and i < j
 /// does not matter: where both views show the same array, each element pairs with itself too.
 ///
-/// The sets may differ in everything but the number of dimensions. Elements of one set that lie far
-/// from all of the other are set aside before the search.
+/// The sets may differ in everything but the number of dimensions. In open space elements of one
+/// set that lie far from all of the other are set aside before the search.
 ///
 /// Throws as find_contact_pairs of one set does.
 [[nodiscard]] ABUT_API PairList find_contact_pairs(const ElementView& first,

@@ -2,6 +2,7 @@
 #include <abut/two_sets.hpp>
 
 #include "api/detection.hpp"
+#include "api/validate_options.hpp"
 
 #include <utility>
 
@@ -30,15 +31,33 @@ Statistics count_contact_pairs(const ElementView& elements, const Domain& domain
   return api::Detection().visit_batches({elements, domain, options}, {});
 }
 
-NeighborList build_neighbor_list(const ElementView& elements, const Domain& domain,
-                                 NeighborListKind kind, const Options& options) {
+namespace {
+
+NeighborList neighbor_list_of(const api::Request& request, NeighborListKind kind) {
   NeighborList::Offsets offsets;
   NeighborList::Neighbors neighbors;
   ShiftArray shifts;
-  Statistics statistics = api::Detection().list_neighbors({elements, domain, options}, kind,
-                                                          offsets, neighbors, shifts);
+  NeighborList::Distances distances;
+  NeighborList::Vectors vectors;
+  Statistics statistics = api::Detection().list_neighbors(
+      request, kind, {offsets, neighbors, shifts, distances, vectors});
   return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
-                      std::move(statistics));
+                      std::move(distances), std::move(vectors), std::move(statistics));
+}
+
+}  // namespace
+
+NeighborList build_neighbor_list(const ElementView& elements, const Domain& domain,
+                                 NeighborListKind kind, const Options& options) {
+  return neighbor_list_of({elements, domain, options}, kind);
+}
+
+NeighborList neighbors(const ElementView& points, double cutoff, const Domain& domain,
+                       NeighborListKind kind, const Options& options) {
+  api::require_points(points, cutoff);
+  Options with_cutoff = options;
+  with_cutoff.margin = cutoff;
+  return neighbor_list_of({points, domain, with_cutoff}, kind);
 }
 
 PairList find_contact_pairs(const ElementView& first, const ElementView& second,
@@ -70,13 +89,7 @@ Statistics count_contact_pairs(const ElementView& first, const ElementView& seco
 
 NeighborList build_neighbor_list(const ElementView& first, const ElementView& second,
                                  const Domain& domain, const Options& options) {
-  NeighborList::Offsets offsets;
-  NeighborList::Neighbors neighbors;
-  ShiftArray shifts;
-  Statistics statistics = api::Detection().list_neighbors(
-      {first, domain, options, &second}, NeighborListKind::half, offsets, neighbors, shifts);
-  return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
-                      std::move(statistics));
+  return neighbor_list_of({first, domain, options, &second}, NeighborListKind::half);
 }
 
 }  // namespace abut

@@ -4,6 +4,7 @@
 #include "api/lack_of_memory.hpp"
 #include "api/lattice_of.hpp"
 #include "api/list_neighbors.hpp"
+#include "api/measure_neighbors.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
 #include "api/validate_rule.hpp"
@@ -150,8 +151,9 @@ template void Detection::search<3>(const engine::RowsSettings&, const Request&, 
 template <int Dim>
 void Detection::search_sets(const engine::RowsSettings& settings, const Request& request,
                             PairSink& sink, DetectionContext& context, Statistics& statistics) {
-  const std::size_t first_count = arrays<Dim>().sets.first_count();
-  crossing_.start_anew(sink, first_count);
+  const JoinedSets<Dim>& sets = arrays<Dim>().sets;
+  const std::size_t first_count = sets.first_count();
+  crossing_.start_anew(sink, first_count, sets.numbers());
   try {
     search<Dim>(settings, request, crossing_, context, statistics);
   } catch (const Error& error) {
@@ -171,7 +173,8 @@ void Detection::gather(const engine::RowsSettings& settings, const Request& requ
   if (request.others == nullptr) {
     return api::gather<Dim>(request.elements, how, own.elements, context);
   }
-  own.sets.gather(request.elements, *request.others, how, own.elements, context);
+  own.sets.gather(request.elements, *request.others,
+                  {how, settings.margin, !request.domain.is_periodic()}, own.elements, context);
 }
 
 template <int Dim>
@@ -217,11 +220,19 @@ namespace {
 
 /// Shifts that a search must find: those of open domains are known.
 Shifts shifts_to_find(const Request& request) {
-  return request.domain.is_periodic() ? request.options.shifts : Shifts::none;
+  if (!request.domain.is_periodic()) return Shifts::none;
+  return request.needs_shifts ? Shifts::stored : request.options.shifts;
 }
 
 std::size_t shift_count(const Request& request, std::size_t entries) {
-  return request.options.shifts == Shifts::stored ? entries : 0;
+  const bool wanted =
+      request.options.shifts == Shifts::stored || shifts_to_find(request) == Shifts::stored;
+  return wanted ? entries : 0;
+}
+
+/// Whether distances or vectors are asked for.
+bool is_measured(const Request& request) {
+  return request.options.neighbor_data != NeighborData::none;
 }
 
 }  // namespace
@@ -268,28 +279,67 @@ Statistics Detection::visit_batches(const Request& request, const Visitors& visi
   });
 }
 
+void Detection::list_rows(const Request& request, NeighborListKind kind, PairPieces pieces,
+                          const NeighborArrays& arrays, std::size_t workers) {
+  if (shifts_to_find(request) == Shifts::none) {
+    std::fill(arrays.shifts.begin(), arrays.shifts.end(), ImageShift{});
+    return api::list_neighbors(pieces, kind, arrays.offsets, arrays.neighbors, workers);
+  }
+  while (row_rooms_.size() < workers) {
+    row_rooms_.push_back(base::make_array_for_overwrite<Partner>(memory_, 0));
+  }
+  api::list_neighbors({pieces, found_.shift_pieces()}, kind, arrays.offsets, arrays.neighbors,
+                      arrays.shifts, std::span(row_rooms_).first(workers));
+}
+
+template <int Dim>
+void Detection::measure_rows_in(const Request& request, const NeighborArrays& arrays,
+                                std::size_t workers) {
+  Arrays<Dim>& own = this->arrays<Dim>();
+  const std::span<const base::Sphere<Dim>> first =
+      request.others == nullptr ? std::span(own.elements.spheres) : own.sets.first();
+  const MeasuredRows<Dim> rows{first,
+                               request.others == nullptr ? first : own.sets.second(),
+                               lattice_of(request.domain),
+                               arrays.offsets,
+                               arrays.neighbors,
+                               arrays.shifts};
+  measure_neighbors<Dim>(rows, arrays.distances, arrays.vectors, workers);
+}
+
+void Detection::measure_rows(const Request& request, const NeighborArrays& arrays,
+                             std::size_t workers) {
+  request.elements.dimensions() == 2 ? measure_rows_in<2>(request, arrays, workers)
+                                     : measure_rows_in<3>(request, arrays, workers);
+}
+
 Statistics Detection::list_neighbors(const Request& request, NeighborListKind kind,
-                                     NeighborList::Offsets& offsets,
-                                     NeighborList::Neighbors& neighbors, ShiftArray& shifts) {
-  offsets.clear();
-  neighbors.clear();
-  shifts.clear();
-  return find_and_arrange(request, [&](PairPieces pieces, std::size_t workers) {
+                                     const NeighborArrays& arrays) {
+  arrays.offsets.clear();
+  arrays.neighbors.clear();
+  arrays.shifts.clear();
+  arrays.distances.clear();
+  arrays.vectors.clear();
+  const NeighborData data = request.options.neighbor_data;
+  if (is_measured(request) && request.elements.shape() == Shape::box) {
+    throw Error(ErrorCode::wrong_usage,
+                "distances and vectors of boxes are not carried; leave out neighbor_data");
+  }
+  Request with_shifts = request;
+  with_shifts.needs_shifts = is_measured(request);
+  return find_and_arrange(with_shifts, [&](PairPieces pieces, std::size_t workers) {
     const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
-    const ResultRoom room_for_offsets(offsets, request.elements.size() + 2, memory_);
-    const ResultRoom room_for_neighbors(neighbors, entries, memory_);
-    const ResultRoom room_for_shifts(shifts, shift_count(request, entries), memory_);
-    if (shifts_to_find(request) == Shifts::stored) {
-      while (row_rooms_.size() < workers) {
-        row_rooms_.push_back(base::make_array_for_overwrite<Partner>(memory_, 0));
-      }
-      api::list_neighbors({pieces, found_.shift_pieces()}, kind, offsets, neighbors, shifts,
-                          std::span(row_rooms_).first(workers));
-    } else {
-      std::fill(shifts.begin(), shifts.end(), ImageShift{});
-      api::list_neighbors(pieces, kind, offsets, neighbors, workers);
-    }
-    offsets.pop_back();
+    const bool distances = data != NeighborData::none && data != NeighborData::vectors;
+    const bool vectors = data != NeighborData::none && data != NeighborData::distances;
+    const ResultRoom room_for_offsets(arrays.offsets, request.elements.size() + 2, memory_);
+    const ResultRoom room_for_neighbors(arrays.neighbors, entries, memory_);
+    const ResultRoom room_for_shifts(arrays.shifts, shift_count(with_shifts, entries), memory_);
+    const ResultRoom room_for_distances(arrays.distances, distances ? entries : 0, memory_);
+    const ResultRoom room_for_vectors(arrays.vectors, vectors ? entries : 0, memory_);
+    list_rows(with_shifts, kind, pieces, arrays, workers);
+    if (is_measured(request)) measure_rows(request, arrays, workers);
+    arrays.offsets.pop_back();
+    if (request.options.shifts == Shifts::none) arrays.shifts.clear();
   });
 }
 

@@ -30,11 +30,21 @@ struct Request {
   const Domain& domain;
   const Options& options;
   const ElementView* others = nullptr;  ///< the second set, where there are two
+  bool needs_shifts = false;            ///< whatever the options say
 
   /// Of both sets.
   [[nodiscard]] std::size_t size() const noexcept {
     return elements.size() + (others == nullptr ? 0 : others->size());
   }
+};
+
+/// The arrays of a neighbor list, to be filled: those not asked for are left empty.
+struct NeighborArrays {
+  NeighborList::Offsets& offsets;
+  NeighborList::Neighbors& neighbors;
+  ShiftArray& shifts;
+  NeighborList::Distances& distances;
+  NeighborList::Vectors& vectors;
 };
 
 /// The arrays of a detection and its course; kept by a Detector, or used once by a free function.
@@ -50,8 +60,7 @@ class Detection {
   Statistics visit_batches(const Request& request, const Visitors& visitors);
 
   Statistics list_neighbors(const Request& request, NeighborListKind kind,
-                            NeighborList::Offsets& offsets, NeighborList::Neighbors& neighbors,
-                            ShiftArray& shifts);
+                            const NeighborArrays& arrays);
 
   /// For the calls that follow: candidate pairs are kept from call to call, and what is delivered
   /// comes in canonical order.
@@ -101,6 +110,12 @@ class Detection {
   [[nodiscard]] bool find_candidates(const Snapshot<Dim>& now, const engine::RowsSettings& settings,
                                      const Request& request, base::DetectionContext& context,
                                      Statistics& statistics);
+
+  void list_rows(const Request& request, NeighborListKind kind, PairPieces pieces,
+                 const NeighborArrays& arrays, std::size_t workers);
+  void measure_rows(const Request& request, const NeighborArrays& arrays, std::size_t workers);
+  template <int Dim>
+  void measure_rows_in(const Request& request, const NeighborArrays& arrays, std::size_t workers);
 
   /// Sets the scene for `body(context)` and turns lack of memory into an Error.
   template <class Body>

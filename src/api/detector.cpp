@@ -66,8 +66,9 @@ Statistics Detector::for_each_shifted_batch(const ElementView& elements, const D
 const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain& domain,
                                                   NeighborListKind kind) {
   NeighborList& list = state_->neighbors;
-  list.statistics_ = state_->detection.list_neighbors({elements, domain, state_->options}, kind,
-                                                      list.offsets_, list.neighbors_, list.shifts_);
+  list.statistics_ = state_->detection.list_neighbors(
+      {elements, domain, state_->options}, kind,
+      {list.offsets_, list.neighbors_, list.shifts_, list.distances_, list.vectors_});
   return list;
 }
 
@@ -100,9 +101,9 @@ Statistics Detector::for_each_shifted_batch(const ElementView& first, const Elem
 const NeighborList& Detector::build_neighbor_list(const ElementView& first,
                                                   const ElementView& second, const Domain& domain) {
   NeighborList& list = state_->neighbors;
-  list.statistics_ = state_->detection.list_neighbors({first, domain, state_->options, &second},
-                                                      NeighborListKind::half, list.offsets_,
-                                                      list.neighbors_, list.shifts_);
+  list.statistics_ = state_->detection.list_neighbors(
+      {first, domain, state_->options, &second}, NeighborListKind::half,
+      {list.offsets_, list.neighbors_, list.shifts_, list.distances_, list.vectors_});
   return list;
 }
 

@@ -118,6 +118,18 @@ void validate(const Options& options, const ElementView& first, const ElementVie
   }
 }
 
+void require_points(const ElementView& points, double cutoff) {
+  if (!(cutoff >= 0.0) || std::isinf(cutoff)) {
+    throw Error(ErrorCode::invalid_input,
+                "cutoff = " + base::written(cutoff) + "; it must be finite and not negative");
+  }
+  const bool spheres = points.shape() == Shape::sphere;
+  if (spheres && points.has_common_radius() && points.common_radius() == 0.0) return;
+  throw Error(ErrorCode::wrong_usage,
+              "neighbors within a cutoff are those of points, and these elements have sizes; make "
+              "them with points(...), or take build_neighbor_list and a margin");
+}
+
 std::uint64_t memory_bound(const Options& options) {
   return options.max_bytes != automatic_memory_bound ? options.max_bytes : machine_memory();
 }

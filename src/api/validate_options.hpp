@@ -26,6 +26,9 @@ void validate(const Options& options, const ElementView& elements, const Domain&
 void validate(const Options& options, const ElementView& first, const ElementView& second,
               const Domain& domain);
 
+/// Throws Error for a cutoff that is none and for elements that have a radius.
+void require_points(const ElementView& points, double cutoff);
+
 /// Bytes that a detection may hold in all: the caller's bound, else what the machine has.
 [[nodiscard]] std::uint64_t memory_bound(const Options& options);
 

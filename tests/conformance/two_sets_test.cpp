@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -313,6 +314,58 @@ TEST(TwoSets, PeriodicTouchingLattice) {
   EXPECT_EQ(count_contact_pairs(view_of(even), view_of(odd), cube).contact_pairs, 6U * 32U);
   EXPECT_EQ(count_contact_pairs(view_of(even), view_of(even), cube).contact_pairs, 32U);
   check_images(even, odd, cube, 0.0, 6);
+}
+
+using Corner = std::array<double, 3>;
+
+struct Boxes {
+  std::vector<Corner> lower;
+  std::vector<Corner> upper;
+
+  [[nodiscard]] ElementView view() const { return boxes(lower, upper); }
+};
+
+/// Of sides up to 1, some of them flat, at multiples of 1/8: many touch exactly.
+Boxes random_boxes(std::size_t count, double width, std::uint64_t seed) {
+  Random random(seed);
+  Boxes result;
+  for (std::size_t k = 0; k < count; ++k) {
+    Corner lower;
+    Corner upper;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lower[axis] = std::floor(random.uniform(0.0, width) * 8.0) / 8.0;
+      upper[axis] = lower[axis] + static_cast<double>(random.below(9)) / 8.0;
+    }
+    result.lower.push_back(lower);
+    result.upper.push_back(upper);
+  }
+  return result;
+}
+
+bool meet(const Boxes& first, std::size_t i, const Boxes& second, std::size_t j) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (first.lower[i][axis] > second.upper[j][axis]) return false;
+    if (second.lower[j][axis] > first.upper[i][axis]) return false;
+  }
+  return true;
+}
+
+TEST(TwoSets, OfBoxes) {
+  for (const auto& [a, b] : {std::pair{150U, 150U}, {3U, 300U}, {300U, 1U}, {0U, 5U}}) {
+    SCOPED_TRACE(std::to_string(a) + " and " + std::to_string(b));
+    const Boxes first = random_boxes(a, 5.0, 1);
+    const Boxes second = random_boxes(b, 8.0, 2);
+    PairVector expected;
+    for (ElementIndex i = 0; i < a; ++i) {
+      for (ElementIndex j = 0; j < b; ++j) {
+        if (meet(first, i, second, j)) expected.push_back({i, j});
+      }
+    }
+    for (const Algorithm algorithm : algorithms_for(3)) {
+      SCOPED_TRACE(std::string(name_of(algorithm)));
+      check_forms(expected, first.view(), second.view(), {.algorithm = algorithm});
+    }
+  }
 }
 
 }  // namespace

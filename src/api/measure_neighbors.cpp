@@ -1,0 +1,30 @@
+#include "api/measure_neighbors.hpp"
+
+#include "base/separation.hpp"
+#include "base/workers.hpp"
+
+namespace abut::api {
+
+template <int Dim>
+void measure_neighbors(const MeasuredRows<Dim>& rows, std::span<double> distances,
+                       std::span<NeighborList::Vector> vectors, std::size_t workers) {
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, rows.elements.size());
+    for (std::size_t e = first; e < last; ++e) {
+      for (PairCount k = rows.offsets[e]; k < rows.offsets[e + 1]; ++k) {
+        const ImageShift shift = rows.shifts.empty() ? ImageShift{} : rows.shifts[k];
+        const base::Separation separation = base::separation<Dim>(
+            rows.elements[e], rows.others[rows.neighbors[k]], shift, rows.lattice);
+        if (!distances.empty()) distances[k] = separation.distance;
+        if (!vectors.empty()) vectors[k] = separation.vector;
+      }
+    }
+  });
+}
+
+template void measure_neighbors(const MeasuredRows<2>&, std::span<double>,
+                                std::span<NeighborList::Vector>, std::size_t);
+template void measure_neighbors(const MeasuredRows<3>&, std::span<double>,
+                                std::span<NeighborList::Vector>, std::size_t);
+
+}  // namespace abut::api

@@ -10,6 +10,7 @@
 #include <abut/error.hpp>
 #include <abut/exclusion_list.hpp>
 #include <abut/export.hpp>
+#include <abut/fit_boxes.hpp>
 #include <abut/group_table.hpp>
 #include <abut/image_shift.hpp>
 #include <abut/neighbor_list.hpp>

@@ -153,7 +153,8 @@ bool is_contact_format(std::string_view name) {
   return name == "csv" || name == "json" || name == "vtp";
 }
 
-void add_detection(CLI::App& app, Options& detection) {
+/// How to search, whatever for.
+void add_search(CLI::App& app, Options& detection) {
   add_value(app, "--algorithm", "NAME", "one of 'abut algorithms', or auto, the default",
             [&detection](const std::string& text) { detection.algorithm = algorithm_named(text); });
   add_value(app, "--threads", "N", "number of threads; the algorithms of the book use one",
@@ -163,6 +164,18 @@ void add_detection(CLI::App& app, Options& detection) {
   add_value(app, "--simd", "LEVEL",
             "instruction set of rows: auto, the default, scalar, sse4, avx2, avx512 or neon",
             [&detection](const std::string& text) { detection.simd = simd_named(text); });
+}
+
+void add_limits(CLI::App& app, Options& detection) {
+  add_value(app, "--max-pairs", "M", "fail if there are more than M contact pairs",
+            [&detection](const std::string& text) {
+              detection.max_pairs = number<PairCount>("--max-pairs", text, "a whole number");
+            });
+  add_max_memory(app, detection.max_bytes);
+}
+
+void add_detection(CLI::App& app, Options& detection) {
+  add_search(app, detection);
   add_value(app, "--order", "canonical|as_found",
             "pairs ascending by (i, j), the default, or as the algorithm meets them",
             [&detection](const std::string& text) {
@@ -171,11 +184,7 @@ void add_detection(CLI::App& app, Options& detection) {
                                 {{"canonical", Order::canonical}, {"as_found", Order::as_found}});
             });
   add_margin(app, detection.margin);
-  add_value(app, "--max-pairs", "M", "fail if there are more than M contact pairs",
-            [&detection](const std::string& text) {
-              detection.max_pairs = number<PairCount>("--max-pairs", text, "a whole number");
-            });
-  add_max_memory(app, detection.max_bytes);
+  add_limits(app, detection);
 }
 
 void add_report(CLI::App& app, Report& report) {
@@ -218,6 +227,29 @@ void add_contacts(CLI::App& app, Command& command) {
     (of_output ? options->output_format : options->input.format) = *format;
     command = *options;
   });
+}
+
+void add_neighbors(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("neighbors", "finds the centers within a cutoff of each");
+  sub.footer(
+      "abut neighbors atoms.xyz --cutoff 3.5\n"
+      "abut neighbors pour.dump --cutoff 2.5 --full -o neighbors.csv");
+  auto options = hand_over<NeighborsOptions>(sub, command);
+  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_value(sub, "--cutoff", "C", "neighbors are centers at most C apart",
+            [options](const std::string& text) { options->cutoff = length("--cutoff", text); })
+      ->required();
+  CLI::Option* full =
+      add_switch(sub, "--full", "each pair from both sides", options->kind, NeighborListKind::full);
+  add_switch(sub, "--half", "each pair once, at its smaller number: the default", options->kind,
+             NeighborListKind::half)
+      ->excludes(full);
+  add_value(sub, "-o,--output", "OUT", "write the neighbors as CSV; - is standard output",
+            [options](const std::string& text) { options->output = text; });
+  add_search(sub, options->detection);
+  add_limits(sub, options->detection);
+  add_input(sub, options->input);
+  add_console(sub, options->console);
 }
 
 void add_info(CLI::App& app, Command& command) {
@@ -376,6 +408,7 @@ Command parse(int argc, const char* const* argv) {
       "explain munjiza_nbs --book");
   app.require_subcommand(0, 1);
   add_contacts(app, command);
+  add_neighbors(app, command);
   add_info(app, command);
   add_generate(app, command);
   add_compare(app, command);

@@ -7,6 +7,7 @@
 #include "command_explain.hpp"
 #include "command_generate.hpp"
 #include "command_info.hpp"
+#include "command_neighbors.hpp"
 #include "command_version.hpp"
 
 #include <string>
@@ -19,9 +20,9 @@ struct HelpText {
   std::string text;
 };
 
-using Command =
-    std::variant<HelpText, AlgorithmsOptions, BenchOptions, CompareOptions, ContactsOptions,
-                 ExplainOptions, GenerateOptions, InfoOptions, SceneListOptions, VersionOptions>;
+using Command = std::variant<HelpText, AlgorithmsOptions, BenchOptions, CompareOptions,
+                             ContactsOptions, ExplainOptions, GenerateOptions, InfoOptions,
+                             NeighborsOptions, SceneListOptions, VersionOptions>;
 
 /// What the command line asks for. Throws Error{wrong_usage}.
 [[nodiscard]] Command parse(int argc, const char* const* argv);

@@ -23,7 +23,7 @@ def test_explain_file(abut, golden, algorithm):
 
 
 @pytest.mark.parametrize(
-    "command", ["", "contacts", "info", "generate", "compare", "bench", "explain", "algorithms"])
+    "command", ["", "contacts", "neighbors", "info", "generate", "compare", "bench", "explain", "algorithms"])
 def test_help(abut, golden, command):
     done = abut(*command.split(), "--help")
     assert (done.returncode, done.stderr) == (0, "")
@@ -47,6 +47,28 @@ def test_pairs_of_four_discs(abut, golden, name, arguments):
     done = abut("contacts", "-", "-o", "-", "-q", *arguments, stdin=DISCS)
     assert (done.returncode, done.stderr) == (0, "")
     golden(f"discs_{name}", done.stdout)
+
+
+@pytest.mark.parametrize("arguments, expected", [
+    ([], "i,j,distance\n0,1,5\n"),
+    (["--full"], "i,j,distance\n0,1,5\n1,0,5\n"),
+    (["--half", "--box", "14,inf"],
+     "i,j,nx,ny,nz,distance\n0,1,0,0,0,5\n0,2,-1,0,0,2.5\n1,2,-1,0,0,6.800735254367722\n")])
+def test_neighbors_of_points(abut, arguments, expected):
+    done = abut("neighbors", "-", "--cutoff", "8.5", "-o", "-", "-q", *arguments,
+                stdin="x,y\n0,0\n3,4\n11.5,0\n")
+    assert (done.returncode, done.stderr, done.stdout) == (0, "", expected)
+
+
+def test_neighbors_summary_and_errors(abut):
+    done = abut("neighbors", "-", "--cutoff", "5", stdin="x,y\n0,0\n3,4\n9,9\n")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "1 in a half list of 1 pairs" in done.stdout and "2 of 3 have none" in done.stdout
+    assert abut("neighbors", "-", stdin="x,y\n").returncode == 2
+    bad = abut("neighbors", "-", "--cutoff", "-1", stdin="x,y\n")
+    assert bad.returncode == 2 and "--cutoff" in bad.stderr
+    boxes = abut("neighbors", "-", "--cutoff", "1", stdin=BOXES)
+    assert boxes.returncode in (2, 3) and "boxes" in boxes.stderr
 
 
 @pytest.mark.parametrize("name, arguments", [

@@ -19,7 +19,7 @@ import tempfile
 import blocks
 
 MARK = "@@ next command @@"
-COMMANDS = ("contacts", "info", "generate", "compare", "bench", "explain", "algorithms")
+COMMANDS = ("contacts", "neighbors", "info", "generate", "compare", "bench", "explain", "algorithms")
 
 
 def commands_of(block):

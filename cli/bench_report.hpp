@@ -15,7 +15,7 @@ namespace abut::cli {
 [[nodiscard]] std::vector<Answer> answers_of(const std::vector<Measurement>& measurements);
 
 /// A table for people.
-[[nodiscard]] std::string bench_text(const io::Snapshot& snapshot,
+[[nodiscard]] std::string bench_text(const io::Snapshot& snapshot, const Domain& domain,
                                      const std::vector<Measurement>& measurements);
 
 /// The same and more as one JSON object.

@@ -19,12 +19,14 @@ constexpr double longest_first_call = 0.5;
 constexpr std::array forms_of_every_algorithm{Form::canonical, Form::as_found};
 constexpr std::array forms_of_the_best{Form::count, Form::half_list, Form::full_list};
 
-/// `rows` first: the answer that the others are compared with.
-std::vector<Algorithm> algorithms_of(const BenchOptions& options) {
+/// `rows` first: the answer that the others are compared with. Those that do not carry the domain
+/// are left out unless asked for.
+std::vector<Algorithm> algorithms_of(const BenchOptions& options, const Domain& domain) {
   if (!options.algorithms.empty()) return options.algorithms;
   std::vector<Algorithm> all{Algorithm::rows};
   for (const AlgorithmInfo& row : algorithms()) {
-    if (row.algorithm != Algorithm::rows) all.push_back(row.algorithm);
+    if (row.algorithm == Algorithm::rows || (domain.is_periodic() && !row.periodic)) continue;
+    all.push_back(row.algorithm);
   }
   return all;
 }
@@ -32,13 +34,18 @@ std::vector<Algorithm> algorithms_of(const BenchOptions& options) {
 /// One after the other measures what the options ask for.
 class Bench {
  public:
-  Bench(const BenchOptions& options, const io::Snapshot& snapshot, Console& console)
-      : options_(options), snapshot_(snapshot), console_(console), threads_(options.threads) {
+  Bench(const BenchOptions& options, const io::Snapshot& snapshot, const Domain& domain,
+        Console& console)
+      : options_(options),
+        snapshot_(snapshot),
+        domain_(domain),
+        console_(console),
+        threads_(options.threads) {
     if (threads_.empty()) threads_ = {1, 0};
   }
 
   [[nodiscard]] std::vector<Measurement> run() {
-    const std::vector<Algorithm> algorithms = algorithms_of(options_);
+    const std::vector<Algorithm> algorithms = algorithms_of(options_, domain_);
     // Most algorithms use one thread whatever they are asked for.
     planned_ = (algorithms.size() + threads_.size() - 1) * forms_of_every_algorithm.size() +
                forms_of_the_best.size();
@@ -81,11 +88,12 @@ class Bench {
     Options detection;
     detection.margin = options_.margin;
     detection.max_bytes = options_.max_bytes;
-    return measure(subject, snapshot_.elements(), detection, effort, console_);
+    return measure(subject, snapshot_.elements(), domain_, detection, effort, console_);
   }
 
   const BenchOptions& options_;
   const io::Snapshot& snapshot_;
+  const Domain& domain_;
   Console& console_;
   std::vector<int> threads_;
   std::size_t planned_ = 1;  ///< measurements
@@ -97,12 +105,12 @@ class Bench {
 void run(const BenchOptions& options) {
   Console console(options.console);
   const io::Snapshot snapshot = load_snapshot(options.source, console);
-  require_open(options.source.input.domain, snapshot, "bench");
-  const std::vector<Measurement> measurements = Bench(options, snapshot, console).run();
+  const Domain domain = domain_of(options.source.input.domain, snapshot);
+  const std::vector<Measurement> measurements = Bench(options, snapshot, domain, console).run();
   console.finish();
   const std::vector<Answer> answers = answers_of(measurements);
   write_out(options.listing == Listing::json ? bench_json(snapshot, measurements)
-                                             : bench_text(snapshot, measurements));
+                                             : bench_text(snapshot, domain, measurements));
   require_equal(answers);
 }
 

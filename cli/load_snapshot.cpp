@@ -15,6 +15,13 @@ io::Snapshot load_snapshot(const InputOptions& input, Console& console) {
   if (snapshot.frame_count > 1 || input.frame.has_value()) {
     console.note(fmt::format("{}: {}", snapshot.source, frame_text(snapshot)));
   }
+  const DomainOptions& domain = input.domain;
+  if (snapshot.periodicity_is_assumed && !domain.periodic && domain.as_given.empty()) {
+    console.note(
+        fmt::format("{}: does not say which axes are periodic; taken as periodic in {}, "
+                    "which --periodic changes",
+                    snapshot.source, axes_text(periodic_axes(snapshot))));
+  }
   return snapshot;
 }
 

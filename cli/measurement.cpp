@@ -61,13 +61,13 @@ bool is_enough(const Effort& effort, std::size_t repetitions, double spent) {
 
 }  // namespace
 
-Measurement measure(const Subject& subject, const ElementView& elements, Options options,
-                    const Effort& effort, Console& console) {
+Measurement measure(const Subject& subject, const ElementView& elements, const Domain& domain,
+                    Options options, const Effort& effort, Console& console) {
   options.algorithm = subject.algorithm;
   options.threads = subject.threads;
   Measurement measurement;
   measurement.subject = subject;
-  TimedDetector detector(elements, options, subject.form);
+  TimedDetector detector(elements, domain, options, subject.form);
   if (!begins(detector, effort, console, measurement)) return measurement;
   double spent = 0.0;
   while (!is_enough(effort, measurement.steady.size(), spent)) {

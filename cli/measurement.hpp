@@ -45,6 +45,7 @@ struct Measurement {
 /// Detects once with a new detector, then again and again with the same. `options` give all but
 /// what the subject says. Throws Error{cancelled} after an interrupt.
 [[nodiscard]] Measurement measure(const Subject& subject, const ElementView& elements,
-                                  Options options, const Effort& effort, Console& console);
+                                  const Domain& domain, Options options, const Effort& effort,
+                                  Console& console);
 
 }  // namespace abut::cli

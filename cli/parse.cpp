@@ -96,9 +96,10 @@ void add_domain(CLI::App& app, DomainOptions& domain) {
 }
 
 void add_input_format(CLI::App& app, InputOptions& input) {
-  add_value(app, "--format", "NAME",
-            "format of FILE: csv, lammps_dump or xyz; default by suffix, then by content",
-            [&input](const std::string& text) { input.format = text; });
+  add_value(
+      app, "--format", "NAME",
+      "format of FILE: csv, lammps_data, lammps_dump or xyz; default by suffix, then by content",
+      [&input](const std::string& text) { input.format = text; });
 }
 
 /// The options of a file that elements are read from.
@@ -212,8 +213,8 @@ void add_contacts(CLI::App& app, Command& command) {
       "write the pairs to a file .csv, .json or .vtp, CSV without a suffix; - is standard output",
       [options](const std::string& text) { options->output = text; });
   add_value(sub, "--format", "NAME",
-            "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_dump, xyz; default by "
-            "suffix, then by content",
+            "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_data, lammps_dump, xyz; "
+            "default by suffix, then by content",
             [format](const std::string& text) { *format = text; });
   CLI::Option* ids = add_switch(sub, "--ids", "add the file's own ids to OUT", options->ids, true);
   ids->needs(sub.get_option("--output"));

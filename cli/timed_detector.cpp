@@ -32,8 +32,9 @@ std::string_view name_of(Form form) {
   return "canonical";
 }
 
-TimedDetector::TimedDetector(const ElementView& elements, const Options& options, Form form)
-    : elements_(elements), form_(form), detector_(in_order_of(form, options)) {}
+TimedDetector::TimedDetector(const ElementView& elements, const Domain& domain,
+                             const Options& options, Form form)
+    : elements_(elements), domain_(domain), form_(form), detector_(in_order_of(form, options)) {}
 
 void TimedDetector::set_progress(ProgressHook hook) {
   Options options = detector_.options();
@@ -44,12 +45,12 @@ void TimedDetector::set_progress(ProgressHook hook) {
 double TimedDetector::call() {
   PhaseStopwatch stopwatch;
   if (form_ == Form::count) {
-    statistics_ = detector_.count_contact_pairs(elements_);
+    statistics_ = detector_.count_contact_pairs(elements_, domain_);
   } else if (form_ == Form::half_list || form_ == Form::full_list) {
     const auto kind = form_ == Form::half_list ? NeighborListKind::half : NeighborListKind::full;
-    neighbors_ = &detector_.build_neighbor_list(elements_, Domain::open(), kind);
+    neighbors_ = &detector_.build_neighbor_list(elements_, domain_, kind);
   } else {
-    pairs_ = &detector_.find_contact_pairs(elements_);
+    pairs_ = &detector_.find_contact_pairs(elements_, domain_);
   }
   const double seconds = stopwatch.lap();
   if (neighbors_ != nullptr) statistics_ = neighbors_->statistics();
@@ -68,9 +69,13 @@ std::vector<ContactPair> TimedDetector::canonical_pairs() const {
     if (form_ == Form::as_found) std::sort(pairs.begin(), pairs.end());
   }
   if (neighbors_ != nullptr) {
+    // A pair of an element with an image of itself stands twice in a row of a full list.
+    const std::size_t in_own_row = form_ == Form::full_list ? 2 : 1;
     for (std::size_t first = 0; first < neighbors_->size(); ++first) {
+      std::size_t own = 0;
       for (const ElementIndex second : (*neighbors_)[first]) {
-        if (second > first) pairs.push_back({static_cast<ElementIndex>(first), second});
+        if (second < first || (second == first && ++own % in_own_row != 0)) continue;
+        pairs.push_back({static_cast<ElementIndex>(first), second});
       }
     }
   }

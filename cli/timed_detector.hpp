@@ -15,7 +15,8 @@ enum class Form { canonical, as_found, count, half_list, full_list };
 /// A detector that is asked for the same again and again, by the clock.
 class TimedDetector {
  public:
-  TimedDetector(const ElementView& elements, const Options& options, Form form);
+  TimedDetector(const ElementView& elements, const Domain& domain, const Options& options,
+                Form form);
 
   /// One detection; its wall-clock time in seconds.
   [[nodiscard]] double call();
@@ -26,13 +27,15 @@ class TimedDetector {
   /// Of the last call.
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
 
-  /// Of the pairs of the last call in canonical order; empty if they were only counted.
+  /// Of the pairs of the last call in canonical order, without image shifts; empty if they were
+  /// only counted.
   [[nodiscard]] std::string digest() const;
 
  private:
   [[nodiscard]] std::vector<ContactPair> canonical_pairs() const;
 
   ElementView elements_;
+  Domain domain_;
   Form form_;
   Detector detector_;
   Statistics statistics_;

@@ -57,7 +57,8 @@ Domain Domain::sheared(const Vector& lengths, std::size_t dimensions, double shi
     if (lengths[axis] == unbounded) continue;
     if (!(lengths[axis] > 0.0)) {
       reject(length_name[axis], lengths[axis],
-             "a periodic length must be positive, or 'unbounded' for an axis without periodicity");
+             "a periodic length must be positive; an infinite one stands for an axis that is not "
+             "periodic");
     }
     vectors[axis][axis] = lengths[axis];
     axes = with(axes, axis);

@@ -2,13 +2,11 @@
 
 #include "base/workers.hpp"
 #include "engine/place_natives.hpp"
-
-#include <abut/error.hpp>
+#include "grid/check_range.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <string>
 
 namespace abut::engine {
 namespace {
@@ -42,6 +40,13 @@ void overwrite(base::Array<T>& array, std::size_t size, std::size_t room) {
   array.resize(size);
 }
 
+template <int Dim>
+std::array<bool, Dim> all_sides() {
+  std::array<bool, Dim> along{};
+  along.fill(true);
+  return along;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -60,6 +65,7 @@ void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bou
   measure(elements, brick, settings.workers);
   const grid::Reaches reaches{bounds.largest_radius, settings.margin};
   const Window window(lattice, brick, extent_, reaches, 1.0);
+  if (!is_in_range(brick, window)) grid::check_range<Dim>(elements, lattice, settings.margin);
   const Along along = sides_to_wrap(brick, window);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
@@ -118,6 +124,17 @@ void Images<Dim>::measure(std::span<const base::Sphere<Dim>> elements,
   });
   extent_ = {};
   for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(parts_[worker].extent);
+}
+
+/// Whether all elements are far from what grid::check_range refuses.
+template <int Dim>
+bool Images<Dim>::is_in_range(const grid::Brick<Dim>& brick, const Window& window) const {
+  const Journey<Dim> journey(*lattice_, brick, extent_, all_sides<Dim>());
+  bool in_range = true;
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    in_range = in_range && journey.most_cells[k] <= 0x1p30 && window.widest(k) <= 0x1p30;
+  }
+  return in_range;
 }
 
 /// Elements are moved along the sides that they spread over more than a cell of. A little more, a
@@ -368,9 +385,7 @@ base::ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
     if (moved_any_) number += std::int64_t{cells_moved_[i][k]} - cells_moved_[j][k];
   }
   if (const auto shift = lattice_->shift_of(numbers)) return *shift;
-  throw Error(ErrorCode::invalid_input,
-              "elements " + std::to_string(i) + " and " + std::to_string(j) +
-                  " pair across more than 2147483647 lattice vectors; move them into one cell");
+  grid::refuse_shift(i, j);
 }
 
 template class Images<2>;

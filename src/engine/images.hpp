@@ -121,6 +121,7 @@ class Images {
                   const grid::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
   void measure(std::span<const base::Sphere<Dim>> elements, const grid::Brick<Dim>& brick,
                std::size_t workers);
+  [[nodiscard]] bool is_in_range(const grid::Brick<Dim>& brick, const Window& window) const;
   [[nodiscard]] Along sides_to_wrap(const grid::Brick<Dim>& brick, const Window& window) const;
   bool move_quickly_if_near(std::span<const base::Sphere<Dim>> elements,
                             const Journey<Dim>& journey, const Plan& plan,

@@ -20,15 +20,17 @@
 namespace abut::io {
 namespace {
 
-constexpr std::array<FormatInfo, 3> formats{{
+constexpr std::array<FormatInfo, 4> formats{{
     {"csv", ".csv .tsv .txt", "a table with a header line: x, y, z (3D) and radius"},
     {"lammps_dump", ".dump .lammpstrj .lammps", "text dump of LAMMPS, one or more frames"},
+    {"lammps_data", ".data .lmp", "data file of LAMMPS, as write_data writes it"},
     {"xyz", ".xyz .extxyz", "XYZ and extended XYZ, one or more frames"},
 }};
 constexpr std::size_t csv = 0;
 constexpr std::size_t lammps_dump = 1;
-constexpr std::size_t xyz = 2;
-constexpr std::array readers{&read_csv, &read_lammps_dump, &read_xyz};
+constexpr std::size_t lammps_data = 2;
+constexpr std::size_t xyz = 3;
+constexpr std::array readers{&read_csv, &read_lammps_dump, &read_lammps_data, &read_xyz};
 
 /// Position in `formats`.
 using FormatNumber = std::size_t;
@@ -51,17 +53,22 @@ FormatNumber format_named(const std::string& name) {
               fmt::format("there is no format {} to read; the formats are{}", quoted(name), names));
 }
 
-/// By the first line that is not blank: a section of a dump, a lone count, else a header.
+/// By the first line that is not blank: a section of a dump, the comment that LAMMPS writes above
+/// data, a lone count, else a header.
 FormatNumber format_by_content(LineReader& reader) {
   const std::vector<std::string> fields = split(*reader.peek(), Separator::blanks);
   if (fields[0] == "ITEM:") return lammps_dump;
+  if (fields[0] == "LAMMPS") return lammps_data;
   return fields.size() == 1 && parse_integer(fields[0]) ? xyz : csv;
 }
 
 FormatNumber choose_format(LineReader& reader, const std::string& path,
                            const ReadOptions& options) {
   if (!options.format.empty()) return format_named(options.format);
-  const auto by_suffix = path == "-" ? std::nullopt : format_with_suffix(suffix_of(path));
+  const std::string suffix = suffix_of(path);
+  const auto by_suffix = path == "-" ? std::nullopt : format_with_suffix(suffix);
+  // Some call their data so, too; a dump begins with a section.
+  if (suffix == ".lammps" && !reader.peek()->starts_with("ITEM:")) return lammps_data;
   return by_suffix ? *by_suffix : format_by_content(reader);
 }
 

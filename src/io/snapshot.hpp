@@ -28,9 +28,10 @@ struct Snapshot {
   /// its corner is of no account to contacts.
   std::array<bool, 3> periodic{};
   std::optional<std::array<std::array<double, 3>, 3>> box;
+  bool periodicity_is_assumed = false;  ///< the format has a box and does not say
 
   std::string source;            ///< the file's name as given, "standard input" for "-"
-  std::string format;            ///< "csv", "lammps_dump", "xyz"
+  std::string format;            ///< "csv", "lammps_data", "lammps_dump", "xyz"
   std::int64_t frame = 0;        ///< the one that was read, from 0
   std::int64_t frame_count = 1;  ///< frames in the file
 

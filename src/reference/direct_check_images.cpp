@@ -8,15 +8,13 @@
 #include "reference/direct_check_images.hpp"
 
 #include "base/periodic_predicate.hpp"
+#include "grid/check_range.hpp"
 #include "grid/reduced_lattice.hpp"
 #include "reference/image_window.hpp"
-
-#include <abut/error.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 namespace abut::reference {
 namespace {
@@ -35,20 +33,21 @@ class Checker {
         reduced_(lattice),
         margin_(margin),
         pairs_(pairs),
-        context_(context) {}
+        context_(context) {
+    grid::check_range<Dim>(spheres, reduced_, margin);
+  }
 
   void check(std::size_t i, std::size_t j) {
     if (++windows_ % steps_between_polls == 0) context_.progress.poll();
     ImageWindow window = image_window(reduced_, spheres_[i], spheres_[j], margin_);
     if (window.is_empty()) return;
-    if (window.is_endless()) refuse(i, j);
     if (i == j) window.first[0] = 0;
     for_each_image(window, [&](const grid::ImageNumbers& numbers) {
       // Of (i, i, n) and (i, i, -n) one is a pair: look at one of them, name the positive one.
       if (i == j && numbers <= grid::ImageNumbers{}) return;
       if (++context_.candidate_tests % steps_between_polls == 0) context_.progress.poll();
       std::optional<ImageShift> shift = reduced_.shift_of(numbers);
-      if (!shift) refuse(i, j);
+      if (!shift) grid::refuse_shift(i, j);
       if (!base::within_reach(spheres_[i], spheres_[j], *shift, lattice_, margin_,
                               context_.exact_decisions)) {
         return;
@@ -60,14 +59,6 @@ class Checker {
 
  private:
   static constexpr std::uint64_t steps_between_polls = 1 << 18;
-
-  [[noreturn]] static void refuse(std::size_t i, std::size_t j) {
-    throw Error(ErrorCode::invalid_input,
-                "element " + std::to_string(i) + " may touch an image of element " +
-                    std::to_string(j) +
-                    " that is moved by more than 2147483647 lattice vectors; wrap the positions "
-                    "into the cell, or give larger vectors");
-  }
 
   std::span<const base::Sphere<Dim>> spheres_;
   const base::Lattice& lattice_;

@@ -19,13 +19,6 @@ struct ImageWindow {
   [[nodiscard]] bool is_empty() const noexcept {
     return first[0] > last[0] || first[1] > last[1] || first[2] > last[2];
   }
-
-  /// Whether it goes on beyond what image shifts can name.
-  [[nodiscard]] bool is_endless() const noexcept {
-    constexpr std::int64_t longest = std::int64_t{1} << 32;
-    return last[0] - first[0] > longest || last[1] - first[1] > longest ||
-           last[2] - first[2] > longest;
-  }
 };
 
 template <class Body>

@@ -360,6 +360,48 @@ TEST(Periodic, ShiftsBeyond32BitsBetweenTwoElementsAreAnError) {
   }
 }
 
+/// The two algorithms refuse by one rule, in one sentence: at the border of what they carry, and
+/// where all elements are far out together.
+TEST(Periodic, FarElementsAreRefusedByOneRule) {
+  const Domain strip = Domain::lattice({1.0, 0.0}, {0.25, 1.0}, Axes::x);
+  const auto outcome = [&](const Scene& scene, Algorithm algorithm) {
+    try {
+      const Options options{.algorithm = algorithm};
+      return std::to_string(find_contact_pairs(view_of(scene), strip, options).size());
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::invalid_input);
+      return std::string(error.what());
+    }
+  };
+  const std::string far =
+      "; it lies more than 2147483647 cells outside of the periodic cell: move "
+      "it into the cell, or correct the lattice";
+  const struct {
+    Scene scene;
+    std::string expected;
+  } cases[] = {
+      {scene_of(2, {{2147483647.5, 0, 0, 0.125}, {2147483647.25, 0, 0, 0.125}}), "1"},
+      {scene_of(2, {{0, 0, 0, 0.125}, {2147483648.0, 0, 0, 0.125}}),
+       "element 1 has x = 2147483648" + far},
+      {scene_of(2, {{2147483648.5, 0, 0, 0.125}, {2147483648.25, 0, 0, 0.125}}),
+       "element 0 has x = 2147483648.5" + far},
+      {scene_of(2, {{-2147483647.0, 0, 0, 0.125}, {-2147483646.75, 0, 0, 0.125}}), "1"},
+      {scene_of(2, {{1.0, 0, 0, 0.125}, {-2147483647.5, 0, 0, 0.125}}),
+       "element 1 has x = -2147483647.5" + far},
+      {scene_of(2, {{-1e300, 0, 0, 0.125}}), "element 0 has x = -1e+300" + far},
+      {scene_of(2, {{-2e9, 0, 0, 0.125}, {2e9, 0, 0, 0.125}}),
+       "elements 0 and 1 pair across more than 2147483647 lattice vectors; move them into one "
+       "cell"},
+      {scene_of(2, {{0, 0, 0, 0.5}, {0, 9, 0, 1e10}}),
+       "element 1 has radius = 10000000000; it reaches over more than 2147483647 cells: make the "
+       "lattice vectors longer, or radii and margin smaller"},
+  };
+  for (const auto& [scene, expected] : cases) {
+    EXPECT_EQ(outcome(scene, Algorithm::direct_check), expected);
+    EXPECT_EQ(outcome(scene, Algorithm::rows), expected);
+  }
+}
+
 TEST(Periodic, ShiftsBeyond32BitsAreAnError) {
   const Domain strip = Domain::periodic({1.0, unbounded});
   for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {

@@ -75,10 +75,22 @@ def test_the_same_domain_in_other_words(abut, arguments):
 
 
 def test_commands_for_open_space_refuse_a_periodic_box(fails, abut):
-    for command in (["explain", "munjiza_nbs", LAMMPS], ["bench", LAMMPS]):
-        assert "--periodic none" in fails(2, *command)
+    assert "--periodic none" in fails(2, "explain", "munjiza_nbs", LAMMPS)
+    assert "munjiza_nbs" in fails(2, "bench", LAMMPS, "--algorithms", "munjiza_nbs")
     done = abut("compare", LAMMPS)
     assert done.returncode == 0 and "munjiza_nbs: does not carry periodic domains" in done.stdout
+
+
+def test_bench_of_a_periodic_box(abut):
+    """Also where elements touch images of themselves, which full lists hold twice."""
+    done = abut("bench", LAMMPS, "--repetitions", "1", "--threads", "1")
+    assert done.returncode == 0, done.stderr
+    assert "periodic in x and y, 4,401 contact pairs" in done.stdout
+    assert "direct_check" in done.stdout and "munjiza_nbs" not in done.stdout
+    assert "all the same pairs" in done.stdout
+    own = abut("bench", "-", "--box", "1,inf", "--repetitions", "1", "--threads", "1",
+               stdin="x,y,radius\n0,0,1.1\n0,9,0.6\n")
+    assert own.returncode == 0 and "all the same pairs" in own.stdout, own.stderr
 
 
 def test_frames(abut, fails):

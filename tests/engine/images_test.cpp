@@ -309,10 +309,14 @@ TEST(ImagesOfLargeReach, AreCountedBeforeTheyAreStored) {
   PeriodicSystem<2> system;
   system.lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
   system.lattice.periodic = {true, true, false};
-  for (const double radius : {1e5, 1e10, 1e300}) {
-    system.spheres = {{{0.0, 0.0}, radius}};
-    EXPECT_EQ(error_of(ErrorCode::limit_exceeded, [&] { (void)pairs_by_images(system); })
-                  .find("more than 4294967294 periodic images are within reach of the cell"),
+  system.spheres = {{{0.0, 0.0}, 1e5}};
+  EXPECT_EQ(error_of(ErrorCode::limit_exceeded, [&] { (void)pairs_by_images(system); })
+                .find("more than 4294967294 periodic images are within reach of the cell"),
+            0u);
+  for (const double radius : {1e10, 1e300}) {
+    system.spheres = {{{0.0, 0.0}, 1.0}, {{0.5, 0.0}, radius}};
+    EXPECT_EQ(error_of(ErrorCode::invalid_input, [&] { (void)pairs_by_images(system); })
+                  .find("element 1 has radius = 1e+"),
               0u)
         << radius;
   }

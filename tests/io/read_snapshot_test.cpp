@@ -11,7 +11,7 @@ TEST(ReadSnapshot, FormatsHaveDifferentNamesAndSuffixes) {
     EXPECT_FALSE(format.holds.empty());
     suffixes += std::string(format.suffixes) + " ";
   }
-  EXPECT_EQ(suffixes, ".csv .tsv .txt .dump .lammpstrj .lammps .xyz .extxyz ");
+  EXPECT_EQ(suffixes, ".csv .tsv .txt .dump .lammpstrj .lammps .data .lmp .xyz .extxyz ");
 }
 
 TEST(ReadSnapshot, NamedFormatWinsOverTheSuffix) {
@@ -24,7 +24,7 @@ TEST(ReadSnapshot, NamedFormatWinsOverTheSuffix) {
   const std::string sentence = sentence_of(
       ErrorCode::wrong_usage, [&] { static_cast<void>(read_text("a.csv", "x,y,r\n", options)); });
   EXPECT_NE(sentence.find("'vtk'"), std::string::npos);
-  EXPECT_NE(sentence.find("csv lammps_dump xyz"), std::string::npos);
+  EXPECT_NE(sentence.find("csv lammps_dump lammps_data xyz"), std::string::npos);
 }
 
 TEST(ReadSnapshot, ContentDecidesWhereTheSuffixSaysNothing) {

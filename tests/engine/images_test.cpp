@@ -67,49 +67,45 @@ void compare(const PeriodicSystem<Dim>& system, std::size_t& pairs) {
   pairs += expected.size();
 }
 
-TYPED_TEST(Images, OfSmallReach) {
-  constexpr int dim = TypeParam::value;
-  Random random(91);
+/// Systems of random lattices, radii as fractions of the shortest height.
+struct RandomRounds {
+  std::uint64_t seed;
+  int rounds;
+  std::size_t most_elements;
+  double least_radius;
+  double largest_radius;
+  std::array<double, 4> cells_away;
+};
+
+template <int Dim>
+std::size_t pairs_compared(const RandomRounds& rounds) {
+  Random random(rounds.seed);
   std::size_t pairs = 0;
-  for (int round = 0; round < 250; ++round) {
-    const auto named = random_lattice<dim>(random);
-    const double radius = uniform(random, 0.02, 0.3) * shortest_height<dim>(named.lattice);
+  for (int round = 0; round < rounds.rounds && !testing::Test::HasFatalFailure(); ++round) {
+    const auto named = random_lattice<Dim>(random);
+    SCOPED_TRACE(testing::Message() << named << " round " << round);
+    const double radius = uniform(random, rounds.least_radius, rounds.largest_radius) *
+                          shortest_height<Dim>(named.lattice);
     // Where c has 2^20 a in it, a million c are too many.
     const bool skewed = named.kind == std::string("skewed by many vectors");
-    const double cells_away = std::array{0.0, 1.0, 3.0, skewed ? 300.0 : 1e6}[random() % 4];
-    const auto system =
-        random_system<dim>(named.lattice, 1 + random() % 30, radius, cells_away, random);
-    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
+    const double cells_away = std::min(rounds.cells_away[random() % 4], skewed ? 300.0 : 1e6);
+    compare(random_system<Dim>(named.lattice, 1 + random() % rounds.most_elements, radius,
+                               cells_away, random),
+            pairs);
   }
-  EXPECT_GT(pairs, 1000u);
+  return pairs;
+}
+
+TYPED_TEST(Images, OfSmallReach) {
+  EXPECT_GT(pairs_compared<TypeParam::value>({91, 250, 30, 0.02, 0.3, {0, 1, 3, 1e6}}), 1000u);
 }
 
 TYPED_TEST(Images, OfReachBeyondTheCell) {
-  constexpr int dim = TypeParam::value;
-  Random random(92);
-  std::size_t pairs = 0;
-  for (int round = 0; round < 120; ++round) {
-    const auto named = random_lattice<dim>(random);
-    const double radius = uniform(random, 0.5, 2.0) * shortest_height<dim>(named.lattice);
-    const double cells_away = round % 2 == 0 ? 0.0 : 500.0;
-    const auto system =
-        random_system<dim>(named.lattice, 1 + random() % 6, radius, cells_away, random);
-    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
-  }
-  EXPECT_GT(pairs, 2000u);
+  EXPECT_GT(pairs_compared<TypeParam::value>({92, 120, 6, 0.5, 2.0, {0, 500, 0, 500}}), 2000u);
 }
 
 TYPED_TEST(Images, OfOneElement) {
-  constexpr int dim = TypeParam::value;
-  Random random(93);
-  std::size_t pairs = 0;
-  for (int round = 0; round < 200; ++round) {
-    const auto named = random_lattice<dim>(random);
-    const double radius = uniform(random, 0.3, 1.4) * shortest_height<dim>(named.lattice);
-    const auto system = random_system<dim>(named.lattice, 1, radius, round % 3 * 300, random);
-    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
-  }
-  EXPECT_GT(pairs, 100u);
+  EXPECT_GT(pairs_compared<TypeParam::value>({93, 200, 1, 0.3, 1.4, {0, 300, 600, 1}}), 100u);
 }
 
 /// Elements that touch exactly, or miss by one unit, through the faces.

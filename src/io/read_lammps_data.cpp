@@ -37,6 +37,7 @@ constexpr AtomStyle styles[] = {
     {"body", "id type body mass x y z"},
     {"peri", "id type volume density x y z"},
 };
+constexpr std::size_t fewest_columns = 5;  // of atomic
 constexpr std::string_view image_flags[] = {"nx", "ny", "nz"};
 
 std::vector<std::string> columns_of_style(const LineReader& reader, const std::string& style) {
@@ -95,6 +96,7 @@ std::string_view atom_line(LineReader& reader, std::uint64_t found, std::uint64_
 
 void read_atoms(LineReader& reader, const DataHeader& header, const ReadOptions& options,
                 Snapshot& snapshot) {
+  const std::size_t room = room_for(reader, header.count, fewest_columns);
   std::string_view line = atom_line(reader, 0, header.count);
   const std::size_t fields = split(line, Separator::blanks).size();
   const TableColumns columns =
@@ -102,7 +104,7 @@ void read_atoms(LineReader& reader, const DataHeader& header, const ReadOptions&
                    options.radius ? RadiusColumn::ignored : RadiusColumn::required);
   RowParser rows(reader, columns, Separator::blanks, options.radius, IdRule::must_be_integers,
                  snapshot);
-  rows.reserve(room_for(reader, header.count - 1, columns.names.size()) + 1);
+  rows.reserve(room);
   for (std::uint64_t k = 0; k < header.count; ++k) {
     if (k > 0) line = atom_line(reader, k, header.count);
     rows.append(line);

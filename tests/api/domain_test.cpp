@@ -61,7 +61,8 @@ TEST(Domain, ShearIsTakenAsGiven) {
 TEST(Domain, BadLengths) {
   const auto bad = [](double length, std::string_view name, std::string_view value,
                       const std::function<void(double)>& make) {
-    expect_error(ErrorCode::invalid_input, {name, value, "unbounded"}, [&] { make(length); });
+    expect_error(ErrorCode::invalid_input, {name, value, "must be positive; an infinite one"},
+                 [&] { make(length); });
   };
   bad(0.0, "lx", "0", [](double l) { return Domain::periodic({l, 1.0, 1.0}); });
   bad(-0.0, "ly", "-0", [](double l) { return Domain::periodic({1.0, l}); });

@@ -393,7 +393,7 @@ TEST(Periodic, FarElementsAreRefusedByOneRule) {
        "elements 0 and 1 pair across more than 2147483647 lattice vectors; move them into one "
        "cell"},
       {scene_of(2, {{0, 0, 0, 0.5}, {0, 9, 0, 1e10}}),
-       "element 1 has radius = 10000000000; it reaches over more than 2147483647 cells: make the "
+       "element 1 has radius = 1e+10; it reaches over more than 2147483647 cells: make the "
        "lattice vectors longer, or radii and margin smaller"},
   };
   for (const auto& [scene, expected] : cases) {

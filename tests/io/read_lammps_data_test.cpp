@@ -129,7 +129,8 @@ TEST(ReadLammpsData, ErrorsNameLineFieldAndValue) {
   EXPECT_EQ(error_text("a.data", atoms("Atoms # atomic", {"1 1 0 0 1"}))
                 .find("a.data, line 17: there is no column radius, r or diameter"),
             0u);
-  EXPECT_EQ(error_text("a.data", "x\n2 atoms\n" + block + "Atoms # sphere\n\n1 1 1 1 0 0 1\n"),
+  EXPECT_EQ(error_text("a.data",
+                       "x\n2 atoms\n" + block + "Atoms # sphere\n\n1 1 1 1 0 0 1\n\n\n\n\n\n\n\n"),
             "a.data: ends after 1 of the 2 atoms; the file is cut off");
   EXPECT_EQ(error_text("a.data",
                        "x\n2 atoms\n" + block + "Atoms # sphere\n\n1 1 1 1 0 0 1\n\nVelocities\n"),

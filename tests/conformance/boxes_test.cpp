@@ -192,6 +192,28 @@ TEST(Boxes, AtTheEndsOfTheExponentRange) {
   }
 }
 
+/// Visitors that begin anywhere in tiles and just behind them, where small boxes reach across.
+TEST(Boxes, ManyVisitorsAmongManySmallOnes) {
+  Random random(46);
+  for (const int dimensions : {2, 3}) {
+    BoxScene scene;
+    scene.dimensions = dimensions;
+    const double side = dimensions == 2 ? 140.0 : 27.0;
+    for (int k = 0; k < 20000; ++k) {
+      const double width = k % 50 == 0 ? 9.0 : 0.95;
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions); ++axis) {
+        const double lower = random.uniform(0.0, side);
+        scene.lower[axis].push_back(lower);
+        scene.upper[axis].push_back(lower + width);
+      }
+    }
+    Options options;
+    options.algorithm = Algorithm::direct_check;
+    const PairList expected = find_contact_pairs(view_of(scene), Domain::open(), options);
+    EXPECT_TRUE(rows_agree(expected.pairs(), view_of(scene), 0.0, {1, 3}));
+  }
+}
+
 TEST(Boxes, InFloat) {
   const BoxScene scene = scenes::boxes_in(scenes::scene_named("dense").make(2000, 3), 4);
   std::vector<float> columns[6];

@@ -77,7 +77,7 @@ template <int Dim>
 std::size_t ImageSink<Dim>::name_natives(const Room& room, std::size_t begin, std::size_t end,
                                          std::size_t kept) const {
   const std::span pairs = room.pairs.subspan(begin, end - begin);
-  if (kept != begin) std::copy(pairs.begin(), pairs.end(), room.pairs.begin() + kept);
+  if (kept != begin) std::copy(pairs.begin(), pairs.end(), room.pairs.data() + kept);
   if (!room.shifts.empty()) {
     images_->shifts_between(room.pairs.subspan(kept, pairs.size()),
                             room.shifts.subspan(kept, pairs.size()));

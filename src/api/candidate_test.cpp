@@ -37,6 +37,27 @@ void fetch_ahead(std::span<const ContactPair> candidates, std::size_t k,
   __builtin_prefetch(&spheres[candidates[next].second]);
 }
 
+/// What a filter says of a candidate; neither of the two where it cannot decide.
+struct Verdict {
+  bool apart;
+  bool together;
+};
+
+/// Keeps those that are not certainly apart, without branches. Returns whether some are undecided.
+template <class Judge>
+bool sift(std::size_t count, Survivors& survivors, Judge&& judge) {
+  bool undecided = false;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Verdict verdict = judge(k);
+    survivors.places[kept] = static_cast<std::uint16_t>(k);
+    kept += verdict.apart ? 0 : 1;
+    undecided |= verdict.apart == verdict.together;
+  }
+  survivors.count = kept;
+  return undecided;
+}
+
 /// In units of u = 2^-53, of all that is added up: 16.
 constexpr double placed_band = 0x1p-49;
 
@@ -55,9 +76,7 @@ OpenCandidateTest<Dim>::OpenCandidateTest(const Snapshot<Dim>& now)
 template <int Dim>
 void OpenCandidateTest<Dim>::run(std::span<const ContactPair> candidates, Survivors& survivors,
                                  std::uint64_t& exact_decisions) const {
-  bool undecided = !in_range_;
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < candidates.size() && in_range_; ++k) {
+  const bool undecided = sift(in_range_ ? candidates.size() : 0, survivors, [&](std::size_t k) {
     fetch_ahead(candidates, k, spheres_);
     const base::Sphere<Dim>& a = spheres_[candidates[k].first];
     const base::Sphere<Dim>& b = spheres_[candidates[k].second];
@@ -68,14 +87,10 @@ void OpenCandidateTest<Dim>::run(std::span<const ContactPair> candidates, Surviv
     }
     const double reach = a.radius + b.radius + margin_;
     const double reach_square = reach * reach;
-    const bool apart = square > reach_square * (1.0 + base::band);
-    const bool together = square < reach_square * (1.0 - base::band);
-    survivors.places[count] = static_cast<std::uint16_t>(k);
-    count += apart ? 0 : 1;
-    undecided |= apart == together;
-  }
-  survivors.count = count;
-  if (!undecided) return;
+    return Verdict{square > reach_square * (1.0 + base::band),
+                   square < reach_square * (1.0 - base::band)};
+  });
+  if (in_range_ && !undecided) return;
   if (!in_range_) take_all(candidates.size(), survivors);
   confirm(survivors, [&](std::size_t k) {
     return base::within_reach(spheres_[candidates[k].first], spheres_[candidates[k].second],
@@ -120,9 +135,7 @@ template <int Dim>
 void PeriodicCandidateTest<Dim>::run(std::span<const ContactPair> candidates,
                                      const std::uint16_t* shift_of, Survivors& survivors,
                                      std::uint64_t& exact_decisions) const {
-  bool undecided = !in_range_;
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < candidates.size() && in_range_; ++k) {
+  const bool undecided = sift(in_range_ ? candidates.size() : 0, survivors, [&](std::size_t k) {
     fetch_ahead(candidates, k, placed_);
     const base::Sphere<Dim>& a = placed_[candidates[k].first];
     const base::Sphere<Dim>& b = placed_[candidates[k].second];
@@ -136,14 +149,9 @@ void PeriodicCandidateTest<Dim>::run(std::span<const ContactPair> candidates,
     const double reach = a.radius + b.radius + margin_;
     const double outer = reach + slack_;
     const double inner = std::max(reach - slack_, 0.0);
-    const bool apart = square > outer * outer;
-    const bool together = square < inner * inner;
-    survivors.places[count] = static_cast<std::uint16_t>(k);
-    count += apart ? 0 : 1;
-    undecided |= apart == together;
-  }
-  survivors.count = count;
-  if (!undecided) return;
+    return Verdict{square > outer * outer, square < inner * inner};
+  });
+  if (in_range_ && !undecided) return;
   if (!in_range_) take_all(candidates.size(), survivors);
   confirm(survivors, [&](std::size_t k) {
     const ContactPair pair = candidates[k];

@@ -49,7 +49,8 @@ TableColumns read_header(LineReader& reader, std::string_view header, Separator 
   }
   if (names_boxes(names)) {
     if (options.radius) {
-      reader.fail_at_line("has columns of boxes, which have no radius; leave --radius out");
+      reader.fail_at_line(
+          "has columns of boxes, to which neither a radius nor a cutoff applies; leave it out");
     }
     return find_box_columns(reader, std::move(names));
   }

@@ -11,14 +11,6 @@ namespace {
               "vectors longer, or radii and margin smaller");
 }
 
-/// grid::Brick::coordinate.
-template <int Dim>
-double coordinate(const kernels::BrickMap& map, std::size_t side, const double* center) {
-  double sum = map.coefficients[side][0] * center[0];
-  for (std::size_t axis = 1; axis < Dim; ++axis) sum += map.coefficients[side][axis] * center[axis];
-  return sum;
-}
-
 /// The numbers of those natives, counted from 0, that may have ghosts; returns how many.
 template <int Dim>
 std::size_t list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
@@ -28,7 +20,7 @@ std::size_t list_outer(std::span<const base::Sphere<Dim>> natives, const kernels
   for (; i < natives.size(); ++i) {
     bool outer = false;
     for (std::size_t k = 0; k < map.sides; ++k) {
-      outer = outer || coordinate<Dim>(map, k, natives[i].center) <= map.outer_below[k];
+      outer = outer || kernels::coordinate<Dim>(map, k, natives[i].center) <= map.outer_below[k];
     }
     numbers[found] = static_cast<std::uint32_t>(i);
     found += outer ? 1 : 0;

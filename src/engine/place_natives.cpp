@@ -6,21 +6,13 @@
 namespace abut::engine {
 namespace {
 
-/// grid::Brick::coordinate.
-template <int Dim>
-double coordinate(const kernels::BrickMap& map, std::size_t side, const double* center) {
-  double sum = map.coefficients[side][0] * center[0];
-  for (std::size_t axis = 1; axis < Dim; ++axis) sum += map.coefficients[side][axis] * center[axis];
-  return sum;
-}
-
 /// One element of move_quickly.
 template <int Dim>
 grid::CellsMoved move_quickly(const kernels::BrickMap& map, base::Sphere<Dim>& sphere) {
   std::array<double, 3> cells{};
   for (std::size_t k = 0; k < map.sides; ++k) {
     if (!map.along[k]) continue;
-    double place = coordinate<Dim>(map, k, sphere.center);
+    double place = kernels::coordinate<Dim>(map, k, sphere.center);
     for (std::size_t l = 0; l < k; ++l) place -= cells[l] * map.offset[l][k];
     cells[k] = std::floor(place);
   }

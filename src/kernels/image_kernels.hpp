@@ -18,6 +18,15 @@ struct BrickMap {
   double outer_below[3];
 };
 
+/// grid::Brick::coordinate, of one element and by the operations of the vector kernels.
+template <int Dim>
+[[nodiscard]] inline double coordinate(const BrickMap& map, std::size_t side,
+                                       const double* center) {
+  double sum = map.coefficients[side][0] * center[0];
+  for (std::size_t axis = 1; axis < Dim; ++axis) sum += map.coefficients[side][axis] * center[axis];
+  return sum;
+}
+
 /// list_outer writes so many numbers beyond those that it found.
 inline constexpr std::size_t most_lanes = 8;
 

@@ -107,7 +107,7 @@ constexpr std::array<RegistryRow, 6> table{{
      munjiza_nbs_2d_runs,
      munjiza_nbs_3d_runs},
     {{Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N",
-      "at most 24 N + 32768, and 131072 a further thread", "", 2, 3, true, false},
+      "at most 32 N + 32768, and 131072 a further thread", "", 2, 3, true, false},
      rows_runs<2>,
      rows_runs<3>},
 }};

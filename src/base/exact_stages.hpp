@@ -2,11 +2,23 @@
 
 #include "base/sphere_predicate.hpp"
 
+#include <cstdint>
 #include <optional>
 
 /// The stages of within_reach_exactly, cheapest first, each with a name of its own so that tests
 /// can enter it. A stage that cannot tell returns nothing; the last always decides.
 namespace abut::base {
+
+/// A number with none of these bits has at most 26 significant ones, and its square at most 52.
+inline constexpr std::uint64_t bits_that_squares_lose = (std::uint64_t{1} << 27) - 1;
+/// Smaller squares leave the normal range.
+inline constexpr double smallest_exact_root = 0x1p-480;
+
+/// Reaches whose squares doubled precision knows, and differences by which it decides, in units of
+/// the squared reach: see THE ERROR in sphere_predicate.cpp.
+inline constexpr double smallest_doubled_reach = 0x1p-400;
+inline constexpr double largest_doubled_reach = 0x1p400;
+inline constexpr double doubled_band = 0x1p-95;
 
 /// The filter's own operations, if none of them rounds.
 template <int Dim>

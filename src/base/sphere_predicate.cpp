@@ -43,10 +43,9 @@ class RoundingWitness {
   /// The square of a number of at most 26 significant bits has at most 52; it is exact if it also
   /// stays in the normal range.
   double square(double value) noexcept {
-    constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27) - 1;
-    remainders_ |= bits(value) & low_bits;
+    remainders_ |= bits(value) & bits_that_squares_lose;
     // Magnitudes compare like their bits; 0, which squares exactly, wraps round to the largest.
-    tiny_ |= (bits(value) << 1) - 1 < (bits(0x1p-480) << 1) - 1;
+    tiny_ |= (bits(value) << 1) - 1 < (bits(smallest_exact_root) << 1) - 1;
     return value * value;
   }
 
@@ -92,7 +91,9 @@ std::optional<bool> decide_doubled(const Sphere<Dim>& a, const Sphere<Dim>& b,
     const Doubled sum = two_sum(reach.high, margin);
     reach = two_sum(sum.high, sum.low + reach.low);
   }
-  if (!(reach.high >= 0x1p-400 && reach.high <= 0x1p400)) return std::nullopt;
+  if (!(reach.high >= smallest_doubled_reach && reach.high <= largest_doubled_reach)) {
+    return std::nullopt;
+  }
   const Doubled reach_squared = square(reach);
   double high = -reach_squared.high;
   double low = -reach_squared.low;
@@ -105,7 +106,7 @@ std::optional<bool> decide_doubled(const Sphere<Dim>& a, const Sphere<Dim>& b,
     low += sum.low + term.low;
   }
   const double excess = high + low;
-  if (!(std::fabs(excess) > 0x1p-95 * reach_squared.high)) return std::nullopt;
+  if (!(std::fabs(excess) > doubled_band * reach_squared.high)) return std::nullopt;
   return excess < 0.0;
 }
 

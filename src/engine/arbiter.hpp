@@ -4,6 +4,7 @@
 #include "base/periodic_predicate.hpp"
 #include "base/sphere_predicate.hpp"
 #include "engine/images.hpp"
+#include "kernels/tie_kernels.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,45 +13,86 @@
 
 namespace abut::engine {
 
-/// Decides pairs on the caller's numbers.
+/// Decides pairs on the caller's numbers. Adds one to `exact_decisions` when doubles cannot decide.
 class Arbiter {
  public:
-  /// Asks for what a decision will need, ahead of it.
-  virtual void fetch(std::uint32_t element) const noexcept = 0;
-
-  /// Adds one to `exact_decisions` when doubles cannot decide.
   [[nodiscard]] virtual bool within_reach(std::uint32_t first, std::uint32_t second,
                                           std::uint64_t& exact_decisions) const = 0;
+
+  /// The verdicts on all doubtful pairs.
+  virtual void decide(kernels::Findings& findings, std::uint64_t& exact_decisions) const = 0;
 
  protected:
   Arbiter() = default;
   ~Arbiter() = default;
   Arbiter(const Arbiter&) = default;
   Arbiter& operator=(const Arbiter&) = default;
+
+  /// From the `first`-th doubtful pair on, one by one; fetch(element) asks for what a decision will
+  /// need, ahead of it.
+  template <class Fetch>
+  void decide_each(kernels::Findings& findings, std::size_t first, std::uint64_t& exact_decisions,
+                   Fetch fetch) const {
+    constexpr std::size_t fetched_ahead = 8;  // enough to hide the way to memory
+    const auto fetch_pair = [&](std::size_t k) {
+      if (k >= findings.doubts) return;
+      fetch(findings.element[findings.doubtful[k]]);
+      fetch(findings.partner[findings.doubtful[k]]);
+    };
+    for (std::size_t k = first; k < first + fetched_ahead; ++k) fetch_pair(k);
+    for (std::size_t k = first; k < findings.doubts; ++k) {
+      fetch_pair(k + fetched_ahead);
+      const std::uint32_t place = findings.doubtful[k];
+      const bool within =
+          within_reach(findings.element[place], findings.partner[place], exact_decisions);
+      findings.verdict[k] = within ? kernels::Verdict::within_reach : kernels::Verdict::apart;
+    }
+  }
 };
 
 template <int Dim>
 class OpenArbiter final : public Arbiter {
  public:
-  OpenArbiter(const base::Elements<Dim>& originals, double margin)
-      : originals_(originals), margin_(margin) {}
-
-  void fetch(std::uint32_t element) const noexcept override {
-    if (originals_.are_boxes()) {
-      __builtin_prefetch(&originals_.boxes[element]);
-    } else {
-      __builtin_prefetch(&originals_.spheres[element]);
-    }
-  }
+  OpenArbiter(const base::Elements<Dim>& originals, double margin, kernels::TieKernels kernels)
+      : originals_(originals), margin_(margin), kernels_(kernels) {}
 
   [[nodiscard]] bool within_reach(std::uint32_t first, std::uint32_t second,
                                   std::uint64_t& exact_decisions) const override {
     return originals_.within_reach(first, second, margin_, exact_decisions);
   }
 
+  void decide(kernels::Findings& findings, std::uint64_t& exact_decisions) const override {
+    if (originals_.are_boxes()) {
+      return decide_each(findings, 0, exact_decisions, [this](std::uint32_t element) {
+        __builtin_prefetch(&originals_.boxes[element]);
+      });
+    }
+    const std::size_t treated = decide_in_vectors(findings, exact_decisions);
+    decide_each(findings, treated, exact_decisions, [this](std::uint32_t element) {
+      __builtin_prefetch(&originals_.spheres[element]);
+    });
+  }
+
  private:
+  /// Returns how many of the pairs, from the front.
+  std::size_t decide_in_vectors(kernels::Findings& findings, std::uint64_t& exact_decisions) const {
+    const std::span spheres = originals_.spheres;
+    const std::size_t treated =
+        kernels_.decide(spheres[0].center, Dim, margin_, findings, exact_decisions);
+    for (std::size_t k = 0; k < treated; ++k) {
+      if (findings.verdict[k] != kernels::Verdict::open) continue;
+      const base::Sphere<Dim>& a = spheres[findings.element[findings.doubtful[k]]];
+      const base::Sphere<Dim>& b = spheres[findings.partner[findings.doubtful[k]]];
+      findings.verdict[k] = base::within_reach_exactly(a, b, margin_)
+                                ? kernels::Verdict::within_reach
+                                : kernels::Verdict::apart;
+    }
+    return treated;
+  }
+
   base::Elements<Dim> originals_;
   double margin_;
+  kernels::TieKernels kernels_;
 };
 
 /// Numbers from the count of natives on are those of ghosts. Two ghosts are no pair.
@@ -61,25 +103,27 @@ class PeriodicArbiter final : public Arbiter {
                   const Images<Dim>& images, double margin)
       : originals_(originals), lattice_(lattice), images_(images), margin_(margin) {}
 
-  void fetch(std::uint32_t element) const noexcept override {
-    if (element < originals_.size()) __builtin_prefetch(&originals_[element]);
-  }
-
   [[nodiscard]] bool within_reach(std::uint32_t first, std::uint32_t second,
                                   std::uint64_t& exact_decisions) const override {
     const std::size_t natives = originals_.size();
     if (second < first) std::swap(first, second);
     if (first >= natives) return false;
     if (second < natives) {
-      return decide(first, second, images_.shift_between(first, second), exact_decisions);
+      return within_reach(first, second, images_.shift_between(first, second), exact_decisions);
     }
     const Ghost& ghost = images_.ghosts()[second - natives];
-    return decide(first, ghost.element, images_.shift_between(first, ghost), exact_decisions);
+    return within_reach(first, ghost.element, images_.shift_between(first, ghost), exact_decisions);
+  }
+
+  void decide(kernels::Findings& findings, std::uint64_t& exact_decisions) const override {
+    decide_each(findings, 0, exact_decisions, [this](std::uint32_t element) {
+      if (element < originals_.size()) __builtin_prefetch(&originals_[element]);
+    });
   }
 
  private:
-  [[nodiscard]] bool decide(std::uint32_t i, std::uint32_t j, const base::ImageShift& shift,
-                            std::uint64_t& exact_decisions) const {
+  [[nodiscard]] bool within_reach(std::uint32_t i, std::uint32_t j, const base::ImageShift& shift,
+                                  std::uint64_t& exact_decisions) const {
     return base::within_reach(originals_[i], originals_[j], shift, lattice_, margin_,
                               exact_decisions);
   }

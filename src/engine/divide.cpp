@@ -73,33 +73,51 @@ void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group
 }
 
 template <int Dim>
-void collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles, std::size_t tile,
-                  double cell_size, double margin, Members& members) {
-  members.clear();
+Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles,
+                        std::size_t tile, double cell_size, double margin, Members& members) {
+  // Elements of a tile lie anywhere in memory.
+  constexpr std::size_t fetched_ahead = 16;
+  const std::span<const base::Sphere<Dim>> spheres = elements.spheres;
   const auto records = tiles.records(tile);
-  grid::Bounds<Dim> box;
-  for (const Record<Dim>& record : records.first(tiles.own_count(tile))) {
-    members.natives.push_back(record.number);
-    box.include_center(elements[record.number]);
-    box.include_radius(elements[record.number].radius);
-  }
-  for (const Record<Dim>& record : records.subspan(tiles.own_count(tile))) {
-    if (within(elements[record.number], box, cell_size)) members.foreigns.push_back(record.number);
+  const std::size_t own = tiles.own_count(tile);
+  members.clear();
+  members.natives.resize(own);
+  grid::Bounds<Dim> bounds;
+  for (std::size_t k = 0; k < own; ++k) {
+    if (k + fetched_ahead < records.size()) {
+      __builtin_prefetch(&spheres[records[k + fetched_ahead].number]);
+    }
+    const std::uint32_t number = records[k].number;
+    members.natives[k] = number;
+    bounds.include_center(spheres[number]);
+    bounds.include_radius(spheres[number].radius);
   }
   for (const std::uint32_t number : tiles.visitors(tile)) {
-    if (Catchment<Dim>::of(elements, number, box.largest_radius, margin).meets(box)) {
+    if (Catchment<Dim>::of(elements, number, bounds.largest_radius, margin).meets(bounds)) {
       members.visitors.push_back(number);
     }
   }
+  for (const Record<Dim>& record : records.subspan(own)) {
+    if (!within(spheres[record.number], bounds, cell_size)) continue;
+    members.foreigns.push_back(record.number);
+    bounds.include_radius(spheres[record.number].radius);
+  }
+  if (elements.are_boxes()) bounds.count_largest_twice();
+  return {Members::numbers(members.natives),
+          Members::numbers(members.foreigns),
+          Members::numbers(members.visitors),
+          Wanted::all_pairs,
+          1.0,
+          bounds};
 }
 
 template Group<2> group_of(const base::Elements<2>&, const Members&, Wanted);
 template Group<3> group_of(const base::Elements<3>&, const Members&, Wanted);
 template void divide_by_size(const base::Elements<2>&, const Group<2>&, double, Floor<2>&);
 template void divide_by_size(const base::Elements<3>&, const Group<3>&, double, Floor<3>&);
-template void collect_tile(const base::Elements<2>&, const Tiles<2>&, std::size_t, double, double,
-                           Members&);
-template void collect_tile(const base::Elements<3>&, const Tiles<3>&, std::size_t, double, double,
-                           Members&);
+template Group<2> collect_tile(const base::Elements<2>&, const Tiles<2>&, std::size_t, double,
+                               double, Members&);
+template Group<3> collect_tile(const base::Elements<3>&, const Tiles<3>&, std::size_t, double,
+                               double, Members&);
 
 }  // namespace abut::engine

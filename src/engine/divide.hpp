@@ -19,10 +19,11 @@ void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group
                     Floor<Dim>& floor);
 
 /// Own elements of a tile as natives, copies within a cell of their box as foreigns, visitors that
-/// reach the box.
+/// reach the box. The group's lists are those of `members`.
 template <int Dim>
-void collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles, std::size_t tile,
-                  double cell_size, double margin, Members& members);
+[[nodiscard]] Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles,
+                                      std::size_t tile, double cell_size, double margin,
+                                      Members& members);
 
 /// The group of some members, with its bounds.
 template <int Dim>

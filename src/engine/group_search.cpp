@@ -28,6 +28,12 @@ constexpr std::uint64_t crowd = 12;
 constexpr std::size_t few_elements = 128;
 constexpr double tiles_of_crowd = 8.0;
 
+/// Where an average element of coarse cells has company like this, finer ones pay, although most
+/// will be empty; beyond, the tile is better cut anew.
+constexpr std::uint64_t least_company = 4;
+constexpr std::uint64_t most_company = 60;
+constexpr std::size_t cells_of_cluster = 8;
+
 /// Groups in a tile that are worth all workers' time.
 constexpr std::size_t large_group = 1 << 15;
 
@@ -77,6 +83,12 @@ TileGrid<Dim> cut_into_tiles(const Group<Dim>& group, double cell) {
   const double wanted = at_most(natives / elements_per_tile);
   if (wide.tiles_in_box() >= wanted) return wide;
   return TileGrid<Dim>::over(group.bounds, cell, 1.0, wanted);
+}
+
+template <int Dim>
+bool is_clustered(const SortedTile<Dim>& tile) {
+  return tile.size() > few_elements && tile.crowding() > least_company * tile.size() &&
+         tile.crowding() < most_company * tile.size();
 }
 
 template <int Dim>
@@ -168,8 +180,12 @@ void GroupSearch<Dim>::search_tile(const Group<Dim>& group, const TileGrid<Dim>&
   if (own == 0 || (!all_pairs && visitors.empty())) return;
   const auto records = tiles.records(tile);
   SortedTile<Dim>& sorted = post.worker->bench().tile;
-  const TileCells<Dim> cells = choose_tile_cells(grid, tiles.unit(), records.size());
+  TileCells<Dim> cells = choose_tile_cells(grid, tiles.unit(), records.size());
   sorted.count(records, own, cells, task_.element_kernels);
+  if (cells.coarse && is_clustered(sorted)) {
+    cells = choose_tile_cells(grid, tiles.unit(), cells_of_cluster * records.size());
+    sorted.count(records, own, cells, task_.element_kernels);
+  }
   if (records.size() > few_elements && sorted.crowding() > crowd * records.size() &&
       search_crowded_tile(group, grid, tiles, tile, cells, post)) {
     return;
@@ -200,9 +216,14 @@ bool GroupSearch<Dim>::search_crowded_tile(const Group<Dim>& group, const TileGr
   }
   // Tiles of a group of all workers stand at depth 0 of the worker's own floors.
   const bool waits = post.depth == 0 && tiles.own_count(tile) >= large_group;
-  Part part{waits ? &spare_members() : &post.floors.at(post.depth).part, group.wanted, cut,
-            tile_volume_in_cells(grid)};
-  collect_tile(task_.elements, tiles, tile, grid.cell_size, task_.margin, *part.members);
+  Members& members = waits ? spare_members() : post.floors.at(post.depth).part;
+  Part part{collect_tile(task_.elements, tiles, tile, grid.cell_size, task_.margin, members), cut};
+  part.group.wanted = group.wanted;
+  // Cells that are much smaller, because the box is, are progress enough.
+  const grid::Bounds<Dim>& bounds = part.group.bounds;
+  const double volume = volume_in_cells(bounds, cell_size_for(bounds, task_));
+  part.group.least_tiles =
+      volume * tiles_of_crowd <= tile_volume_in_cells(grid) ? 1.0 : tiles_of_crowd;
   if (!waits) {
     search(part, post);
     return true;
@@ -235,14 +256,10 @@ std::optional<double> GroupSearch<Dim>::size_cut_in(const Group<Dim>& group,
 
 template <int Dim>
 void GroupSearch<Dim>::search(const Part& part, const Post& post) {
-  Group<Dim> group = group_of(task_.elements, *part.members, part.wanted);
-  // Cells that are much smaller, because the box is, are progress enough.
-  const double volume = volume_in_cells(group.bounds, cell_size_for(group.bounds, task_));
-  group.least_tiles = volume * tiles_of_crowd <= part.tile_volume ? 1.0 : tiles_of_crowd;
   if (part.size_cut) {
-    search_divided(group, *part.size_cut, post.deeper());
+    search_divided(part.group, *part.size_cut, post.deeper());
   } else {
-    search(group, post.deeper());
+    search(part.group, post.deeper());
   }
 }
 

@@ -36,12 +36,10 @@ class GroupSearch {
     [[nodiscard]] Post deeper() const { return {worker, floors, histogram, depth + 1}; }
   };
 
-  /// A part of a group that becomes a group of its own.
+  /// A crowded tile that becomes a group of its own.
   struct Part {
-    Members* members;
-    Wanted wanted;
+    Group<Dim> group;
     std::optional<double> size_cut;
-    double tile_volume = 0.0;  ///< of the tile that it was, in cells of its group
   };
 
   struct Waiting {

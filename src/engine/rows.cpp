@@ -79,7 +79,7 @@ void rows(const base::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
   sink.expect_workers(settings.workers);
   const kernels::TileKernels kernels = kernels::tile_kernels(settings.simd);
   const kernels::ElementKernels element_kernels = kernels::element_kernels(settings.simd);
-  const OpenArbiter<Dim> arbiter(elements, settings.margin);
+  const OpenArbiter<Dim> arbiter(elements, settings.margin, kernels::tie_kernels(settings.simd));
   if (largest_number(bounds, settings.margin) <= largest_unscaled) {
     const Task<Dim> task{elements,        arbiter, settings.margin, 0.0, kernels,
                          element_kernels, sink,    context.progress};

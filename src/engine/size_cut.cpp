@@ -8,10 +8,11 @@
 namespace abut::engine {
 namespace {
 
-/// In candidate tests: bringing an element into cells, a visitor into a tile, and a visitor to a
-/// row of cells.
+/// In candidate tests: bringing an element into cells, an element into the groups of a division, a
+/// visitor into a tile, and a visitor to a row of cells.
 constexpr double cost_of_element = 120.0;
-constexpr double cost_of_visit = 150.0;
+constexpr double cost_of_division = 60.0;
+constexpr double cost_of_visit = 250.0;
 constexpr double cost_of_row = 15.0;
 
 /// A cut must promise more than the error of the estimate.
@@ -79,6 +80,7 @@ class Estimate {
   }
 
   [[nodiscard]] std::size_t size() const { return classes_.size(); }
+  [[nodiscard]] double count() const { return count_of(0, size()); }
   [[nodiscard]] double cut_above(std::size_t k) const { return classes_[k].cut; }
 
  private:
@@ -117,11 +119,12 @@ std::optional<double> choose_size_cut(const RadiusHistogram& histogram, const Cr
   const double cell = 2.0 * crowd.largest_radius + crowd.margin;
   const Estimate<Dim> estimate(occupied_classes(histogram, crowd, cell), crowd.margin / cell,
                                crowd.volume);
+  const double division = cost_of_division * estimate.count();
   double least = least_gain * estimate.alone(0, estimate.size());
   std::optional<double> cut;
   for (std::size_t k = 1; k < estimate.size(); ++k) {
     const double cost =
-        estimate.alone(0, k) + estimate.visits(k) + estimate.alone(k, estimate.size());
+        division + estimate.alone(0, k) + estimate.visits(k) + estimate.alone(k, estimate.size());
     if (cost >= least) continue;
     least = cost;
     cut = estimate.cut_above(k - 1);

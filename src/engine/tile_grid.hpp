@@ -39,6 +39,13 @@ struct TileGrid {
     return tiles;
   }
 
+  /// The number of the first tile of the box, behind the frame.
+  [[nodiscard]] std::size_t first_tile() const noexcept {
+    std::size_t tile = 0;
+    for (const std::int32_t along_axis : stride) tile += static_cast<std::size_t>(along_axis);
+    return tile;
+  }
+
   struct Place {
     std::uint32_t tile;
     std::uint32_t near_faces;  ///< bit 2 a: near the lower face of axis a; bit 2 a + 1: the upper

@@ -12,9 +12,6 @@ constexpr float filter_slack = 0x1p-20f;
 
 constexpr std::uint64_t tests_between_polls = 1 << 18;
 
-/// Doubtful pairs whose elements are fetched ahead: enough to hide the way to memory.
-constexpr std::size_t fetched_ahead = 8;
-
 }  // namespace
 
 template <int Dim>
@@ -62,29 +59,24 @@ void TileSearcher<Dim>::take() {
 /// Drops the doubtful pairs that are none; the others keep their order.
 template <int Dim>
 void TileSearcher<Dim>::settle() {
-  std::uint32_t* const element = findings_.element;
-  std::uint32_t* const partner = findings_.partner;
+  task_->arbiter.decide(findings_, exact_decisions_);
   const std::span doubtful(findings_.doubtful, findings_.doubts);
-  const auto fetch = [&](std::size_t k) {
-    if (k >= doubtful.size()) return;
-    task_->arbiter.fetch(element[doubtful[k]]);
-    task_->arbiter.fetch(partner[doubtful[k]]);
-  };
-  for (std::size_t k = 0; k < fetched_ahead; ++k) fetch(k);
-  std::size_t kept = doubtful[0];
-  for (std::size_t k = 0; k < doubtful.size(); ++k) {
-    fetch(k + fetched_ahead);
+  const std::span verdicts(findings_.verdict, findings_.doubts);
+  findings_.doubts = 0;
+  std::size_t k = 0;
+  while (k < verdicts.size() && verdicts[k] != kernels::Verdict::apart) ++k;
+  if (k == verdicts.size()) return;
+
+  std::size_t kept = doubtful[k];
+  for (; k < doubtful.size(); ++k) {
+    const bool apart = verdicts[k] == kernels::Verdict::apart;
+    const std::size_t begin = doubtful[k] + (apart ? 1 : 0);
     const std::size_t end = k + 1 < doubtful.size() ? doubtful[k + 1] : findings_.found;
-    std::size_t begin = doubtful[k];
-    if (!decide(element[begin], partner[begin])) ++begin;
-    if (kept != begin) {
-      std::copy(element + begin, element + end, element + kept);
-      std::copy(partner + begin, partner + end, partner + kept);
-    }
+    std::copy(findings_.element + begin, findings_.element + end, findings_.element + kept);
+    std::copy(findings_.partner + begin, findings_.partner + end, findings_.partner + kept);
     kept += end - begin;
   }
   findings_.found = kept;
-  findings_.doubts = 0;
 }
 
 /// Writes what was found, pair by pair, into the sink's room.

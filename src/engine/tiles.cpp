@@ -85,6 +85,7 @@ template <int Dim>
 void Tiles<Dim>::partition(const base::Elements<Dim>& elements, const Group<Dim>& group,
                            const TileGrid<Dim>& grid, double margin,
                            const kernels::ElementKernels& kernels, std::size_t workers) {
+  one_tile_ = grid.tiles_in_box() == 1.0;
   shape_ = shape_of(elements, group.bounds);
   size_columns_ = kernels::size_columns(shape_, Dim);
   count(elements, group, grid, kernels, workers);
@@ -109,6 +110,10 @@ void Tiles<Dim>::count(const base::Elements<Dim>& elements, const Group<Dim>& gr
     const Cursors counts = cursors_of(cursors_, worker, grid.tile_count);
     std::fill_n(counts.own, 2 * grid.tile_count, std::uint64_t{0});
     const auto [first, last] = base::share_of(worker, workers, natives);
+    if (one_tile_) {
+      counts.own[grid.first_tile()] = last - first;
+      return;
+    }
     place(elements, group, grid, kernels, first, last);
     NearFaces near;
     for_each_block(first, last, [&](std::size_t begin, std::size_t end) {
@@ -198,6 +203,10 @@ void Tiles<Dim>::scatter(const base::Elements<Dim>& elements, const Group<Dim>& 
   base::for_each_worker(workers, [&](std::size_t worker) {
     const Cursors cursors = cursors_of(cursors_, worker, grid.tile_count);
     const auto [first, last] = base::share_of(worker, workers, natives.size());
+    if (one_tile_) {
+      const std::uint64_t own = cursors.own[grid.first_tile()];
+      return record_one_tile(elements, group, recorder, kernels, first, last, own);
+    }
     std::array<Record<Dim>, block_size> block;
     NearFaces near;
     for_each_block(first, last, [&](std::size_t begin, std::size_t end) {
@@ -231,6 +240,29 @@ void Tiles<Dim>::scatter(const base::Elements<Dim>& elements, const Group<Dim>& 
   });
   scatter_foreigns(elements, group, grid, recorder,
                    cursors_of(cursors_, workers, grid.tile_count).copies);
+}
+
+/// The natives [first, last) of a box that is one tile, from record `own` on: no place to find, no
+/// copies.
+template <int Dim>
+void Tiles<Dim>::record_one_tile(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                                 const Recorder<Dim>& recorder,
+                                 const kernels::ElementKernels& kernels, std::size_t first,
+                                 std::size_t last, std::uint64_t own) {
+  constexpr std::array<double, Dim> origin{};
+  std::uint64_t target = own;
+  std::size_t k = first;
+  if (group.natives.are_the_first() && first < last) {
+    k += kernels.record(elements[first].center, last - first, Dim, recorder.map(),
+                        static_cast<std::uint32_t>(first), records_.data() + target);
+    target += k - first;
+  }
+  for (; k < last; ++k, ++target) {
+    const std::uint32_t number = group.natives[k];
+    records_[target] = recorder.record(elements[number], number, origin);
+  }
+  if (size_columns_ == 0) return;
+  for (k = first; k < last; ++k) note_sizes(elements, group.natives[k], recorder, own + k - first);
 }
 
 template <int Dim>

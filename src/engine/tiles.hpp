@@ -61,6 +61,9 @@ class Tiles {
   void scatter(const base::Elements<Dim>& elements, const Group<Dim>& group,
                const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                std::size_t workers);
+  void record_one_tile(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                       const Recorder<Dim>& recorder, const kernels::ElementKernels& kernels,
+                       std::size_t first, std::size_t last, std::uint64_t own);
   void note_sizes(const base::Elements<Dim>& elements, std::uint32_t number,
                   const Recorder<Dim>& recorder, std::uint64_t record);
   void scatter_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
@@ -81,6 +84,7 @@ class Tiles {
   base::Array<std::uint64_t> visitor_begin_;  ///< tile_count + 1
   base::Array<std::uint32_t> visitors_;
   bool has_visitors_ = false;
+  bool one_tile_ = false;
   kernels::TileShape shape_ = kernels::TileShape::equal_spheres;
   std::size_t size_columns_ = 0;
   double unit_ = 1.0;

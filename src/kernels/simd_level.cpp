@@ -2,6 +2,7 @@
 
 #include "kernels/element_kernels.hpp"
 #include "kernels/image_kernels.hpp"
+#include "kernels/tie_kernels.hpp"
 #include "kernels/tile_search.hpp"
 
 #include <abut/error.hpp>
@@ -155,6 +156,14 @@ ImageKernels image_kernels(Simd level) {
           [](const double*, std::size_t, int, const BrickMap&, std::uint32_t*, std::size_t&) {
             return std::size_t{0};
           }};
+}
+
+TieKernels tie_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_tie_kernels(row_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const double*, int, double, Findings&, std::uint64_t&) { return std::size_t{0}; }};
 }
 
 }  // namespace kernels

@@ -36,10 +36,11 @@ class SimdMeeting {
       if (first >= size) return;
       candidate_tests_ += size - first;
       if (HWY_UNLIKELY(findings_.found + size + lanes > Findings::room)) job_.take(job_);
-      if (HWY_UNLIKELY(size + lanes > Findings::room) ||
-          !meet_gathered(runs[0].begin + k, first, size)) {
-        meet_with_care(probe_of(runs[0].begin + k), block_, first, size);
-      }
+      const bool quickly = size + lanes <= Findings::room && !expects_doubts_;
+      if (HWY_LIKELY(quickly) && meet_gathered(runs[0].begin + k, first, size)) continue;
+      const std::size_t doubts = findings_.doubts;
+      meet_with_care(probe_of(runs[0].begin + k), block_, first, size);
+      expects_doubts_ = findings_.doubts != doubts;
     }
   }
 
@@ -269,4 +270,5 @@ class SimdMeeting {
   std::uint32_t* element_;
   std::uint32_t* partner_;
   std::size_t candidate_tests_ = 0;
+  bool expects_doubts_ = false;  ///< the last element of a block had some, as on a lattice
 };

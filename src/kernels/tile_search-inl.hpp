@@ -12,11 +12,13 @@
 //
 // Copies meet own elements only: a pair of copies is found in another tile.
 
-/// Rows with more elements in a cell, on average, are searched in blocks.
+/// Rows with more elements in a cell, on average, are searched in blocks: fewer cells gather more
+/// often, more test more. docs/adr/0010 has the measurements.
 constexpr std::uint32_t crowd_of_row = 2;
-
-/// Cells of a block; docs/adr/0010 has the measurements.
 constexpr std::int32_t cells_per_block = 3;
+
+/// Rows with more than that have blocks of one cell.
+constexpr std::uint32_t crowd_of_cell = 5;
 
 template <int Dim, class Meeting>
 class TileSearch {
@@ -110,8 +112,8 @@ class TileSearch {
         continue;
       }
       meet_from_copies(row, 0, 0, ahead);
-      if (is_crowded(row)) {
-        meet_in_blocks(row);
+      if (const std::uint32_t most = most_in_row_ahead(row); is_crowded(most, crowd_of_row)) {
+        meet_in_blocks(row, is_crowded(most, crowd_of_cell) ? 1 : cells_per_block);
       } else {
         meet_directly(row);
       }
@@ -128,20 +130,25 @@ class TileSearch {
                       });
   }
 
-  /// Whether one of the rows that the row's elements meet is.
-  [[nodiscard]] bool is_crowded(const std::uint32_t* row) const {
+  /// Elements in the fullest of the rows that the row's elements meet.
+  [[nodiscard]] std::uint32_t most_in_row_ahead(const std::uint32_t* row) const {
     std::uint32_t most = 0;
     for (std::size_t k = 0; k < run_count; ++k) {
       const std::uint32_t* const other = row + step_to(k, row_length_, layer_length_);
       most = std::max(most, other[tile_.cells[0] + 2] - other[0]);
     }
-    return most > crowd_of_row * static_cast<std::uint32_t>(tile_.cells[0] + 2);
+    return most;
   }
 
-  void meet_in_blocks(const std::uint32_t* row) {
+  /// Whether so many elements of a row are more than `limit` for each cell.
+  [[nodiscard]] bool is_crowded(std::uint32_t elements, std::uint32_t limit) const {
+    return elements > limit * static_cast<std::uint32_t>(tile_.cells[0] + 2);
+  }
+
+  void meet_in_blocks(const std::uint32_t* row, std::int32_t width) {
     const std::int32_t last = tile_.cells[0] + 1;
-    for (std::int32_t x = 1; x < last; x += cells_per_block) {
-      const std::int32_t end = x + cells_per_block < last ? x + cells_per_block : last;
+    for (std::int32_t x = 1; x < last; x += width) {
+      const std::int32_t end = x + width < last ? x + width : last;
       if (row[x] == row[end]) continue;
       Run runs[run_count] = {{row[x], row[end + 1]}};
       for (std::size_t k = 1; k < run_count; ++k) {

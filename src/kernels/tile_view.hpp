@@ -54,6 +54,9 @@ struct TileView {
   [[nodiscard]] std::int32_t layer_length() const noexcept { return row_length() * (cells[1] + 2); }
 };
 
+/// What the exact stages say of a pair.
+enum class Verdict : std::uint8_t { apart, within_reach, open };
+
 /// Pairs that a kernel found, in the order of its search. The pairs that single precision cannot
 /// decide are among them; their places are listed, ascending.
 struct Findings {
@@ -63,6 +66,7 @@ struct Findings {
   std::uint32_t element[room + widest_vector];
   std::uint32_t partner[room + widest_vector];
   std::uint32_t doubtful[room];
+  Verdict verdict[room];  ///< of each doubtful pair, once it is decided
   std::size_t found = 0;
   std::size_t doubts = 0;
 };

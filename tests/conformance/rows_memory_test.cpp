@@ -20,12 +20,12 @@ std::uint64_t allowed_bytes(const scenes::Scene& scene, int threads) {
   const auto count = static_cast<std::uint64_t>(scene.size());
   const auto numbers = static_cast<std::uint64_t>(scene.dimensions + 1);
   const auto further_threads = static_cast<std::uint64_t>(threads - 1);
-  const std::uint64_t integers = 24 * count + 32768 + 131072 * further_threads;
+  const std::uint64_t integers = 32 * count + 32768 + 131072 * further_threads;
   return count * numbers * sizeof(double) + integer_bytes * integers;
 }
 
 TEST(RowsMemory, TheRegistryStatesTheLaw) {
-  EXPECT_EQ(info(Algorithm::rows).memory, "at most 24 N + 32768, and 131072 a further thread");
+  EXPECT_EQ(info(Algorithm::rows).memory, "at most 32 N + 32768, and 131072 a further thread");
 }
 
 class RowsMemory : public ::testing::TestWithParam<scenes::SceneInfo> {};

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <abut/simd.hpp>
+
+#include "kernels/tile_view.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::kernels {
+
+/// Decisions about spheres in vectors of pairs.
+struct TieKernels {
+  /// Decides the doubtful pairs of the findings by the first three stages of base::within_reach,
+  /// which are the filter, the filter's operations where nothing rounds, and doubled precision.
+  /// `spheres` are base::Sphere; adds to `exact_decisions` what the filter leaves. Treats whole
+  /// vectors from the front and returns how many pairs; the rest, and those that stay
+  /// Verdict::open, are the caller's.
+  std::size_t (*decide)(const double* spheres, int dimensions, double margin, Findings& findings,
+                        std::uint64_t& exact_decisions);
+};
+
+/// `level` must be available.
+[[nodiscard]] TieKernels tie_kernels(Simd level);
+
+/// `target` as Highway numbers instruction sets. Only where Highway is built in.
+[[nodiscard]] TieKernels simd_tie_kernels(std::int64_t target);
+
+}  // namespace abut::kernels

@@ -1,0 +1,277 @@
+// The first stages of the exact decision in vectors of pairs, compiled once for each instruction
+// set (Highway): the operations of base/sphere_predicate in the same order, hence the same bits,
+// and the proofs that stand there. Nothing is fused.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/tie_kernels_simd.cpp"
+// Reason: abut::Simd names no level between scalar and sse4, so nothing could choose this one.
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "base/exact_stages.hpp"
+#include "base/sphere_predicate.hpp"
+#include "kernels/tie_kernels.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace abut::kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Wider vectors would take longer to fill from scattered elements than to use.
+using DoubleTag = hn::CappedTag<double, 4>;
+using WordTag = hn::RebindToUnsigned<DoubleTag>;
+using Doubles = hn::Vec<DoubleTag>;
+using Mask = hn::Mask<DoubleTag>;
+constexpr DoubleTag doubles{};
+constexpr WordTag words{};
+constexpr std::size_t lanes = hn::MaxLanes(DoubleTag());
+static_assert(lanes <= 4);
+
+/// Pairs that come so much later are fetched: enough to hide the way to memory.
+constexpr std::size_t fetched_ahead = 8;
+
+/// One sphere a lane.
+template <int Dim>
+struct Spheres {
+  Doubles center[Dim];
+  Doubles radius;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+
+/// Numbers k and k + 1 of each sphere.
+HWY_INLINE void load_two(DoubleTag tag, const double* const* spheres, std::size_t k, Doubles& first,
+                         Doubles& second) {
+  first = hn::Set(tag, spheres[0][k]);
+  second = hn::Set(tag, spheres[0][k + 1]);
+}
+
+#else
+
+/// Numbers k and k + 1 of each sphere.
+template <class Tag>
+HWY_INLINE void load_two(Tag tag, const double* const* spheres, std::size_t k, Doubles& first,
+                         Doubles& second) {
+  const auto of = [&](std::size_t lane) {
+    return hn::LoadU(hn::FixedTag<double, 2>(), spheres[lane] + k);
+  };
+  if constexpr (hn::MaxLanes(Tag()) == 2) {
+    first = hn::InterleaveLower(tag, of(0), of(1));
+    second = hn::InterleaveUpper(tag, of(0), of(1));
+  } else {
+    const auto even = hn::Combine(tag, of(2), of(0));
+    const auto odd = hn::Combine(tag, of(3), of(1));
+    first = hn::InterleaveLower(tag, even, odd);
+    second = hn::InterleaveUpper(tag, even, odd);
+  }
+}
+
+#endif
+
+template <int Dim>
+HWY_INLINE Spheres<Dim> load(const double* const* spheres) {
+  Spheres<Dim> loaded;
+  load_two(doubles, spheres, 0, loaded.center[0], loaded.center[1]);
+  load_two(doubles, spheres, Dim - 1, loaded.center[Dim - 1], loaded.radius);
+  return loaded;
+}
+
+/// Which pairs a stage decided, and how.
+struct Decision {
+  Mask known;
+  Mask within;
+
+  [[nodiscard]] HWY_INLINE bool complete() const { return hn::AllTrue(doubles, known); }
+
+  HWY_INLINE void complete_by(const Decision& stage) {
+    within = hn::Or(hn::And(known, within), hn::AndNot(known, stage.within));
+    known = hn::Or(known, stage.known);
+  }
+};
+
+template <int Dim>
+HWY_INLINE Decision decide_by_filter(const Spheres<Dim>& a, const Spheres<Dim>& b, double margin) {
+  Doubles difference = hn::Sub(a.center[0], b.center[0]);
+  Doubles distance_squared = hn::Mul(difference, difference);
+  for (int axis = 1; axis < Dim; ++axis) {
+    difference = hn::Sub(a.center[axis], b.center[axis]);
+    distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
+  }
+  const Doubles reach = hn::Add(hn::Add(a.radius, b.radius), hn::Set(doubles, margin));
+  const Doubles reach_squared = hn::Mul(reach, reach);
+  const Mask safe = hn::And(hn::Ge(reach_squared, hn::Set(doubles, base::smallest_safe_square)),
+                            hn::Le(reach_squared, hn::Set(doubles, base::largest_safe_square)));
+  const Mask apart =
+      hn::Gt(distance_squared, hn::Mul(reach_squared, hn::Set(doubles, 1.0 + base::band)));
+  const Mask within =
+      hn::Lt(distance_squared, hn::Mul(reach_squared, hn::Set(doubles, 1.0 - base::band)));
+  return {hn::And(safe, hn::Or(apart, within)), within};
+}
+
+/// base's, in vectors.
+class RoundingWitness {
+ public:
+  HWY_INLINE RoundingWitness()
+      : remainders_(hn::Zero(doubles)), tiny_(hn::MaskFromVec(hn::Zero(doubles))) {}
+
+  HWY_INLINE Doubles add(Doubles a, Doubles b) {
+    const Doubles sum = hn::Add(a, b);
+    remainders_ = hn::Or(remainders_, hn::Sub(hn::Sub(sum, a), b));
+    remainders_ = hn::Or(remainders_, hn::Sub(hn::Sub(sum, b), a));
+    return sum;
+  }
+
+  HWY_INLINE Doubles square(Doubles value) {
+    const auto lost = hn::BitCast(doubles, hn::Set(words, base::bits_that_squares_lose));
+    remainders_ = hn::Or(remainders_, hn::And(value, lost));
+    const Mask small = hn::Lt(hn::Abs(value), hn::Set(doubles, base::smallest_exact_root));
+    tiny_ = hn::Or(tiny_, hn::And(small, hn::Ne(value, hn::Zero(doubles))));
+    return hn::Mul(value, value);
+  }
+
+  [[nodiscard]] HWY_INLINE Mask nothing_rounded() const {
+    const auto none = hn::Eq(hn::BitCast(words, remainders_), hn::Zero(words));
+    return hn::AndNot(tiny_, hn::RebindMask(doubles, none));
+  }
+
+ private:
+  Doubles remainders_;  ///< all bits 0: every remainder was +0
+  Mask tiny_;
+};
+
+template <int Dim>
+HWY_INLINE Decision decide_if_nothing_rounded(const Spheres<Dim>& a, const Spheres<Dim>& b,
+                                              double margin) {
+  RoundingWitness witness;
+  Doubles reach = witness.add(a.radius, b.radius);
+  if (margin != 0.0) reach = witness.add(reach, hn::Set(doubles, margin));
+  const Doubles reach_squared = witness.square(reach);
+  Doubles distance_squared = witness.square(witness.add(a.center[0], hn::Neg(b.center[0])));
+  for (int axis = 1; axis < Dim; ++axis) {
+    const Doubles difference = witness.add(a.center[axis], hn::Neg(b.center[axis]));
+    distance_squared = witness.add(distance_squared, witness.square(difference));
+  }
+  return {witness.nothing_rounded(), hn::Le(distance_squared, reach_squared)};
+}
+
+/// high + low, exactly: base::Doubled.
+struct Doubled {
+  Doubles high;
+  Doubles low;
+};
+
+HWY_INLINE Doubled two_sum(Doubles a, Doubles b) {
+  const Doubles sum = hn::Add(a, b);
+  const Doubles b_seen = hn::Sub(sum, a);
+  return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, b_seen)), hn::Sub(b, b_seen))};
+}
+
+/// base::square and the base::two_square in it.
+HWY_INLINE Doubled square(const Doubled& value) {
+  const Doubles scaled = hn::Mul(hn::Set(doubles, 134217729.0), value.high);
+  const Doubles upper = hn::Sub(scaled, hn::Sub(scaled, value.high));
+  const Doubles lower = hn::Sub(value.high, upper);
+  const Doubles square = hn::Mul(value.high, value.high);
+  const Doubles crossed =
+      hn::Add(hn::Sub(hn::Mul(upper, upper), square), hn::Mul(hn::Add(upper, upper), lower));
+  const Doubles low = hn::Add(crossed, hn::Mul(lower, lower));
+  return {square, hn::Add(low, hn::Mul(hn::Add(value.high, value.high), value.low))};
+}
+
+template <int Dim>
+HWY_INLINE Decision decide_doubled(const Spheres<Dim>& a, const Spheres<Dim>& b, double margin) {
+  Doubled reach = two_sum(a.radius, b.radius);
+  if (margin != 0.0) {
+    const Doubled sum = two_sum(reach.high, hn::Set(doubles, margin));
+    reach = two_sum(sum.high, hn::Add(sum.low, reach.low));
+  }
+  Mask known = hn::And(hn::Ge(reach.high, hn::Set(doubles, base::smallest_doubled_reach)),
+                       hn::Le(reach.high, hn::Set(doubles, base::largest_doubled_reach)));
+  const Doubles longest = hn::Add(reach.high, reach.high);
+  const Doubled reach_squared = square(reach);
+  Doubles high = hn::Neg(reach_squared.high);
+  Doubles low = hn::Neg(reach_squared.low);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Doubled difference = two_sum(a.center[axis], hn::Neg(b.center[axis]));
+    known = hn::And(known, hn::Le(hn::Abs(difference.high), longest));
+    const Doubled term = square(difference);
+    const Doubled sum = two_sum(high, term.high);
+    high = sum.high;
+    low = hn::Add(low, hn::Add(sum.low, term.low));
+  }
+  const Doubles excess = hn::Add(high, low);
+  const Doubles error = hn::Mul(hn::Set(doubles, base::doubled_band), reach_squared.high);
+  known = hn::And(known, hn::Gt(hn::Abs(excess), error));
+  return {known, hn::Lt(excess, hn::Zero(doubles))};
+}
+
+HWY_INLINE unsigned bits_of(Mask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(doubles, mask, bits);
+  return bits[0];
+}
+
+HWY_INLINE void write(const Decision& decision, Verdict* verdict) {
+  const unsigned within = bits_of(hn::And(decision.known, decision.within));
+  const unsigned open = bits_of(hn::Not(decision.known));
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    verdict[lane] = static_cast<Verdict>((within >> lane & 1u) | (open >> lane & 1u) << 1);
+  }
+}
+
+template <int Dim>
+std::size_t decide_in(const double* spheres, double margin, Findings& findings,
+                      std::uint64_t& exact_decisions) {
+  const auto at = [&](const std::uint32_t* side, std::size_t k) {
+    return spheres + std::size_t{side[findings.doubtful[k]]} * (Dim + 1);
+  };
+  const auto fetch = [&](std::size_t k) {
+    if (k >= findings.doubts) return;
+    __builtin_prefetch(at(findings.element, k));
+    __builtin_prefetch(at(findings.partner, k));
+  };
+  for (std::size_t k = 0; k < fetched_ahead; ++k) fetch(k);
+  std::size_t k = 0;
+  for (; k + lanes <= findings.doubts; k += lanes) {
+    const double* elements[lanes];
+    const double* partners[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      fetch(k + fetched_ahead + lane);
+      elements[lane] = at(findings.element, k + lane);
+      partners[lane] = at(findings.partner, k + lane);
+    }
+    const Spheres<Dim> a = load<Dim>(elements);
+    const Spheres<Dim> b = load<Dim>(partners);
+    Decision decision = decide_by_filter(a, b, margin);
+    if (!decision.complete()) {
+      exact_decisions += lanes - hn::CountTrue(doubles, decision.known);
+      decision.complete_by(decide_if_nothing_rounded(a, b, margin));
+      if (!decision.complete()) decision.complete_by(decide_doubled(a, b, margin));
+    }
+    write(decision, findings.verdict + k);
+  }
+  return k;
+}
+
+std::size_t decide(const double* spheres, int dimensions, double margin, Findings& findings,
+                   std::uint64_t& exact_decisions) {
+  return dimensions == 2 ? decide_in<2>(spheres, margin, findings, exact_decisions)
+                         : decide_in<3>(spheres, margin, findings, exact_decisions);
+}
+
+}  // namespace abut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace abut::kernels {
+
+HWY_EXPORT(decide);
+
+TieKernels simd_tie_kernels(std::int64_t target) {
+  hwy::ChosenTarget chosen;
+  chosen.Update(target);
+  return {HWY_DISPATCH_TABLE(decide)[chosen.GetIndex()]};
+}
+
+}  // namespace abut::kernels
+#endif

@@ -3,6 +3,7 @@
 // difference.
 
 #include "benchmarks/boxes/contestant.hpp"
+#include "benchmarks/program.hpp"
 
 #include <abut/abut.hpp>
 
@@ -11,9 +12,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <exception>
-#include <functional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -50,17 +48,6 @@ class Abut {
 
   Detector detector_;
 };
-
-double processor_seconds(const std::function<void()>& work) {
-  const std::clock_t start = std::clock();
-  work();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-double median(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  return seconds[seconds.size() / 2];
-}
 
 /// Whether all agree.
 bool measure(const std::string& name, std::size_t count, int repetitions) {
@@ -115,18 +102,12 @@ int main_of(int argc, char** argv) {
   for (const std::string& name : names) {
     for (const std::size_t count : counts) agree = measure(name, count, repetitions) && agree;
   }
-  constexpr int different = 7;
-  return agree ? EXIT_SUCCESS : different;
+  return agree ? EXIT_SUCCESS : different_answers;
 }
 
 }  // namespace
 }  // namespace abut::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return abut::benchmarks::main_of(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "box_contacts: %s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return abut::benchmarks::run_program("box_contacts", abut::benchmarks::main_of, argc, argv);
 }

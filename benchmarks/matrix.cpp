@@ -7,6 +7,7 @@
 #include "benchmarks/matrix/pinning.hpp"
 #include "benchmarks/matrix/plan.hpp"
 #include "benchmarks/matrix/table.hpp"
+#include "benchmarks/program.hpp"
 
 #include <abut/error.hpp>
 
@@ -16,7 +17,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <limits>
 #include <string>
 #include <vector>
@@ -134,13 +134,5 @@ int main_of(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   abut::benchmarks::bind_openmp_threads(argv);
-  try {
-    return abut::benchmarks::main_of(argc, argv);
-  } catch (const abut::Error& error) {
-    std::fprintf(stderr, "matrix: %s\n", error.what());
-    return static_cast<int>(error.code());
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "matrix: %s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return abut::benchmarks::run_program("matrix", abut::benchmarks::main_of, argc, argv);
 }

@@ -4,6 +4,7 @@
 #include "benchmarks/packs/measure.hpp"
 #include "benchmarks/packs/pack_case.hpp"
 #include "benchmarks/packs/verify.hpp"
+#include "benchmarks/program.hpp"
 
 #include <abut/error.hpp>
 
@@ -11,7 +12,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -126,13 +126,5 @@ int main_of(int argc, char** argv) {
 }  // namespace abut::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return abut::benchmarks::main_of(argc, argv);
-  } catch (const abut::Error& error) {
-    std::fprintf(stderr, "packs: %s\n", error.what());
-    return static_cast<int>(error.code());
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "packs: %s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return abut::benchmarks::run_program("packs", abut::benchmarks::main_of, argc, argv);
 }

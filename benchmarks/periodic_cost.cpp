@@ -1,6 +1,7 @@
 // What a periodic domain costs `rows`: the same elements in open space and in cells of several
 // kinds, by turns, so that all cases meet the same machine. CSV on stdout.
 
+#include "benchmarks/program.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
@@ -12,8 +13,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <exception>
 #include <list>
 #include <string>
 #include <vector>
@@ -51,9 +50,9 @@ struct Run {
 
   void once() {
     const scenes::Scene& s = what.scene;
-    const std::clock_t start = std::clock();
-    pairs = detector.find_contact_pairs(spheres(s.x, s.y, s.z, s.radius), what.domain).size();
-    seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    seconds.push_back(processor_seconds([&] {
+      pairs = detector.find_contact_pairs(spheres(s.x, s.y, s.z, s.radius), what.domain).size();
+    }));
   }
 
   Case what;
@@ -165,10 +164,5 @@ int main_of(int argc, char** argv) {
 }  // namespace abut::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return abut::benchmarks::main_of(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "periodic_cost: %s\n", error.what());
-    return EXIT_FAILURE;
-  }
+  return abut::benchmarks::run_program("periodic_cost", abut::benchmarks::main_of, argc, argv);
 }

@@ -2,6 +2,7 @@
 // detectors that detect anew in each step, with skins of several lengths and with an automatic one.
 // Each is checked against the first: the same number of pairs in every step. Prints CSV.
 
+#include "benchmarks/program.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene.hpp"
 
@@ -17,9 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace abut::benchmarks {
 namespace {
-
-using namespace abut;
 
 struct Settings {
   std::size_t count = 1'000'000;
@@ -127,9 +127,7 @@ void print(const Settings& settings, const char* name, const Measured& measured,
   std::fflush(stdout);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int main_of(int argc, char** argv) {
   Settings settings;
   CLI::App app("Stepping with and without a skin");
   app.add_option("--count", settings.count, "elements");
@@ -154,5 +152,12 @@ int main(int argc, char** argv) {
   for (const double length : {0.02, 0.05, 0.1, 0.2, 0.4}) compare("fixed", Skin::fixed(length));
   compare("automatic", Skin::automatic());
   if (different > 0) std::fprintf(stderr, "stepping: a skin changed the number of pairs\n");
-  return different > 0 ? 7 : 0;
+  return different > 0 ? different_answers : EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace abut::benchmarks
+
+int main(int argc, char** argv) {
+  return abut::benchmarks::run_program("stepping", abut::benchmarks::main_of, argc, argv);
 }

@@ -46,7 +46,8 @@ class OneSetFiltered {
     const auto first = static_cast<ElementIndex>(sets.first.size());
     pairs_.clear();
     for (const ContactPair& pair : detector_.find_contact_pairs(view(sets.both))) {
-      if (pair.first < first && pair.second >= first) pairs_.push_back({pair.first, pair.second - first});
+      if (pair.first < first && pair.second >= first)
+        pairs_.push_back({pair.first, pair.second - first});
     }
     return pairs_;
   }

@@ -43,8 +43,8 @@ void take_turns(const Scene& scene, const Effort& effort, std::vector<Measuremen
     if (!m.trial.can_run()) continue;
     Runner runner{m.entry->make(), repetitions_of(m.trial.first, effort), &m};
     runner.contestant->prepare(scene);
-    // A short run first meets memory that is its own already, like all later ones.
-    if (runner.repetitions > 1) static_cast<void>(timed_run(*runner.contestant, scene, answer));
+    // Every timed run meets memory that is its own already.
+    static_cast<void>(timed_run(*runner.contestant, scene, answer));
     runners.push_back(std::move(runner));
   }
   for (std::size_t round = 0; round < effort.most_repetitions; ++round) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <abut/algorithm.hpp>
+#include <abut/box_contacts.hpp>
 #include <abut/column.hpp>
 #include <abut/contact_history.hpp>
+#include <abut/contact_list.hpp>
 #include <abut/detect.hpp>
 #include <abut/detector.hpp>
 #include <abut/domain.hpp>
@@ -10,9 +12,11 @@
 #include <abut/error.hpp>
 #include <abut/exclusion_list.hpp>
 #include <abut/export.hpp>
+#include <abut/feature_kind.hpp>
 #include <abut/fit_boxes.hpp>
 #include <abut/group_table.hpp>
 #include <abut/image_shift.hpp>
+#include <abut/mesh_contacts.hpp>
 #include <abut/neighbor_list.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
@@ -23,5 +27,6 @@
 #include <abut/simd.hpp>
 #include <abut/skin.hpp>
 #include <abut/statistics.hpp>
+#include <abut/triangle_mesh.hpp>
 #include <abut/two_sets.hpp>
 #include <abut/version.hpp>

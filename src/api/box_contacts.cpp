@@ -1,0 +1,67 @@
+#include <abut/box_contacts.hpp>
+
+#include "api/feature_search.hpp"
+#include "api/gathered_elements.hpp"
+#include "base/box_feature.hpp"
+#include "base/float_environment.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace abut {
+namespace {
+
+void require_shapes(const ElementView& spheres, const ElementView& boxes) {
+  if (spheres.shape() != Shape::sphere || boxes.shape() != Shape::box) {
+    throw Error(ErrorCode::wrong_usage,
+                "contacts with boxes are those of spheres, given first, and boxes, given second; "
+                "take find_contact_pairs for elements of one shape");
+  }
+  if (spheres.dimensions() == boxes.dimensions()) return;
+  throw Error(ErrorCode::wrong_usage, "the spheres have " + std::to_string(spheres.dimensions()) +
+                                          " dimensions and the boxes " +
+                                          std::to_string(boxes.dimensions()) +
+                                          "; give both the same number of dimensions");
+}
+
+/// By the number of bounds that the point lies on.
+template <int Dim>
+FeatureKind kind_of(const base::BoxSides<Dim>& sides) {
+  constexpr FeatureKind kinds_2d[] = {FeatureKind::interior, FeatureKind::edge,
+                                      FeatureKind::vertex};
+  constexpr FeatureKind kinds_3d[] = {FeatureKind::interior, FeatureKind::face, FeatureKind::edge,
+                                      FeatureKind::vertex};
+  const auto bounds = std::count_if(sides.begin(), sides.end(), [](int side) { return side != 0; });
+  return Dim == 2 ? kinds_2d[bounds] : kinds_3d[bounds];
+}
+
+template <int Dim>
+BoxContactList find(const ElementView& spheres, const ElementView& boxes, const Options& options) {
+  api::FeatureSearch<Dim> search(spheres, boxes, options);
+  return search.template contacts<BoxContact>([&](const api::Candidates<Dim>& candidates,
+                                                  api::FoundContacts<BoxContact>& found) {
+    for (const ContactPair& pair : candidates.pairs) {
+      const base::Box<Dim> box = api::box_at<Dim>(boxes, pair.second);
+      const auto sides =
+          base::sides_within_reach(candidates.sphere, box, options.margin, found.exact_decisions);
+      if (!sides) continue;
+      BoxContact contact{candidates.number, pair.second, {kind_of<Dim>(*sides), {}}};
+      std::copy(sides->begin(), sides->end(), contact.feature.side.begin());
+      found.contacts.push_back(contact);
+    }
+  });
+}
+
+}  // namespace
+
+BoxContactList find_box_contacts(const ElementView& spheres, const ElementView& boxes,
+                                 const Options& options) {
+  const base::FloatEnvironment environment;
+  require_shapes(spheres, boxes);
+  return spheres.dimensions() == 2 ? find<2>(spheres, boxes, options)
+                                   : find<3>(spheres, boxes, options);
+}
+
+}  // namespace abut

@@ -19,10 +19,10 @@
 namespace abut::api {
 namespace {
 
-/// No less than the sum that was rounded to x, and never infinite.
+/// No less than the sum that was rounded to x, and never infinite: at least the next double, but
+/// for subnormal sums, which are exact.
 double upwards(double x) noexcept {
-  return std::min(std::nextafter(x, std::numeric_limits<double>::infinity()),
-                  std::numeric_limits<double>::max());
+  return std::min(x + std::fabs(x) * 0x1p-52, std::numeric_limits<double>::max());
 }
 
 template <int Dim>

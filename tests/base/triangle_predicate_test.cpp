@@ -174,6 +174,26 @@ TEST(TrianglePredicate, NeedlesGiantsAndSpecks) {
   expect_all_parts(count, 20);
 }
 
+/// Whole numbers of so many bits, the reach too, on both sides of what fits into 128 bits.
+TEST(TrianglePredicate, WholeNumbersOfSomeTwentyBits) {
+  Random random(19);
+  Count count;
+  for (int k = 0; k < 16000; ++k) {
+    const double most = std::ldexp(1.0, 17 + k % 8) - 1.0;
+    Case c = case_of([&] {
+      return random() % 2 == 0 ? (random() % 2 == 0 ? most : -most)
+                               : std::round(uniform(random, -most, most));
+    });
+    const NearestPart nearest = nearest_part_by_rationals(c.sphere.center, c.triangle);
+    c.sphere.radius = std::round(std::sqrt(nearest.distance_squared.get_d()));
+    if (random() % 2 == 0) c.sphere.radius = std::round(uniform(random, 0.0, 2.0 * most));
+    ASSERT_NO_FATAL_FAILURE(compare(c, count));
+  }
+  EXPECT_GT(count.within, count.cases / 4);
+  EXPECT_LT(count.within, count.cases * 3 / 4);
+  expect_all_parts(count, 50);
+}
+
 TEST(TrianglePredicate, ExtremeNumbers) {
   Random random(16);
   Count count;

@@ -96,6 +96,7 @@ def plot_scaling(matrix, folder):
                       label=name(contestant))
         axes.set_title(scene, fontsize=9)
         axes.set(xscale="log", yscale="log")
+        axes.minorticks_off()
     for axes in panels[len(matrix.scenes):]:
         axes.set_visible(False)
     for line in grid:

@@ -271,17 +271,35 @@ def threads(matrix):
     return table(head + [f"speedup of {t}" for t in matrix.threads[1:]], rows)
 
 
+def without_end(matrix):
+    """A line for each scene: who did not end within the time limit, from which N on."""
+    first = {}
+    for r in matrix.rows:
+        if r["verdict"] == "too_slow" and r["task"] == "list" and r["threads"] == 1:
+            of_scene = first.setdefault(r["scene"], {})
+            n = of_scene.setdefault(r["contestant"], r["elements"])
+            of_scene[r["contestant"]] = min(n, r["elements"])
+    for scene, contestants in first.items():
+        at = {n: [short(c) for c in contestants if contestants[c] == n]
+              for n in sorted(set(contestants.values()))}
+        yield f"* {scene}: no end within the time limit: " + "; ".join(
+            f"from {power(n)} on {', '.join(who)}" for n, who in at.items())
+
+
 def findings(matrix):
     """Wrong answers, crashes, refusals and runs without end, each with its reason."""
     lines = []
+    told = set()
     for r in matrix.rows:
         place = f"{r['scene']}, {power(r['elements'])}, {short(r['contestant'])}"
         if r["verdict"] == "wrong":
             lines.append(f"* {place} ({r['task']}): **wrong**, {r['missing']:,} pairs missing, "
                          f"{r['extra']:,} too many of {r['pairs']:,}")
-        elif r["verdict"] in ("refused", "crashed", "too_slow") and r["task"] == "list" \
-                and r["threads"] == 1:
-            lines.append(f"* {place}: {r['reason']}")
+        elif r["verdict"] in ("refused", "crashed") and r["task"] == "list" and r["threads"] == 1:
+            if (r["scene"], r["contestant"]) not in told:
+                lines.append(f"* {place} (and more elements): {r['reason']}")
+            told.add((r["scene"], r["contestant"]))
+    lines += without_end(matrix)
     referees = list(dict.fromkeys(r["reference"] or "nobody" for r in matrix.rows))
     lines.append("* Compared with the pairs of: " + ", ".join(short(r) for r in referees))
     return "\n".join(lines)

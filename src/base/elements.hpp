@@ -1,6 +1,9 @@
 #pragma once
 
 #include "base/box.hpp"
+#include "base/lattice.hpp"
+#include "base/periodic_box.hpp"
+#include "base/periodic_predicate.hpp"
 #include "base/sphere_predicate.hpp"
 
 #include <cstddef>
@@ -27,6 +30,16 @@ struct Elements {
                                   std::uint64_t& exact_decisions) const noexcept {
     return are_boxes() ? base::within_reach(boxes[a], boxes[b], margin, exact_decisions)
                        : base::within_reach(spheres[a], spheres[b], margin, exact_decisions);
+  }
+
+  /// The contract with a lattice, of a and the image of b that `shift` names.
+  [[nodiscard]] bool within_reach(std::size_t a, std::size_t b, const ImageShift& shift,
+                                  const Lattice& lattice, double margin,
+                                  std::uint64_t& exact_decisions) const noexcept {
+    return are_boxes()
+               ? base::within_reach(boxes[a], boxes[b], shift, lattice, margin, exact_decisions)
+               : base::within_reach(spheres[a], spheres[b], shift, lattice, margin,
+                                    exact_decisions);
   }
 };
 

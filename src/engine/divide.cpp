@@ -92,8 +92,9 @@ Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& t
     bounds.include_center(spheres[number]);
     bounds.include_radius(spheres[number].radius);
   }
+  const double wider = margin + position_slack * cell_size;
   for (const std::uint32_t number : tiles.visitors(tile)) {
-    if (Catchment<Dim>::of(elements, number, bounds.largest_radius, margin).meets(bounds)) {
+    if (Catchment<Dim>::of(elements, number, bounds.largest_radius, wider).meets(bounds)) {
       members.visitors.push_back(number);
     }
   }

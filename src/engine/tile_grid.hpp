@@ -10,6 +10,11 @@
 
 namespace abut::engine {
 
+/// Positions are known to a small part of this, in cells: those moved in a periodic domain are off
+/// by up to 2^-24 (docs/derivations/tile_filter.md, section 3). Visitors are looked for so much
+/// farther out.
+inline constexpr double position_slack = 0x1p-20;
+
 /// Cuts a box into equal tiles and says which tile an element belongs to and which others must see
 /// a copy of it.
 ///

@@ -305,11 +305,12 @@ void Tiles<Dim>::list_visitors(const base::Elements<Dim>& elements, const Group<
   if (!has_visitors_) return;
   base::make_room(visitor_begin_, grid.tile_count + 1);
   std::fill_n(visitor_begin_.begin(), grid.tile_count + 1, std::uint64_t{0});
+  const double wider = margin + position_slack * grid.cell_size;
   const auto for_each_visit = [&](auto&& body) {
     for (std::size_t k = 0; k < group.visitors.size(); ++k) {
       const std::uint32_t number = group.visitors[k];
       const auto catchment =
-          Catchment<Dim>::of(elements, number, group.bounds.largest_radius, margin);
+          Catchment<Dim>::of(elements, number, group.bounds.largest_radius, wider);
       TileRange<Dim>(grid, catchment).for_each([&](std::size_t tile) {
         if (own_[tile] != 0) body(tile, number);
       });

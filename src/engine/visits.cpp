@@ -56,10 +56,11 @@ Field<Dim> field_of(const kernels::TileView& tile, const TileFrame<Dim>& frame,
   constexpr double roundings = 1.0 + 0x1p-18;
   const base::Sphere<Dim>& sphere = elements[visitor];
   Field<Dim> field;
-  double before = 2.0 * frame.largest_radius + frame.margin;
-  double behind = frame.margin;
+  const double wider = frame.margin + position_slack * frame.grid.cell_size * frame.unit;
+  double before = 2.0 * frame.largest_radius + wider;
+  double behind = wider;
   if (!elements.are_boxes()) {
-    before = behind = sphere.radius * frame.unit + frame.largest_radius + frame.margin;
+    before = behind = sphere.radius * frame.unit + frame.largest_radius + wider;
     field.reach = std::min(before * roundings, field.reach);
   }
   const auto position = [&](double x, std::size_t axis) {

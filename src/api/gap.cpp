@@ -3,6 +3,7 @@
 #include "api/validate_options.hpp"
 #include "base/box.hpp"
 #include "base/float_environment.hpp"
+#include "base/periodic_box.hpp"
 #include "base/periodic_gap.hpp"
 #include "base/sphere_gap.hpp"
 
@@ -56,7 +57,11 @@ double gap_of(const Sets& sets, ContactPair pair) {
 
 template <int Dim>
 double gap_of(const Sets& sets, const Domain& domain, ContactPair pair, const ImageShift& shift) {
-  if (sets.first.shape() == Shape::box) return gap_of<Dim>(sets, pair);
+  if (sets.first.shape() == Shape::box) {
+    return base::gap<Dim>(api::box_at<Dim>(sets.first, pair.first),
+                          api::box_at<Dim>(sets.second, pair.second), shift,
+                          api::lattice_of(domain));
+  }
   return base::gap<Dim>(api::sphere_at<Dim>(sets.first, pair.first),
                         api::sphere_at<Dim>(sets.second, pair.second), shift,
                         api::lattice_of(domain));
@@ -72,7 +77,6 @@ double checked_gap(const Sets& sets, const Domain& domain, ContactPair pair,
                    const ImageShift& shift) {
   sets.require(pair);
   api::require_dimensions(sets.first, domain);
-  api::require_shape(sets.first, domain);
   require_there(domain, shift);
   const base::FloatEnvironment environment;
   return sets.first.dimensions() == 2 ? gap_of<2>(sets, domain, pair, shift)

@@ -32,8 +32,7 @@ void direct_check_all_images(const System<Dim>& system, const base::Lattice& lat
                              base::PairSink& sink, base::DetectionContext& context) {
   sink.expect_workers(1);
   base::ImagePairWriter pairs(sink);
-  direct_check_images<Dim>(system.elements.spheres, lattice, system.settings.margin, pairs,
-                           context);
+  direct_check_images<Dim>(system.elements, lattice, system.settings.margin, pairs, context);
   pairs.finish();
 }
 
@@ -77,8 +76,8 @@ constexpr Runs<3> munjiza_nbs_3d_runs{.on_cells = munjiza_nbs_3d<ContactTest<3>>
 template <int Dim>
 void periodic_rows(const System<Dim>& system, const base::Lattice& lattice, base::PairSink& sink,
                    base::DetectionContext& context) {
-  engine::periodic_rows(system.spheres, system.bounds, lattice, system.settings, system.workspace,
-                        sink, context);
+  engine::periodic_rows<Dim>(system.spheres, system.elements.boxes, system.bounds, lattice,
+                             system.settings, system.workspace, sink, context);
 }
 
 template <int Dim>

@@ -74,17 +74,9 @@ void require_dimensions(const ElementView& elements, const Domain& domain) {
                                           std::to_string(elements.dimensions()) + " numbers");
 }
 
-void require_shape(const ElementView& elements, const Domain& domain) {
-  if (elements.shape() != Shape::box || !domain.is_periodic()) return;
-  throw Error(ErrorCode::wrong_usage,
-              "boxes in a periodic domain are not carried; give an open domain and add the images "
-              "that are wanted as elements");
-}
-
 void validate(const Options& options, const ElementView& elements, const Domain& domain) {
   require_in_range(options);
   require_dimensions(elements, domain);
-  require_shape(elements, domain);
   require_carried(options.algorithm, domain);
   if (elements.size() > most_elements(options.algorithm)) {
     refuse_count(std::to_string(elements.size()), options.algorithm);
@@ -108,7 +100,6 @@ void validate(const Options& options, const ElementView& first, const ElementVie
   require_in_range(options);
   require_alike(first, second);
   require_dimensions(first, domain);
-  require_shape(first, domain);
   require_carried(options.algorithm, domain);
   const std::uint64_t most = most_elements(options.algorithm);
   if (first.size() > most || second.size() > most - first.size()) {

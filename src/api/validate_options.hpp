@@ -15,9 +15,6 @@ void require_dimensions(const ElementView& elements, const Domain& domain);
 /// Throws Error{wrong_usage} for two sets of unequal dimensions or shapes.
 void require_alike(const ElementView& first, const ElementView& second);
 
-/// Throws Error{wrong_usage} for elements of a shape that periodic domains do not carry.
-void require_shape(const ElementView& elements, const Domain& domain);
-
 /// Throws Error: the first option that is out of range, a domain that the elements do not live in
 /// or the algorithm does not carry, or too many elements.
 void validate(const Options& options, const ElementView& elements, const Domain& domain);

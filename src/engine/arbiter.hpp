@@ -99,7 +99,7 @@ class OpenArbiter final : public Arbiter {
 template <int Dim>
 class PeriodicArbiter final : public Arbiter {
  public:
-  PeriodicArbiter(std::span<const base::Sphere<Dim>> originals, const base::Lattice& lattice,
+  PeriodicArbiter(const base::Elements<Dim>& originals, const base::Lattice& lattice,
                   const Images<Dim>& images, double margin)
       : originals_(originals), lattice_(lattice), images_(images), margin_(margin) {}
 
@@ -117,18 +117,22 @@ class PeriodicArbiter final : public Arbiter {
 
   void decide(kernels::Findings& findings, std::uint64_t& exact_decisions) const override {
     decide_each(findings, 0, exact_decisions, [this](std::uint32_t element) {
-      if (element < originals_.size()) __builtin_prefetch(&originals_[element]);
+      if (element >= originals_.size()) return;
+      if (originals_.are_boxes()) {
+        __builtin_prefetch(&originals_.boxes[element]);
+      } else {
+        __builtin_prefetch(&originals_.spheres[element]);
+      }
     });
   }
 
  private:
   [[nodiscard]] bool within_reach(std::uint32_t i, std::uint32_t j, const base::ImageShift& shift,
                                   std::uint64_t& exact_decisions) const {
-    return base::within_reach(originals_[i], originals_[j], shift, lattice_, margin_,
-                              exact_decisions);
+    return originals_.within_reach(i, j, shift, lattice_, margin_, exact_decisions);
   }
 
-  std::span<const base::Sphere<Dim>> originals_;
+  base::Elements<Dim> originals_;
   const base::Lattice& lattice_;
   const Images<Dim>& images_;
   double margin_;

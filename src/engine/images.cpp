@@ -63,9 +63,11 @@ void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bou
   if (elements.empty() || lattice.count == 0) return;
   const grid::Brick<Dim> brick(lattice, 1.0);
   measure(elements, brick, settings.workers);
-  const grid::Reaches reaches{bounds.largest_radius, settings.margin};
+  const grid::Reaches reaches{bounds.largest_radius, settings.margin, settings.shape};
   const Window window(lattice, brick, extent_, reaches, 1.0);
-  if (!is_in_range(brick, window)) grid::check_range<Dim>(elements, lattice, settings.margin);
+  if (!is_in_range(brick, window)) {
+    grid::check_range<Dim>(elements, lattice, settings.margin, settings.shape);
+  }
   const Along along = sides_to_wrap(brick, window);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
@@ -80,7 +82,8 @@ void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bou
   }
   move_exactly(elements, brick, along, settings.workers);
   const grid::Brick<Dim> scaled_brick(lattice, unit_);
-  const grid::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_};
+  const grid::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_,
+                             settings.shape};
   const Window after(lattice, scaled_brick, extent_, scaled, unit_);
   slack_ = slack_of_ghosts * magnitude_of(after);
   add_ghosts(own_natives_, {scaled_brick, after, {}, {}}, settings);

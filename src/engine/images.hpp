@@ -12,6 +12,7 @@
 #include "grid/wrapper.hpp"
 #include "kernels/image_kernels.hpp"
 
+#include <abut/element_view.hpp>
 #include <abut/pair.hpp>
 
 #include <cstddef>
@@ -26,6 +27,7 @@ struct ImageSettings {
   double margin = 0.0;
   std::size_t workers = 1;
   kernels::ImageKernels kernels;
+  Shape shape = Shape::sphere;
 };
 
 /// What a search in open space needs in order to find every pair of a periodic domain exactly once:
@@ -36,7 +38,8 @@ struct ImageSettings {
 ///
 /// Natives and ghosts are a little off where they were moved: the distance of two of them, here, by
 /// at most slack(). Whether a pair is within reach is decided on the caller's elements, by
-/// base::within_reach with the shift that shift_between tells.
+/// base::within_reach with the shift that shift_between tells. Boxes come as their stand-ins
+/// (base::Elements).
 template <int Dim>
 class Images {
  public:

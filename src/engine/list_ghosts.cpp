@@ -8,7 +8,7 @@ namespace {
 [[noreturn]] void refuse_number_of_images() {
   throw Error(ErrorCode::limit_exceeded,
               "more than 4294967294 periodic images are within reach of the cell; make the lattice "
-              "vectors longer, or radii and margin smaller");
+              "vectors longer, or elements and margin smaller");
 }
 
 /// The numbers of those natives, counted from 0, that may have ghosts; returns how many.

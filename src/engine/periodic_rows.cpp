@@ -2,6 +2,8 @@
 
 #include "engine/arbiter.hpp"
 #include "engine/group_search.hpp"
+#include "engine/move_boxes.hpp"
+#include "grid/brick.hpp"
 #include "grid/reduced_lattice.hpp"
 
 namespace abut::engine {
@@ -10,6 +12,19 @@ namespace {
 /// With so many ghosts for each native the reach is about as long as the cell or longer, and a
 /// native is within reach of a good part of them: no grid would help.
 constexpr std::size_t ghosts_of_long_reach = 16;
+
+/// Makes every side of the brick lead against the axes of space, rather than along them: images
+/// along it, of which ghosts are made, are then within reach of natives as far as they are wide
+/// themselves. In the other direction it would be as far as the widest native is, and one wide wall
+/// would make ghosts of all elements.
+template <int Dim>
+void turn_downwards(grid::ReducedLattice<Dim>& lattice) {
+  if (lattice.count == 0) return;
+  const grid::Brick<Dim> brick(lattice, 1.0);
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    if (brick.rise[k] > brick.fall[k]) lattice.turn(brick.vector_of[k]);
+  }
+}
 
 /// Every native against the natives behind it and every ghost, each decided on the caller's
 /// numbers.
@@ -46,26 +61,30 @@ class Appendix {
 }  // namespace
 
 template <int Dim>
-void periodic_rows(base::Array<base::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
-                   const base::Lattice& lattice, const RowsSettings& settings,
-                   Workspace<Dim>& workspace, base::PairSink& sink,
+void periodic_rows(base::Array<base::Sphere<Dim>>& spheres, std::span<const base::Box<Dim>> boxes,
+                   const grid::Bounds<Dim>& bounds, const base::Lattice& lattice,
+                   const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
                    base::DetectionContext& context) {
-  const std::size_t natives = elements.size();
-  const Appendix<Dim> appendix(elements);
-  const grid::ReducedLattice<Dim> reduced(lattice);
+  const std::size_t natives = spheres.size();
+  const Appendix<Dim> appendix(spheres);
+  grid::ReducedLattice<Dim> reduced(lattice);
+  if (!boxes.empty()) turn_downwards(reduced);
   Images<Dim>& images = workspace.images;
-  images.find(elements, bounds, reduced,
-              {settings.margin, settings.workers, kernels::image_kernels(settings.simd)});
+  images.find(spheres, bounds, reduced,
+              {settings.margin, settings.workers, kernels::image_kernels(settings.simd),
+               boxes.empty() ? Shape::sphere : Shape::box});
 
   ImageSink<Dim>& image_sink = workspace.image_sink;
   image_sink.start_anew(sink, images);
   image_sink.expect_workers(settings.workers);
-  const auto originals = std::span<const base::Sphere<Dim>>(elements).first(natives);
+  const base::Elements<Dim> originals{std::span(spheres).first(natives), boxes};
   const PeriodicArbiter<Dim> arbiter(originals, lattice, images, settings.margin);
-  Group<Dim> group;
-  group.bounds = images.bounds();
-  group.natives = Numbers(images.natives_and_ghosts().size());
-  const Task<Dim> task{{images.natives_and_ghosts(), {}},
+  const bool long_reach = images.ghosts().size() > ghosts_of_long_reach * natives;
+  workspace.moved_boxes.clear();
+  if (!boxes.empty() && !long_reach) {
+    move_boxes<Dim>(boxes, images, settings.workers, workspace.moved_boxes);
+  }
+  const Task<Dim> task{{images.natives_and_ghosts(), workspace.moved_boxes},
                        arbiter,
                        settings.margin * images.unit(),
                        images.least_cell(),
@@ -73,17 +92,19 @@ void periodic_rows(base::Array<base::Sphere<Dim>>& elements, const grid::Bounds<
                        kernels::element_kernels(settings.simd),
                        image_sink,
                        context.progress};
-  if (images.ghosts().size() > ghosts_of_long_reach * natives) {
-    return check_all(task, natives, context);
-  }
+  if (long_reach) return check_all(task, natives, context);
+  Group<Dim> group;
+  group.bounds = images.bounds();
+  if (!boxes.empty()) group.bounds.count_largest_twice();
+  group.natives = Numbers(images.natives_and_ghosts().size());
   GroupSearch<Dim>(task, workspace, settings.workers, context).search(group);
 }
 
-template void periodic_rows(base::Array<base::Sphere<2>>&, const grid::Bounds<2>&,
-                            const base::Lattice&, const RowsSettings&, Workspace<2>&,
-                            base::PairSink&, base::DetectionContext&);
-template void periodic_rows(base::Array<base::Sphere<3>>&, const grid::Bounds<3>&,
-                            const base::Lattice&, const RowsSettings&, Workspace<3>&,
-                            base::PairSink&, base::DetectionContext&);
+template void periodic_rows(base::Array<base::Sphere<2>>&, std::span<const base::Box<2>>,
+                            const grid::Bounds<2>&, const base::Lattice&, const RowsSettings&,
+                            Workspace<2>&, base::PairSink&, base::DetectionContext&);
+template void periodic_rows(base::Array<base::Sphere<3>>&, std::span<const base::Box<3>>,
+                            const grid::Bounds<3>&, const base::Lattice&, const RowsSettings&,
+                            Workspace<3>&, base::PairSink&, base::DetectionContext&);
 
 }  // namespace abut::engine

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/array.hpp"
+#include "base/box.hpp"
 #include "engine/bench.hpp"
 #include "engine/image_sink.hpp"
 #include "engine/images.hpp"
@@ -15,7 +17,11 @@ namespace abut::engine {
 /// allocations.
 template <int Dim>
 struct Workspace {
-  explicit Workspace(base::MemoryMeter& meter) : memory(meter), floors(meter), images(meter) {}
+  explicit Workspace(base::MemoryMeter& meter)
+      : memory(meter),
+        floors(meter),
+        images(meter),
+        moved_boxes(base::make_array_for_overwrite<base::Box<Dim>>(meter, 0)) {}
 
   void expect_workers(std::size_t count) {
     while (workers.size() < count) {
@@ -27,7 +33,8 @@ struct Workspace {
   Floors<Dim> floors;  ///< for groups that all workers search together
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;
-  Images<Dim> images;  ///< of a periodic domain
+  Images<Dim> images;                       ///< of a periodic domain
+  base::Array<base::Box<Dim>> moved_boxes;  ///< of its natives and ghosts
   ImageSink<Dim> image_sink;
   std::vector<std::unique_ptr<Members>> deferred;  ///< large groups that wait until all are free
 };

@@ -114,6 +114,9 @@ Brick<Dim>::Brick(const ReducedLattice<Dim>& lattice, double unit) : count(latti
   if (!align<Dim>(vectors, *this)) orthogonalise<Dim>(vectors, *this);
   for (std::size_t k = 0; k < count; ++k) {
     dual_length[k] = length_of<Dim>(coefficients[k]) * (1.0 + 0x1p-40);
+    for (const double x : coefficients[k]) (x > 0.0 ? rise : fall)[k] += std::fabs(x);
+    rise[k] *= 1.0 + 0x1p-40;
+    fall[k] *= 1.0 + 0x1p-40;
     for (std::size_t later = k + 1; later < count; ++later) {
       offset[k][later] = dot<Dim>(coefficients[later], vectors[vector_of[k]]);
     }

@@ -33,6 +33,8 @@ struct Brick {
   std::array<Vector, Dim> coefficients{};
   std::array<Vector, Dim> offset{};
   Vector dual_length{};  ///< of the coefficients without the unit, times the lattice's scale
+  Vector rise{};         ///< the same, sum of the positive coefficients
+  Vector fall{};         ///< the same, sum of the magnitudes of the negative ones
 
   [[nodiscard]] double coordinate(std::size_t k, const double* position) const noexcept {
     double sum = coefficients[k][0] * position[0];

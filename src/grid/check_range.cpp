@@ -7,18 +7,34 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace abut::grid {
+namespace {
+
+[[noreturn]] void refuse_reach(std::size_t number, double radius, Shape shape) {
+  const bool box = shape == Shape::box;
+  const double side = std::min(2.0 * radius, std::numeric_limits<double>::max());
+  throw Error(ErrorCode::invalid_input,
+              "element " + std::to_string(number) +
+                  (box ? " has a side of " + base::written(side)
+                       : " has radius = " + base::written(radius)) +
+                  "; it reaches over more than 2147483647 cells: make the lattice vectors longer, "
+                  "or " +
+                  (box ? "sides" : "radii") + " and margin smaller");
+}
+
+}  // namespace
 
 template <int Dim>
 void check_range(std::span<const base::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
-                 double margin) {
+                 double margin, Shape shape) {
   if (spheres.empty() || lattice.count == 0) return;
   const Brick<Dim> brick(lattice, 1.0);
   std::array<bool, Dim> along{};
   along.fill(true);
-  const Wrapper<Dim> wrapper(lattice, brick, along);
+  const Wrapper<Dim> wrapper(lattice, brick, along, shape);
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     base::Sphere<Dim> moved = spheres[i];
     static_cast<void>(wrapper.wrap(moved, i));
@@ -29,11 +45,7 @@ void check_range(std::span<const base::Sphere<Dim>> spheres, const ReducedLattic
   const double reach = 2.0 * (largest->radius * lattice.scale) + margin * lattice.scale;
   for (std::size_t k = 0; k < brick.count; ++k) {
     if (brick.dual_length[k] * reach <= most_cells_away) continue;
-    throw Error(ErrorCode::invalid_input,
-                "element " + std::to_string(largest - spheres.begin()) +
-                    " has radius = " + base::written(largest->radius) +
-                    "; it reaches over more than 2147483647 cells: make the lattice vectors "
-                    "longer, or radii and margin smaller");
+    refuse_reach(static_cast<std::size_t>(largest - spheres.begin()), largest->radius, shape);
   }
 }
 
@@ -43,7 +55,9 @@ void refuse_shift(std::size_t i, std::size_t j) {
                   " pair across more than 2147483647 lattice vectors; move them into one cell");
 }
 
-template void check_range(std::span<const base::Sphere<2>>, const ReducedLattice<2>&, double);
-template void check_range(std::span<const base::Sphere<3>>, const ReducedLattice<3>&, double);
+template void check_range(std::span<const base::Sphere<2>>, const ReducedLattice<2>&, double,
+                          Shape);
+template void check_range(std::span<const base::Sphere<3>>, const ReducedLattice<3>&, double,
+                          Shape);
 
 }  // namespace abut::grid

@@ -4,6 +4,8 @@
 #include "grid/brick.hpp"
 #include "grid/cell_extent.hpp"
 
+#include <abut/element_view.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,11 +18,12 @@ namespace abut::grid {
 struct Reaches {
   double largest_radius;
   double margin;
+  Shape shape = Shape::sphere;
 };
 
 /// Says which images of an element may be within reach of some native: those whose coordinates
 /// along the brick are nowhere farther outside of the natives' than the reach. A little is added
-/// for all that is rounded (docs/derivations/periodic_images.md, 3).
+/// for all that is rounded (docs/derivations/periodic_images.md, 3 and 5).
 template <int Dim>
 class GhostWindow {
  public:
@@ -36,10 +39,17 @@ class GhostWindow {
     for (std::size_t k = 0; k < brick.count; ++k) {
       const double dual_length = brick.dual_length[k];
       const double magnitude = brick.magnitude(k, extent.farthest) + dual_length * lengths;
-      per_radius_[k] = dual_length * scale * (1.0 + 0x1p-38);
-      least_[k] = dual_length * common + 0x1p-38 * magnitude + 0x1p-40;
-      widest_[k] = per_radius_[k] * reaches.largest_radius + least_[k];
-      outer_below_[k] = extent.upper[k] + widest_[k] - 1.0;
+      const double rounding = 0x1p-38 * magnitude + 0x1p-40;
+      if (reaches.shape == Shape::sphere) {
+        above_[k] = {dual_length * scale * (1.0 + 0x1p-38), dual_length * common + rounding};
+        below_[k] = above_[k];
+      } else {
+        above_[k] = width_of_boxes(brick.rise[k], brick.fall[k], reaches, scale, rounding);
+        below_[k] = width_of_boxes(brick.fall[k], brick.rise[k], reaches, scale, rounding);
+      }
+      const double widest_above = above_[k].at(reaches.largest_radius);
+      widest_[k] = std::max(widest_above, below_[k].at(reaches.largest_radius));
+      outer_below_[k] = extent.upper[k] + widest_above - 1.0;
       most_cells_[k] = extent.upper[k] - extent.lower[k] + widest_[k] + 2.0;
       for (std::size_t l = 0; l < k; ++l) {
         most_cells_[k] += std::fabs(brick.offset[l][k]) * most_cells_[l];
@@ -76,21 +86,46 @@ class GhostWindow {
   template <class Visit>
   void for_each_row(const base::Sphere<Dim>& native, Visit&& visit) const {
     std::array<double, Dim> places{};
-    std::array<double, Dim> widths{};
+    Limits limits;
     for (std::size_t k = 0; k < brick_.count; ++k) {
       places[k] = brick_.coordinate(k, native.center);
-      widths[k] = per_radius_[k] * native.radius + least_[k];
+      limits.lower[k] = extent_.lower[k] - below_[k].at(native.radius);
+      limits.upper[k] = extent_.upper[k] + above_[k].at(native.radius);
     }
     ImageNumbers numbers{};
-    walk<0>(places, widths, true, numbers, visit);
+    walk<0>(places, limits, true, numbers, visit);
   }
 
  private:
+  /// How far outside of the natives images of a radius may be, in sides.
+  struct Width {
+    double per_radius = 0.0;
+    double least = 0.0;
+
+    [[nodiscard]] double at(double radius) const noexcept { return per_radius * radius + least; }
+  };
+
+  /// Coordinates between which images may be.
+  struct Limits {
+    std::array<double, Dim> lower{};
+    std::array<double, Dim> upper{};
+  };
+
+  /// Of boxes beyond the natives in a direction along which the axes of space ascend by `ahead`,
+  /// taken together, and descend by `back`. An image ahead on an axis is within reach as far as a
+  /// native is wide, one that lies back as far as it is wide itself.
+  static Width width_of_boxes(double ahead, double back, const Reaches& reaches, double scale,
+                              double rounding) noexcept {
+    const double natives = ahead * (2.0 * (reaches.largest_radius * scale));
+    const double margin = (ahead + back) * (reaches.margin * scale);
+    return {2.0 * (back * scale) * (1.0 + 0x1p-38), natives + margin + rounding};
+  }
+
   template <std::size_t k, class Visit>
-  void walk(const std::array<double, Dim>& places, const std::array<double, Dim>& widths,
-            bool all_zero, ImageNumbers& numbers, Visit& visit) const {
-    const std::int64_t last = below(extent_.upper[k] - places[k] + widths[k]);
-    std::int64_t first = -below(places[k] - extent_.lower[k] + widths[k]);
+  void walk(const std::array<double, Dim>& places, const Limits& limits, bool all_zero,
+            ImageNumbers& numbers, Visit& visit) const {
+    const std::int64_t last = below(limits.upper[k] - places[k]);
+    std::int64_t first = -below(places[k] - limits.lower[k]);
     const bool is_last = k + 1 == brick_.count;
     if (all_zero) first = is_last ? 1 : 0;
     if (is_last) {
@@ -104,7 +139,7 @@ class GhostWindow {
           moved[l] += static_cast<double>(number) * brick_.offset[k][l];
         }
         numbers[k] = number;
-        walk<k + 1>(moved, widths, all_zero && number == 0, numbers, visit);
+        walk<k + 1>(moved, limits, all_zero && number == 0, numbers, visit);
       }
       numbers[k] = 0;
     }
@@ -131,8 +166,8 @@ class GhostWindow {
 
   Brick<Dim> brick_;
   CellExtent<Dim> extent_;
-  std::array<double, Dim> per_radius_{};
-  std::array<double, Dim> least_{};
+  std::array<Width, Dim> above_{};
+  std::array<Width, Dim> below_{};
   std::array<double, Dim> widest_{};
   std::array<double, Dim> outer_below_{};
   std::array<double, Dim> most_cells_{};

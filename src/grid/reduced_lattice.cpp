@@ -313,6 +313,19 @@ ReducedLattice<Dim>::ReducedLattice(const base::Lattice& given) {
 }
 
 template <int Dim>
+void ReducedLattice<Dim>::turn(std::size_t k) noexcept {
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    vectors[k][axis] = -vectors[k][axis];
+    remainders[k][axis] = -remainders[k][axis];
+    dual[k][axis] = -dual[k][axis];
+  }
+  for (std::size_t l = 0; l < count; ++l) {
+    to_given[k][l] = -to_given[k][l];
+    from_given[l][k] = -from_given[l][k];
+  }
+}
+
+template <int Dim>
 std::optional<base::ImageShift> ReducedLattice<Dim>::shift_of(
     const ImageNumbers& numbers) const noexcept {
   constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();

@@ -49,6 +49,9 @@ struct ReducedLattice {
     return sum;
   }
 
+  /// Puts -b_k in place of b_k.
+  void turn(std::size_t k) noexcept;
+
   /// `numbers` of the b_k, each below 2^60, in terms of the lattice as given; nothing where one of
   /// these exceeds 2^31 - 1.
   [[nodiscard]] std::optional<base::ImageShift> shift_of(

@@ -14,14 +14,15 @@ namespace {
 
 /// Names the coordinate that is farthest out.
 template <int Dim>
-[[noreturn]] void refuse(std::size_t number, const base::Sphere<Dim>& sphere) {
+[[noreturn]] void refuse(std::size_t number, const base::Sphere<Dim>& sphere, Shape shape) {
   static constexpr const char* axis_names[] = {"x", "y", "z"};
   std::size_t farthest = 0;
   for (std::size_t axis = 1; axis < Dim; ++axis) {
     if (std::fabs(sphere.center[axis]) > std::fabs(sphere.center[farthest])) farthest = axis;
   }
   throw Error(ErrorCode::invalid_input,
-              "element " + std::to_string(number) + " has " + axis_names[farthest] + " = " +
+              "element " + std::to_string(number) + " has " + axis_names[farthest] +
+                  (shape == Shape::box ? "min = " : " = ") +
                   base::written(sphere.center[farthest]) +
                   "; it lies more than 2147483647 cells outside of the periodic cell: move it into "
                   "the cell, or correct the lattice");
@@ -31,8 +32,8 @@ template <int Dim>
 
 template <int Dim>
 Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
-                      const std::array<bool, Dim>& along) noexcept
-    : brick_(brick), along_(along), scale_(lattice.scale) {
+                      const std::array<bool, Dim>& along, Shape shape) noexcept
+    : brick_(brick), along_(along), shape_(shape), scale_(lattice.scale) {
   for (std::size_t k = 0; k < brick.count; ++k) {
     const std::size_t v = brick.vector_of[k];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -76,7 +77,7 @@ CellsMoved Wrapper<Dim>::wrap(base::Sphere<Dim>& sphere, std::size_t number) con
   base::Sphere<Dim> moved = sphere;
   const auto require_fit = [&] {
     for (const double count : cells) {
-      if (!(std::fabs(count) <= most_cells_away)) refuse(number, sphere);
+      if (!(std::fabs(count) <= most_cells_away)) refuse(number, sphere, shape_);
     }
   };
   require_fit();

@@ -3,6 +3,8 @@
 #include "base/sphere_predicate.hpp"
 #include "grid/brick.hpp"
 
+#include <abut/element_view.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,9 +20,9 @@ template <int Dim>
 class Wrapper {
  public:
   /// `brick` is for positions as given, and must live on. If one of its sides is wrapped along, so
-  /// must those be that it has an offset on.
+  /// must those be that it has an offset on. `shape` says what errors call a position.
   Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
-          const std::array<bool, Dim>& along) noexcept;
+          const std::array<bool, Dim>& along, Shape shape = Shape::sphere) noexcept;
 
   /// Moves a center by minus the cells returned, in doubled precision: the new coordinates are off
   /// by at most half of their last place and 2^-55 of the cell, however far they were moved, and
@@ -36,6 +38,7 @@ class Wrapper {
 
   const Brick<Dim>& brick_;
   std::array<bool, Dim> along_;
+  Shape shape_;
   double scale_;
   std::array<std::array<double, Dim>, Dim> vectors_{};  ///< of the sides, times the scale
   std::array<std::array<double, Dim>, Dim> remainders_{};

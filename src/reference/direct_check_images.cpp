@@ -3,11 +3,11 @@
 // Which images: x_i - x_j = t_1 b_1 + t_2 b_2 + t_3 b_3 in a reduced basis b of the lattice. The
 // image moved by m_1 b_1 + m_2 b_2 + m_3 b_3 lies |t_k - m_k| h_k or farther away along the
 // perpendicular height h_k of the cell, so within a reach R only whole numbers m_k from
-// t_k - R / h_k to t_k + R / h_k count. The exact test decides among them.
+// t_k - R / h_k to t_k + R / h_k count. Of boxes the same with their centers, and a reach on each
+// axis. The exact test decides among them.
 
 #include "reference/direct_check_images.hpp"
 
-#include "base/periodic_predicate.hpp"
 #include "grid/check_range.hpp"
 #include "grid/reduced_lattice.hpp"
 #include "reference/image_window.hpp"
@@ -26,20 +26,21 @@ ImageShift opposite(const ImageShift& shift) noexcept {
 template <int Dim>
 class Checker {
  public:
-  Checker(std::span<const base::Sphere<Dim>> spheres, const base::Lattice& lattice, double margin,
+  Checker(const base::Elements<Dim>& elements, const base::Lattice& lattice, double margin,
           base::ImagePairWriter& pairs, base::DetectionContext& context)
-      : spheres_(spheres),
+      : elements_(elements),
         lattice_(lattice),
         reduced_(lattice),
         margin_(margin),
         pairs_(pairs),
         context_(context) {
-    grid::check_range<Dim>(spheres, reduced_, margin);
+    const Shape shape = elements.are_boxes() ? Shape::box : Shape::sphere;
+    grid::check_range<Dim>(elements.spheres, reduced_, margin, shape);
   }
 
   void check(std::size_t i, std::size_t j) {
     if (++windows_ % steps_between_polls == 0) context_.progress.poll();
-    ImageWindow window = image_window(reduced_, spheres_[i], spheres_[j], margin_);
+    ImageWindow window = window_of(i, j);
     if (window.is_empty()) return;
     if (i == j) window.first[0] = 0;
     for_each_image(window, [&](const grid::ImageNumbers& numbers) {
@@ -48,8 +49,7 @@ class Checker {
       if (++context_.candidate_tests % steps_between_polls == 0) context_.progress.poll();
       std::optional<ImageShift> shift = reduced_.shift_of(numbers);
       if (!shift) grid::refuse_shift(i, j);
-      if (!base::within_reach(spheres_[i], spheres_[j], *shift, lattice_, margin_,
-                              context_.exact_decisions)) {
+      if (!elements_.within_reach(i, j, *shift, lattice_, margin_, context_.exact_decisions)) {
         return;
       }
       if (i == j && *shift < ImageShift{}) shift = opposite(*shift);
@@ -60,7 +60,13 @@ class Checker {
  private:
   static constexpr std::uint64_t steps_between_polls = 1 << 18;
 
-  std::span<const base::Sphere<Dim>> spheres_;
+  [[nodiscard]] ImageWindow window_of(std::size_t i, std::size_t j) const noexcept {
+    const auto& [spheres, boxes] = elements_;
+    return elements_.are_boxes() ? image_window(reduced_, boxes[i], boxes[j], margin_)
+                                 : image_window(reduced_, spheres[i], spheres[j], margin_);
+  }
+
+  base::Elements<Dim> elements_;
   const base::Lattice& lattice_;
   grid::ReducedLattice<Dim> reduced_;
   double margin_;
@@ -72,19 +78,19 @@ class Checker {
 }  // namespace
 
 template <int Dim>
-void direct_check_images(std::span<const base::Sphere<Dim>> spheres, const base::Lattice& lattice,
+void direct_check_images(const base::Elements<Dim>& elements, const base::Lattice& lattice,
                          double margin, base::ImagePairWriter& pairs,
                          base::DetectionContext& context) {
-  Checker<Dim> checker(spheres, lattice, margin, pairs, context);
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
+  Checker<Dim> checker(elements, lattice, margin, pairs, context);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
     context.progress.at(i);
-    for (std::size_t j = i; j < spheres.size(); ++j) checker.check(i, j);
+    for (std::size_t j = i; j < elements.size(); ++j) checker.check(i, j);
   }
 }
 
-template void direct_check_images(std::span<const base::Sphere<2>>, const base::Lattice&, double,
+template void direct_check_images(const base::Elements<2>&, const base::Lattice&, double,
                                   base::ImagePairWriter&, base::DetectionContext&);
-template void direct_check_images(std::span<const base::Sphere<3>>, const base::Lattice&, double,
+template void direct_check_images(const base::Elements<3>&, const base::Lattice&, double,
                                   base::ImagePairWriter&, base::DetectionContext&);
 
 }  // namespace abut::reference

@@ -1,11 +1,9 @@
 #pragma once
 
 #include "base/detection_context.hpp"
+#include "base/elements.hpp"
 #include "base/lattice.hpp"
 #include "base/pair_sink.hpp"
-#include "base/sphere_predicate.hpp"
-
-#include <span>
 
 namespace abut::reference {
 
@@ -13,7 +11,7 @@ namespace abut::reference {
 /// follow it which a bound does not exclude. Delivers each (i, j, n) of the contract once. Throws
 /// Error{invalid_input} naming the element whose image shift would leave 32 bits.
 template <int Dim>
-void direct_check_images(std::span<const base::Sphere<Dim>> spheres, const base::Lattice& lattice,
+void direct_check_images(const base::Elements<Dim>& elements, const base::Lattice& lattice,
                          double margin, base::ImagePairWriter& pairs,
                          base::DetectionContext& context);
 

@@ -67,11 +67,8 @@ TEST(BoxInput, IsRefusedWithElementAndField) {
   }
 }
 
-TEST(BoxInput, IsNotCarriedWherePeriodicOrMixed) {
+TEST(BoxInput, IsNotCarriedWhereMixed) {
   const ElementView some = boxes(lower, upper);
-  testing::expect_error(ErrorCode::wrong_usage, {"boxes in a periodic domain"}, [&] {
-    static_cast<void>(find_contact_pairs(some, Domain::periodic({10.0, 10.0, 10.0})));
-  });
   const std::vector<double> x{0.0};
   testing::expect_error(ErrorCode::wrong_usage, {"one set holds spheres and the other boxes"}, [&] {
     static_cast<void>(find_contact_pairs(some, spheres(x, x, x, 1.0)));
@@ -118,6 +115,75 @@ TEST(BoxLists, HoldTheSamePairs) {
   PairCount visited = 0;
   for_each_contact_pair(some, Domain::open(), {}, [&](ContactPair) { ++visited; });
   EXPECT_EQ(visited, pairs.size());
+}
+
+/// In a cell that they fill along x and y.
+const Domain slit = Domain::periodic({3.0, 2.0, unbounded});
+
+TEST(PeriodicBoxes, HaveGapsAcrossFaces) {
+  const ElementView some = boxes(lower, upper);
+  const PairList pairs = find_contact_pairs(some, slit, {.shifts = Shifts::stored});
+  // 0 touches 1 in corners before and behind it in y, 2 in a face across x; 2 touches 1 not: it is
+  // too low.
+  const std::vector<ContactPair> expected{{0, 1}, {0, 1}, {0, 2}};
+  EXPECT_TRUE(std::ranges::equal(pairs.pairs(), expected));
+  EXPECT_EQ(pairs.shifts()[0], (ImageShift{0, -1, 0}));
+  EXPECT_EQ(pairs.shifts()[1], (ImageShift{0, 0, 0}));
+  EXPECT_EQ(pairs.shifts()[2], (ImageShift{-1, 0, 0}));
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    EXPECT_EQ(gap(some, slit, pairs[k], pairs.shifts()[k]), 0.0);
+  }
+  EXPECT_EQ(gap(some, slit, {0, 1}, {0, 1, 0}), 2.0);
+  EXPECT_EQ(gap(some, slit, {0, 0}, {1, 0, 0}), 2.0);
+  EXPECT_EQ(gap(some, some, slit, {1, 2}, {0, 1, 0}), 0.5);
+}
+
+TEST(PeriodicBoxes, ComeInEveryForm) {
+  const auto scene = scenes::boxes_in(scenes::scene_named("gas").make(2000, 5), 6);
+  const ElementView some = testing::view_of(scene);
+  const Domain cube = Domain::periodic({20.0, 20.0, 20.0});
+  const PairList pairs = find_contact_pairs(some, cube, {.shifts = Shifts::stored});
+  ASSERT_GT(pairs.size(), 1000U);
+  EXPECT_EQ(count_contact_pairs(some, cube).contact_pairs, pairs.size());
+
+  std::vector<std::pair<ContactPair, ImageShift>> listed, visited;
+  for (std::size_t k = 0; k < pairs.size(); ++k) listed.emplace_back(pairs[k], pairs.shifts()[k]);
+  for_each_shifted_pair(some, cube, {.threads = 1}, [&](ContactPair pair, ImageShift shift) {
+    visited.emplace_back(pair, shift);
+  });
+  std::sort(visited.begin(), visited.end());
+  EXPECT_EQ(visited, listed);
+
+  Detector detector;
+  detector.set_options({.shifts = Shifts::stored});
+  detector.set_skin(Skin::fixed(0.5));
+  for (int step = 0; step < 3; ++step) {
+    const NeighborList& half = detector.build_neighbor_list(some, cube, NeighborListKind::half);
+    std::vector<std::pair<ContactPair, ImageShift>> rows;
+    for (ElementIndex i = 0; i < scene.size(); ++i) {
+      for (std::size_t k = 0; k < half[i].size(); ++k) {
+        rows.push_back({{i, half[i][k]}, half.shifts_of(i)[k]});
+      }
+    }
+    EXPECT_EQ(rows, listed);
+  }
+}
+
+TEST(PeriodicBoxes, ErrorsNameTheirCorners) {
+  const std::vector<Point> one_lower{{0, 0, 0}, {0, 1e12, 0}};
+  std::vector<Point> one_upper{{1, 1, 1}, {0, 1e12, 0}};
+  for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {
+    const Options options{.algorithm = algorithm};
+    testing::expect_error(ErrorCode::invalid_input, {"element 1 has ymin = 1e+12; it lies"}, [&] {
+      static_cast<void>(find_contact_pairs(boxes(one_lower, one_upper), slit, options));
+    });
+    const std::vector<Point> wide{{1, 1, 1}, {8e300, 1e12, 0}};
+    const std::vector<Point> at_origin{{0, 0, 0}, {0, 0, 0}};
+    testing::expect_error(
+        ErrorCode::invalid_input,
+        {"element 1 has a side of 8e+300; it reaches over", "or sides and margin smaller"},
+        [&] { static_cast<void>(find_contact_pairs(boxes(at_origin, wide), slit, options)); });
+  }
 }
 
 TEST(BoxSkin, ChangesNothing) {

@@ -42,6 +42,14 @@ TYPED_TEST(Bricks, AreAsTheProofPresupposes) {
       const auto& own = brick.coefficients[k];
       const double own_length = length<dim>(own);
       ASSERT_GE(brick.dual_length[k] * reduced.scale, own_length) << named;
+      ASSERT_LE(brick.dual_length[k], (brick.rise[k] + brick.fall[k]) * (1.0 + 0x1p-38)) << named;
+      for (const auto& [sum, sign] :
+           {std::pair(brick.rise[k], 1.0), std::pair(brick.fall[k], -1.0)}) {
+        mpq_class exact = 0;
+        for (const double x : own) exact += x * sign > 0.0 ? mpq_class(x * sign) : mpq_class(0);
+        ASSERT_GE(mpq_class(sum * reduced.scale), exact) << named;
+        ASSERT_LE(mpq_class(sum * reduced.scale), exact * mpq_class(1.0 + 0x1p-38)) << named;
+      }
       ASSERT_FALSE(std::exchange(seen[brick.vector_of[k]], true)) << named;
       for (std::size_t l = 0; l < brick.count; ++l) {
         const auto& vector = reduced.vectors[brick.vector_of[l]];

@@ -99,8 +99,7 @@ void expect_short(const ReducedLattice<Dim>& reduced) {
 }
 
 template <int Dim>
-void expect_sound(const base::Lattice& given) {
-  const ReducedLattice<Dim> reduced(given);
+void expect_sound(const base::Lattice& given, const ReducedLattice<Dim>& reduced) {
   ASSERT_NO_FATAL_FAILURE(expect_inverse(reduced));
   ASSERT_NO_FATAL_FAILURE(expect_short(reduced));
   std::vector<Rational<Dim>> exact;
@@ -120,6 +119,22 @@ void expect_sound(const base::Lattice& given) {
     ASSERT_GT(height * height * mpq_class(1.0 + 0x1p-36), square_of_height);
     const mpq_class length(reduced.length[k]);
     ASSERT_GE(length * length, dot<Dim>(exact[k], exact[k]));
+  }
+}
+
+/// Also with vectors turned round.
+template <int Dim>
+void expect_sound(const base::Lattice& given) {
+  ReducedLattice<Dim> reduced(given);
+  ASSERT_NO_FATAL_FAILURE(expect_sound(given, reduced));
+  const auto vectors = reduced.vectors;
+  for (std::size_t k = 0; k < reduced.count; ++k) {
+    reduced.turn(k);
+    ASSERT_NO_FATAL_FAILURE(expect_sound(given, reduced)) << "vector " << k << " turned";
+    for (std::size_t l = 0; l < reduced.count; ++l) {
+      const double expected = l == k ? -1.0 : 0.0;
+      ASSERT_NEAR(reduced.fraction(k, vectors[l].data()), expected, 1e-8);
+    }
   }
 }
 

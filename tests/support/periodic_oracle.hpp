@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scenes/box_scene.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/domain.hpp>
@@ -25,6 +26,11 @@ struct ImagePair {
 /// `farthest` along each periodic axis. Fails the test when a pair lies on that border, because
 /// others may lie beyond.
 [[nodiscard]] std::vector<ImagePair> oracle_image_pairs(const scenes::Scene& scene,
+                                                        const Domain& domain, double margin,
+                                                        std::int32_t farthest);
+
+/// The same of boxes.
+[[nodiscard]] std::vector<ImagePair> oracle_image_pairs(const scenes::BoxScene& scene,
                                                         const Domain& domain, double margin,
                                                         std::int32_t farthest);
 

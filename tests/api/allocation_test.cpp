@@ -56,7 +56,15 @@ std::uint64_t sweep(const std::function<void()>& call, Refuse how) {
   return 0;
 }
 
-class EveryAllocation : public ::testing::TestWithParam<Refuse> {};
+class EveryAllocation : public ::testing::TestWithParam<Refuse> {
+ protected:
+  /// The OpenMP runtime prepares itself when it is first asked; LLVM's then waits for ever if that
+  /// fails.
+  static void SetUpTestSuite() {
+    const scenes::Scene scene = scenes::scene_named("dense").make(10, 1);
+    static_cast<void>(count_contact_pairs(view_of(scene)));
+  }
+};
 
 TEST_P(EveryAllocation, OfEveryAlgorithmAndForm) {
   for (const char* name : {"hexagonal_2d", "dense", "two_far_clusters"}) {

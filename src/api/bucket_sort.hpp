@@ -10,23 +10,24 @@
 
 namespace abut::api {
 
-/// Whether equal pairs may come, for several images of one element.
-enum class Repeats { never, possible };
-
-/// Counting sort by the first element, then each element's few partners. It keeps its arrays.
+/// Sorts pairs whose first elements lie in a narrow range: by counting, then by insertion, which
+/// has next to nothing left to do. It keeps its arrays.
 class BucketSort {
  public:
   explicit BucketSort(base::MemoryMeter& memory)
-      : end_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
-        by_first_(base::make_array_for_overwrite<ContactPair>(memory, 0)) {}
+      : places_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+        moved_(base::make_array_for_overwrite<ContactPair>(memory, 0)) {}
 
-  /// First elements are first_element .. first_element + width - 1.
-  void sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width,
-            Repeats repeats = Repeats::never);
+  /// First elements are first_element .. first_element + width - 1. Equal pairs may come.
+  void sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width);
 
  private:
-  base::Array<std::uint32_t> end_;
-  base::Array<ContactPair> by_first_;
+  template <class Digit>
+  std::span<const std::uint32_t> scatter(std::span<const ContactPair> from, Digit digit,
+                                         std::span<ContactPair> target);
+
+  base::Array<std::uint32_t> places_;
+  base::Array<ContactPair> moved_;
 };
 
 }  // namespace abut::api

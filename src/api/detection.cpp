@@ -265,8 +265,7 @@ Statistics Detection::list_pairs(const Request& request, PairArray& pairs, Shift
     }
     std::fill(shifts.begin(), shifts.end(), ImageShift{});
     if (!canonical) return order_.join(pieces, pairs, workers);
-    const Repeats repeats = request.domain.is_periodic() ? Repeats::possible : Repeats::never;
-    order_.sort(pieces, request.elements.size(), pairs, workers, repeats);
+    order_.sort(pieces, request.elements.size(), pairs, workers);
   });
 }
 

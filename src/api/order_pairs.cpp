@@ -85,7 +85,7 @@ void PairOrder::count(PairPieces pieces, const Buckets& buckets, std::size_t wor
 }
 
 void PairOrder::sort(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
-                     std::size_t workers, Repeats repeats) {
+                     std::size_t workers) {
   if (target.empty()) return;
   const Buckets buckets(element_count);
   count(pieces, buckets, workers);
@@ -98,7 +98,7 @@ void PairOrder::sort(PairPieces pieces, std::size_t element_count, std::span<Con
   });
   base::for_each_index(workers, buckets.count, [&](std::size_t worker, std::size_t b) {
     sorts_[worker].sort(target.subspan(begin_[b], begin_[b + 1] - begin_[b]), b << buckets.shift,
-                        buckets.width(), repeats);
+                        buckets.width());
   });
 }
 

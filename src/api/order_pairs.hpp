@@ -37,7 +37,7 @@ class PairOrder {
   /// Writes the pairs sorted by (first, second): first into ranges of elements whose pairs fit into
   /// the cache, then each range. Linear in elements + pairs while elements have few partners each.
   void sort(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
-            std::size_t workers, Repeats repeats = Repeats::never);
+            std::size_t workers);
 
   /// Both with image shifts, which are in the order of the pairs.
   void join(const ImagePieces& pieces, std::span<ContactPair> target, std::span<ImageShift> shifts,

@@ -141,6 +141,38 @@ TEST(OrderPairs, CanonicalIsSorted) {
   }
 }
 
+/// Pairs whose partners lie near or far in the numbering, few or many for each element, some of
+/// them equal, as images of one element are; and now and then an element with a crowd of partners.
+PairVector scattered_pairs(Random& random, ElementIndex count, std::size_t pairs,
+                           ElementIndex furthest) {
+  PairVector result;
+  while (result.size() < pairs) {
+    const auto first = static_cast<ElementIndex>(random.below(count - furthest));
+    const std::size_t partners = random.below(1000) == 0 ? 200 : 1 + random.below(3);
+    for (std::size_t k = 0; k < partners; ++k) {
+      result.push_back({first, static_cast<ElementIndex>(first + random.below(furthest + 1))});
+    }
+  }
+  return result;
+}
+
+TEST(OrderPairs, FewOrManyPairsOfNearOrFarPartners) {
+  constexpr ElementIndex count = 200000;
+  Random random(8);
+  for (const std::size_t size : {1U, 300U, 20000U, 150000U, 600000U}) {
+    for (const ElementIndex furthest : {0U, 3U, 1000U, 100000U}) {
+      const PairVector pairs = scattered_pairs(random, count, size, furthest);
+      PairVector expected = pairs;
+      std::sort(expected.begin(), expected.end());
+      const std::span<const ContactPair> piece(pairs);
+      base::MemoryMeter memory;
+      PairVector ordered(pairs.size());
+      PairOrder(memory).sort({&piece, 1}, count, ordered, 2);
+      EXPECT_EQ(ordered, expected) << pairs.size() << " pairs, partners up to " << furthest;
+    }
+  }
+}
+
 /// One element with all others, in reverse: one long row.
 TEST(OrderPairs, OneCrowdedElement) {
   constexpr ElementIndex count = 100000;

@@ -61,16 +61,17 @@ void search_cells(const RegistryRow& row, const base::Elements<Dim>& elements,
   pairs.finish();
 }
 
-/// Room for a result, accounted for while it is filled.
+/// Room for a result, accounted for while it is filled. Of what the array holds the first `kept`
+/// stay.
 template <class T>
 class ResultRoom {
  public:
   ResultRoom(std::vector<T, detail::PageAllocator<T>>& array, std::size_t size,
-             base::MemoryMeter& memory)
+             base::MemoryMeter& memory, std::size_t kept = 0)
       : memory_(memory), bytes_(size * sizeof(T)) {
     memory_.take_for_pairs(bytes_);
     try {
-      if (array.capacity() < size) array.clear();
+      if (array.capacity() < size) array.resize(kept);
       array.resize(size);
     } catch (...) {
       memory_.give_back_pairs(bytes_);
@@ -85,6 +86,24 @@ class ResultRoom {
  private:
   base::MemoryMeter& memory_;
   std::uint64_t bytes_;
+};
+
+/// All the room of a list whose pairs are found where they are to stand. Empty if that fails.
+class FilledInPlace {
+ public:
+  explicit FilledInPlace(PairArray& pairs) : pairs_(pairs) { pairs.resize(pairs.capacity()); }
+  ~FilledInPlace() {
+    if (!is_filled_) pairs_.clear();
+  }
+
+  FilledInPlace(const FilledInPlace&) = delete;
+  FilledInPlace& operator=(const FilledInPlace&) = delete;
+
+  void set_filled() noexcept { is_filled_ = true; }
+
+ private:
+  PairArray& pairs_;
+  bool is_filled_ = false;
 };
 
 }  // namespace
@@ -238,9 +257,10 @@ bool is_measured(const Request& request) {
 }  // namespace
 
 template <class Arrange>
-Statistics Detection::find_and_arrange(const Request& request, Arrange&& arrange) {
+Statistics Detection::find_and_arrange(const Request& request, std::span<ContactPair> lent,
+                                       Arrange&& arrange) {
   return guarded(request, [&](DetectionContext& context) {
-    found_.start_anew(request.options.max_pairs, shifts_to_find(request));
+    found_.start_anew(request.options.max_pairs, shifts_to_find(request), lent);
     Statistics statistics = run(request, found_, context);
     statistics.contact_pairs = skin_statistics_.survivors = found_.size();
     Stopwatch stopwatch;
@@ -252,21 +272,26 @@ Statistics Detection::find_and_arrange(const Request& request, Arrange&& arrange
 }
 
 Statistics Detection::list_pairs(const Request& request, PairArray& pairs, ShiftArray& shifts) {
-  pairs.clear();
   shifts.clear();
-  return find_and_arrange(request, [&](PairPieces pieces, std::size_t workers) {
-    const ResultRoom room(pairs, found_.size(), memory_);
-    const ResultRoom room_for_shifts(shifts, shift_count(request, found_.size()), memory_);
-    const bool canonical = request.options.order == Order::canonical && !found_in_order_;
-    if (shifts_to_find(request) == Shifts::stored) {
-      const ImagePieces images{pieces, found_.shift_pieces()};
-      return canonical ? order_.sort(images, request.elements.size(), pairs, shifts, workers)
-                       : order_.join(images, pairs, shifts, workers);
-    }
-    std::fill(shifts.begin(), shifts.end(), ImageShift{});
-    if (!canonical) return order_.join(pieces, pairs, workers);
-    order_.sort(pieces, request.elements.size(), pairs, workers);
-  });
+  FilledInPlace in_place(pairs);
+  const auto lent =
+      request.options.order == Order::as_found ? std::span(pairs) : std::span<ContactPair>();
+  Statistics statistics =
+      find_and_arrange(request, lent, [&](PairPieces pieces, std::size_t workers) {
+        const ResultRoom room(pairs, found_.size(), memory_, found_.lent_filled());
+        const ResultRoom room_for_shifts(shifts, shift_count(request, found_.size()), memory_);
+        const bool canonical = request.options.order == Order::canonical && !found_in_order_;
+        if (shifts_to_find(request) == Shifts::stored) {
+          const ImagePieces images{pieces, found_.shift_pieces()};
+          return canonical ? order_.sort(images, request.elements.size(), pairs, shifts, workers)
+                           : order_.join(images, pairs, shifts, workers);
+        }
+        std::fill(shifts.begin(), shifts.end(), ImageShift{});
+        if (!canonical) return order_.join(pieces, pairs, workers, found_.lent_filled());
+        order_.sort(pieces, request.elements.size(), pairs, workers);
+      });
+  in_place.set_filled();
+  return statistics;
 }
 
 Statistics Detection::visit_batches(const Request& request, const Visitors& visitors) {
@@ -326,7 +351,7 @@ Statistics Detection::list_neighbors(const Request& request, NeighborListKind ki
   }
   Request with_shifts = request;
   with_shifts.needs_shifts = is_measured(request);
-  return find_and_arrange(with_shifts, [&](PairPieces pieces, std::size_t workers) {
+  return find_and_arrange(with_shifts, {}, [&](PairPieces pieces, std::size_t workers) {
     const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
     const bool distances = data != NeighborData::none && data != NeighborData::vectors;
     const bool vectors = data != NeighborData::none && data != NeighborData::distances;

@@ -121,9 +121,11 @@ class Detection {
   template <class Body>
   Statistics guarded(const Request& request, Body&& body);
 
-  /// Finds the pairs, then has `arrange(pieces, workers)` lay them into the caller's arrays.
+  /// Finds the pairs, the first ones in `lent` if that can be, then has `arrange(pieces, workers)`
+  /// lay them into the caller's arrays.
   template <class Arrange>
-  Statistics find_and_arrange(const Request& request, Arrange&& arrange);
+  Statistics find_and_arrange(const Request& request, std::span<ContactPair> lent,
+                              Arrange&& arrange);
 
   base::MemoryMeter memory_;
   Arrays<2> in_2d_{memory_};

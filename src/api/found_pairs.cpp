@@ -23,9 +23,11 @@ FoundPairs::~FoundPairs() {
   }
 }
 
-void FoundPairs::start_anew(PairCount limit, Shifts shifts) {
+void FoundPairs::start_anew(PairCount limit, Shifts shifts, std::span<ContactPair> lent) {
   limit_ = limit;
   shifts_ = shifts;
+  lent_ = shifts == Shifts::none ? lent : std::span<ContactPair>();
+  lent_filled_ = 0;
   total_ = 0;
   for (const auto& worker : workers_) {
     worker->current = 0;
@@ -36,9 +38,11 @@ void FoundPairs::start_anew(PairCount limit, Shifts shifts) {
 
 void FoundPairs::expect_workers(std::size_t count) {
   while (workers_.size() < count) workers_.push_back(std::make_unique<Worker>());
+  if (count > 1) lent_ = {};
 }
 
 std::span<ContactPair> FoundPairs::room(std::size_t number) {
+  if (is_lent_next()) return lent_.subspan(lent_filled_);
   Worker& worker = *workers_[number];
   const auto free_in = [&](std::size_t k) {
     return worker.chunks[k].pairs.size() - worker.chunks[k].filled;
@@ -83,6 +87,16 @@ void FoundPairs::add_chunk(Worker& worker) {
   }
 }
 
+std::pair<std::span<const ContactPair>, const ImageShift*> FoundPairs::take(Worker& worker,
+                                                                            std::size_t count) {
+  if (is_lent_next())
+    return {lent_.subspan(std::exchange(lent_filled_, lent_filled_ + count), count), nullptr};
+  Chunk& chunk = worker.chunks[worker.current];
+  const std::size_t begin = std::exchange(chunk.filled, chunk.filled + count);
+  return {std::span<const ContactPair>(chunk.pairs).subspan(begin, count),
+          shifts_ == Shifts::stored ? chunk.shifts.data() + begin : nullptr};
+}
+
 void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   if ((total_ += count) > limit_) {
     throw Error(ErrorCode::limit_exceeded,
@@ -91,14 +105,13 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
                     "without storing them");
   }
   Worker& worker = *workers_[origin.worker];
-  Chunk& chunk = worker.chunks[worker.current];
-  const auto added = std::span<const ContactPair>(chunk.pairs).subspan(chunk.filled, count);
-  const ImageShift* const shifts =
-      shifts_ == Shifts::stored ? chunk.shifts.data() + chunk.filled : nullptr;
-  chunk.filled += count;
+  const auto [added, shifts] = take(worker, count);
   if (!worker.segments.empty()) {
     Segment& last = worker.segments.back();
-    if (last.unit == origin.unit && last.pairs.data() + last.pairs.size() == added.data()) {
+    // What follows the room that was lent does not belong to it.
+    const bool is_elsewhere = added.data() == lent_.data() + lent_.size();
+    if (last.unit == origin.unit && last.pairs.data() + last.pairs.size() == added.data() &&
+        !is_elsewhere) {
       last.pairs = {last.pairs.data(), last.pairs.size() + count};
       return;
     }

@@ -12,19 +12,22 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace abut::api {
 
 /// Stores pairs as they are found, up to the limit and the memory bound: each worker in chunks of
-/// its own, which stay where they are. Their order is known when all are found.
+/// its own, which stay where they are. Their order is known when all are found. A worker that is
+/// alone finds them in order, and writes the first ones to where the caller wants them.
 class FoundPairs final : public base::PairSink {
  public:
   explicit FoundPairs(base::MemoryMeter& memory) : memory_(memory) {}
   ~FoundPairs() override;
 
-  /// Forgets the pairs and keeps the memory.
-  void start_anew(PairCount limit, Shifts shifts = Shifts::none);
+  /// Forgets the pairs and keeps the memory. `lent` is room for the first pairs, if one worker
+  /// finds them all and no shifts are wanted.
+  void start_anew(PairCount limit, Shifts shifts = Shifts::none, std::span<ContactPair> lent = {});
 
   void expect_workers(std::size_t count) override;
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
@@ -32,6 +35,9 @@ class FoundPairs final : public base::PairSink {
   void commit(std::size_t count, const base::Origin& origin) override;
 
   [[nodiscard]] PairCount size() const noexcept { return total_; }
+
+  /// How many stand in the room that was lent: the first ones.
+  [[nodiscard]] std::size_t lent_filled() const noexcept { return lent_filled_; }
 
   /// Contiguous pieces in as_found order.
   /// Valid until the next call or the next pairs.
@@ -62,12 +68,21 @@ class FoundPairs final : public base::PairSink {
     std::vector<Segment> segments;
   };
 
+  /// Whether the next pairs go to the room that was lent: as long as there is enough of it.
+  [[nodiscard]] bool is_lent_next() const noexcept {
+    return lent_.size() - lent_filled_ >= smallest_room;
+  }
+  /// The next `count` pairs of a worker, and their shifts.
+  [[nodiscard]] std::pair<std::span<const ContactPair>, const ImageShift*> take(Worker& worker,
+                                                                                std::size_t count);
   void add_chunk(Worker& worker);
   void make_room_for_shifts(Chunk& chunk);
 
   base::MemoryMeter& memory_;
   PairCount limit_ = unlimited_pairs;
   Shifts shifts_ = Shifts::none;
+  std::span<ContactPair> lent_;
+  std::size_t lent_filled_ = 0;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::atomic<PairCount> total_ = 0;
   std::vector<Segment> segments_;

@@ -48,10 +48,12 @@ void PairOrder::find_begins(PairPieces pieces) {
   }
 }
 
-void PairOrder::join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers) {
+void PairOrder::join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers,
+                     std::size_t in_place) {
   find_begins(pieces);
-  base::for_each_index(workers, pieces.size(),
-                       [&](std::size_t, std::size_t k) { copy_to(pieces[k], target, begin_[k]); });
+  base::for_each_index(workers, pieces.size(), [&](std::size_t, std::size_t k) {
+    if (begin_[k] >= in_place) copy_to(pieces[k], target, begin_[k]);
+  });
 }
 
 void PairOrder::join(const ImagePieces& pieces, std::span<ContactPair> target,

@@ -31,8 +31,10 @@ class PairOrder {
         cursors_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
         begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
 
-  /// Writes the pairs one after the other; `target` has room for all.
-  void join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers);
+  /// Writes the pairs one after the other; `target` has room for all. The first pieces, `in_place`
+  /// pairs in all, stand there already.
+  void join(PairPieces pieces, std::span<ContactPair> target, std::size_t workers,
+            std::size_t in_place = 0);
 
   /// Writes the pairs sorted by (first, second): first into ranges of elements whose pairs fit into
   /// the cache, then each range. Linear in elements + pairs while elements have few partners each.

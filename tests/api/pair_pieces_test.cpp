@@ -59,16 +59,25 @@ struct Units {
       std::swap(order[left - 1], order[random.below(left)]);
     }
     for (const std::size_t unit : order) {
-      const std::size_t worker = random.below(workers);
-      for (std::size_t done = 0; done < pairs[unit].size();) {
-        const auto room = found.room(worker);
-        ASSERT_GE(room.size(), base::PairSink::smallest_room);
-        const std::size_t count =
-            std::min({room.size(), pairs[unit].size() - done, 1 + random.below(5000)});
-        std::copy_n(pairs[unit].begin() + static_cast<std::ptrdiff_t>(done), count, room.begin());
-        found.commit(count, {worker, unit});
-        done += count;
-      }
+      deliver_unit(found, unit, random.below(workers), random);
+    }
+  }
+
+  void deliver_in_order(FoundPairs& found) const {
+    Random random(1);
+    found.expect_workers(1);
+    for (std::size_t unit = 0; unit < pairs.size(); ++unit) deliver_unit(found, unit, 0, random);
+  }
+
+  void deliver_unit(FoundPairs& found, std::size_t unit, std::size_t worker, Random& random) const {
+    for (std::size_t done = 0; done < pairs[unit].size();) {
+      const auto room = found.room(worker);
+      ASSERT_GE(room.size(), base::PairSink::smallest_room);
+      const std::size_t count =
+          std::min({room.size(), pairs[unit].size() - done, 1 + random.below(5000)});
+      std::copy_n(pairs[unit].begin() + static_cast<std::ptrdiff_t>(done), count, room.begin());
+      found.commit(count, {worker, unit});
+      done += count;
     }
   }
 };
@@ -109,6 +118,37 @@ TEST(FoundPairs, KeepTheirMemoryAndGiveItBackAtTheEnd) {
     EXPECT_EQ(memory.held(), held);
   }
   EXPECT_EQ(memory.held(), 0U);
+}
+
+/// A single worker's, in ascending units: whatever does not fit into the room goes to chunks.
+TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
+  const Units units(1);
+  const PairVector expected = units.together();
+  for (const std::size_t room : {std::size_t{0}, std::size_t{511}, std::size_t{5000},
+                                 expected.size(), expected.size() + 1000}) {
+    base::MemoryMeter memory;
+    FoundPairs found(memory);
+    PairVector target(std::max(room, expected.size()));
+    found.start_anew(unlimited_pairs, Shifts::none, std::span(target).first(room));
+    units.deliver_in_order(found);
+    const std::size_t in_place = found.lent_filled();
+    EXPECT_LE(in_place, room);
+    EXPECT_GE(in_place + base::PairSink::smallest_room, std::min(room, expected.size()));
+    target.resize(expected.size());
+    PairOrder(memory).join(found.pieces(), target, 1, in_place);
+    EXPECT_EQ(target, expected) << "room for " << room;
+  }
+}
+
+TEST(FoundPairs, OfSeveralWorkersDoNot) {
+  const Units units(1);
+  base::MemoryMeter memory;
+  FoundPairs found(memory);
+  PairVector target(units.together().size());
+  found.start_anew(unlimited_pairs, Shifts::none, target);
+  units.deliver(found, 2, 3);
+  EXPECT_EQ(found.lent_filled(), 0U);
+  EXPECT_EQ(joined(found, 2), units.together());
 }
 
 TEST(FoundPairs, OneMoreThanTheLimitIsAnError) {

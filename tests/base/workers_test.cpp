@@ -5,9 +5,11 @@
 #include <array>
 #include <atomic>
 #include <cfenv>
+#include <chrono>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace abut::base {
@@ -56,9 +58,13 @@ TEST(Workers, AnExceptionStopsTheOthersSoon) {
   constexpr std::size_t size = 1000000;
   for (const std::size_t count : counts) {
     std::atomic<std::size_t> calls = 0;
+    // The others dawdle, so that the one that throws has time to say so even if it is interrupted.
     EXPECT_THROW(for_each_index(count, size,
                                 [&](std::size_t, std::size_t) {
-                                  if (++calls == 10) throw std::runtime_error("enough");
+                                  const std::size_t call = ++calls;
+                                  if (call == 10) throw std::runtime_error("enough");
+                                  if (call > 10)
+                                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
                                 }),
                  std::runtime_error);
     EXPECT_LT(calls, size);

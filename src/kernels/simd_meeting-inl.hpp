@@ -31,17 +31,23 @@ class SimdMeeting {
   /// The first `own` elements of the runs, each with all that follow it.
   HWY_INLINE void meet_block(std::uint32_t own, std::span<const Run> runs) {
     const std::size_t size = gather(runs);
+    std::size_t hits = 0;
     for (std::uint32_t k = 0; k < own; ++k) {
       const std::size_t first = k + 1;
-      if (first >= size) return;
+      if (first >= size) break;
       candidate_tests_ += size - first;
-      if (HWY_UNLIKELY(findings_.found + size + lanes > Findings::room)) job_.take(job_);
+      make_room(size + lanes);
+      const std::size_t found = findings_.found;
       const bool quickly = size + lanes <= Findings::room && !expects_doubts_;
-      if (HWY_LIKELY(quickly) && meet_gathered(runs[0].begin + k, first, size)) continue;
+      if (HWY_LIKELY(quickly) && meet_gathered(runs[0].begin + k, first, size)) {
+        hits += findings_.found - found;
+        continue;
+      }
       const std::size_t doubts = findings_.doubts;
       meet_with_care(probe_of(runs[0].begin + k), block_, first, size);
       expects_doubts_ = findings_.doubts != doubts;
     }
+    expects_few_hits_ = hits * few_hits * lanes < own * size;
   }
 
   void meet(const Visitor& visitor, std::span<const Run> runs) {
@@ -58,6 +64,9 @@ class SimdMeeting {
   static constexpr Hits some_doubtful = Hits{1} << most_hits;
 
   static constexpr std::uint32_t batch_size = 64;
+
+  /// Vectors to a hit beyond which a branch costs less than to write without one.
+  static constexpr std::size_t few_hits = 4;
 
   /// First the distances of all, then the pairs: two loops that do not wait for each other, each
   /// short enough for the processor to have several elements under way.
@@ -81,7 +90,7 @@ class SimdMeeting {
         found += write_doubtful(p, runs_of(p), found);
       } else {
         findings_.found = found;
-        meet_with_care(p, runs_of);
+        if (!meet_long_runs(p, runs_of(p))) meet_with_care(p, runs_of);
         found = findings_.found;
       }
     }
@@ -165,6 +174,29 @@ class SimdMeeting {
     return count;
   }
 
+  /// An element with runs of any length. Returns false, having found nothing, where the filter
+  /// cannot decide everything.
+  template <class Runs>
+  HWY_NOINLINE bool meet_long_runs(std::uint32_t p, const Runs& runs) {
+    std::size_t size = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r) size += runs[r].end - runs[r].begin;
+    if (size + Runs::size() * lanes > Findings::room) return false;
+    make_room(size + lanes);
+    const Probe probe = probe_of(p);
+    Row row(partner_ + findings_.found);
+    for (std::size_t r = 0; r < Runs::size(); ++r) {
+      const Run run = runs[r];
+      for (std::size_t q = run.begin; q < run.end; q += lanes) {
+        const std::size_t left = run.end - q;
+        const bool whole = Runs::harmless_beyond || left >= lanes;
+        row.write_all(probe, sorted_, q, whole ? all_lanes : (1u << left) - 1);
+      }
+    }
+    if (!commit(probe, row)) return false;
+    candidate_tests_ += size;
+    return true;
+  }
+
   /// An element with runs of any length, and notes of what the filter cannot decide.
   template <class RunsOf>
   HWY_NOINLINE void meet_with_care(std::uint32_t p, RunsOf runs_of) {
@@ -210,25 +242,68 @@ class SimdMeeting {
   HWY_INLINE bool meet_gathered(std::uint32_t p, std::size_t first, std::size_t size) {
     const Probe probe = probe_of(p);
     const Columns columns = block_;
-    std::uint32_t* const begin = partner_ + findings_.found;
-    std::uint32_t* end = begin;
-    Mask doubtful = hn::MaskFromVec(hn::Zero(floats));
-    Bits wanted = all_lanes << first % lanes & all_lanes;
-    for (std::size_t q = first / lanes * lanes; q < size; q += lanes) {
-      const Filtered filtered = probe.filter(columns, q);
-      doubtful = hn::Or(doubtful, hn::AndNot(filtered.sure, filtered.hit));
-      const Bits hits = bits_of(filtered.hit) & wanted;
-      wanted = all_lanes;
-      hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, end);
-      end += std::popcount(hits);
+    Row row(partner_ + findings_.found);
+    const std::size_t begin = first / lanes * lanes;
+    const Bits wanted = all_lanes << first % lanes & all_lanes;
+    if (expects_few_hits_) {
+      row.write_few(probe, columns, begin, wanted);
+      for (std::size_t q = begin + lanes; q < size; q += lanes) {
+        row.write_few(probe, columns, q, all_lanes);
+      }
+    } else {
+      row.write_all(probe, columns, begin, wanted);
+      for (std::size_t q = begin + lanes; q < size; q += lanes) {
+        row.write_all(probe, columns, q, all_lanes);
+      }
     }
-    if (HWY_UNLIKELY(!hn::AllFalse(floats, doubtful))) return false;
-    const auto count = static_cast<std::size_t>(end - begin);
+    return commit(probe, row);
+  }
+
+  /// The partners of an element while they are being found.
+  class Row {
+   public:
+    HWY_INLINE explicit Row(std::uint32_t* begin)
+        : end_(begin), doubtful_(hn::MaskFromVec(hn::Zero(floats))) {}
+
+    /// The wanted candidates in the vector from q on. Without a branch: nothing to guess.
+    HWY_INLINE void write_all(const Probe& probe, const Columns& columns, std::size_t q,
+                              Bits wanted) {
+      const Filtered filtered = probe.filter(columns, q);
+      doubtful_ = hn::Or(doubtful_, hn::AndNot(filtered.sure, filtered.hit));
+      const Bits hits = bits_of(filtered.hit) & wanted;
+      hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, end_);
+      end_ += std::popcount(hits);
+    }
+
+    /// The same, where few vectors hold a hit.
+    HWY_INLINE void write_few(const Probe& probe, const Columns& columns, std::size_t q,
+                              Bits wanted) {
+      if (HWY_UNLIKELY((bits_of(probe.filter(columns, q).hit) & wanted) != 0)) {
+        write_all(probe, columns, q, wanted);
+      }
+    }
+
+    [[nodiscard]] HWY_INLINE std::uint32_t* end() const { return end_; }
+    [[nodiscard]] HWY_INLINE bool is_decided() const { return hn::AllFalse(floats, doubtful_); }
+
+   private:
+    std::uint32_t* end_;
+    Mask doubtful_;
+  };
+
+  /// Takes a row that was written behind the findings, unless some of it is doubtful.
+  HWY_INLINE bool commit(const Probe& probe, const Row& row) {
+    if (HWY_UNLIKELY(!row.is_decided())) return false;
+    const auto count = static_cast<std::size_t>(row.end() - (partner_ + findings_.found));
     for (std::size_t k = 0; k < count; k += lanes) {
       hn::StoreU(probe.number(), numbers, element_ + findings_.found + k);
     }
     findings_.found += count;
     return true;
+  }
+
+  HWY_INLINE void make_room(std::size_t count) {
+    if (HWY_UNLIKELY(findings_.found + count > Findings::room)) job_.take(job_);
   }
 
   HWY_INLINE void meet_with_care(const Probe& probe, const Run& run) {
@@ -270,5 +345,6 @@ class SimdMeeting {
   std::uint32_t* element_;
   std::uint32_t* partner_;
   std::size_t candidate_tests_ = 0;
-  bool expects_doubts_ = false;  ///< the last element of a block had some, as on a lattice
+  bool expects_doubts_ = false;    ///< the last element of a block had some, as on a lattice
+  bool expects_few_hits_ = false;  ///< the last block had
 };

@@ -2,6 +2,7 @@
 
 #include "base/workers.hpp"
 #include "base/written.hpp"
+#include "engine/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
 
 #include <abut/error.hpp>
@@ -194,18 +195,9 @@ class Gatherer {
     kernels::ElementColumns columns = *columns_;
     for (int axis = 0; axis < Dim; ++axis) columns.center[axis] += first;
     columns.radius += first;
-    kernels::ElementBounds packed{};
-    std::copy(bounds.lower.begin(), bounds.lower.end(), packed.lower);
-    std::copy(bounds.upper.begin(), bounds.upper.end(), packed.upper);
-    packed.smallest_radius = bounds.smallest_radius;
-    const std::size_t done = kernels_.pack(columns, count, Dim, spheres_[first].center, packed);
-    if (done == 0) return 0;
-    std::copy_n(packed.lower, Dim, bounds.lower.begin());
-    std::copy_n(packed.upper, Dim, bounds.upper.begin());
-    bounds.smallest_radius = packed.smallest_radius;
-    bounds.largest_radius = packed.largest_radius;
-    bounds.second_largest_radius = packed.second_largest_radius;
-    return done;
+    return engine::widen(bounds, [&](kernels::ElementBounds& packed) {
+      return kernels_.pack(columns, count, Dim, spheres_[first].center, packed);
+    });
   }
 
   const ElementView& elements_;

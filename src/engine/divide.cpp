@@ -1,6 +1,8 @@
 #include "engine/divide.hpp"
 
 #include "engine/catchment.hpp"
+#include "engine/kernel_bounds.hpp"
+#include "engine/sphere_block.hpp"
 
 #include <algorithm>
 
@@ -17,19 +19,36 @@ bool within(const base::Sphere<Dim>& sphere, const grid::Bounds<Dim>& box, doubl
   return inside;
 }
 
+/// The box of some elements and their radii.
+template <int Dim>
+grid::Bounds<Dim> bounds_of(const base::Elements<Dim>& elements, const Numbers& numbers,
+                            const kernels::ElementKernels& kernels) {
+  grid::Bounds<Dim> bounds;
+  SphereBlock<Dim> block;
+  SphereBlock<Dim>::for_each(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
+    const auto spheres = block.of(elements.spheres, numbers, begin, end);
+    std::size_t k = widen(bounds, [&](kernels::ElementBounds& packed) {
+      return kernels.bound(spheres[0].center, spheres.size(), Dim, packed);
+    });
+    for (; k < spheres.size(); ++k) {
+      bounds.include_center(spheres[k]);
+      bounds.include_radius(spheres[k].radius);
+    }
+  });
+  return bounds;
+}
+
 }  // namespace
 
 template <int Dim>
-Group<Dim> group_of(const base::Elements<Dim>& elements, const Members& members, Wanted wanted) {
+Group<Dim> group_of(const base::Elements<Dim>& elements, const Members& members, Wanted wanted,
+                    const kernels::ElementKernels& kernels) {
   Group<Dim> group;
   group.natives = Members::numbers(members.natives);
   group.foreigns = Members::numbers(members.foreigns);
   group.visitors = Members::numbers(members.visitors);
   group.wanted = wanted;
-  for (const std::uint32_t number : members.natives) {
-    group.bounds.include_center(elements[number]);
-    group.bounds.include_radius(elements[number].radius);
-  }
+  group.bounds = bounds_of(elements, group.natives, kernels);
   for (const std::uint32_t number : members.foreigns) {
     group.bounds.include_radius(elements[number].radius);
   }
@@ -74,24 +93,15 @@ void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group
 
 template <int Dim>
 Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles,
-                        std::size_t tile, double cell_size, double margin, Members& members) {
-  // Elements of a tile lie anywhere in memory.
-  constexpr std::size_t fetched_ahead = 16;
+                        std::size_t tile, double cell_size, double margin,
+                        const kernels::ElementKernels& kernels, Members& members) {
   const std::span<const base::Sphere<Dim>> spheres = elements.spheres;
   const auto records = tiles.records(tile);
   const std::size_t own = tiles.own_count(tile);
   members.clear();
   members.natives.resize(own);
-  grid::Bounds<Dim> bounds;
-  for (std::size_t k = 0; k < own; ++k) {
-    if (k + fetched_ahead < records.size()) {
-      __builtin_prefetch(&spheres[records[k + fetched_ahead].number]);
-    }
-    const std::uint32_t number = records[k].number;
-    members.natives[k] = number;
-    bounds.include_center(spheres[number]);
-    bounds.include_radius(spheres[number].radius);
-  }
+  for (std::size_t k = 0; k < own; ++k) members.natives[k] = records[k].number;
+  grid::Bounds<Dim> bounds = bounds_of(elements, Members::numbers(members.natives), kernels);
   const double wider = margin + position_slack * cell_size;
   for (const std::uint32_t number : tiles.visitors(tile)) {
     if (Catchment<Dim>::of(elements, number, bounds.largest_radius, wider).meets(bounds)) {
@@ -112,13 +122,15 @@ Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& t
           bounds};
 }
 
-template Group<2> group_of(const base::Elements<2>&, const Members&, Wanted);
-template Group<3> group_of(const base::Elements<3>&, const Members&, Wanted);
+template Group<2> group_of(const base::Elements<2>&, const Members&, Wanted,
+                           const kernels::ElementKernels&);
+template Group<3> group_of(const base::Elements<3>&, const Members&, Wanted,
+                           const kernels::ElementKernels&);
 template void divide_by_size(const base::Elements<2>&, const Group<2>&, double, Floor<2>&);
 template void divide_by_size(const base::Elements<3>&, const Group<3>&, double, Floor<3>&);
 template Group<2> collect_tile(const base::Elements<2>&, const Tiles<2>&, std::size_t, double,
-                               double, Members&);
+                               double, const kernels::ElementKernels&, Members&);
 template Group<3> collect_tile(const base::Elements<3>&, const Tiles<3>&, std::size_t, double,
-                               double, Members&);
+                               double, const kernels::ElementKernels&, Members&);
 
 }  // namespace abut::engine

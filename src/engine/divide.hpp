@@ -4,6 +4,7 @@
 #include "engine/bench.hpp"
 #include "engine/group.hpp"
 #include "engine/tiles.hpp"
+#include "kernels/element_kernels.hpp"
 
 #include <span>
 
@@ -23,11 +24,11 @@ void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group
 template <int Dim>
 [[nodiscard]] Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles,
                                       std::size_t tile, double cell_size, double margin,
-                                      Members& members);
+                                      const kernels::ElementKernels& kernels, Members& members);
 
 /// The group of some members, with its bounds.
 template <int Dim>
 [[nodiscard]] Group<Dim> group_of(const base::Elements<Dim>& elements, const Members& members,
-                                  Wanted wanted);
+                                  Wanted wanted, const kernels::ElementKernels& kernels);
 
 }  // namespace abut::engine

@@ -139,9 +139,10 @@ template <int Dim>
 void GroupSearch<Dim>::search_divided(const Group<Dim>& group, double cut, const Post& post) {
   Floor<Dim>& floor = post.floors.at(post.depth);
   divide_by_size(task_.elements, group, cut, floor);
-  search(group_of(task_.elements, floor.large, group.wanted), post.deeper());
-  search(group_of(task_.elements, floor.small, group.wanted), post.deeper());
-  search(group_of(task_.elements, floor.across, Wanted::pairs_of_visitors), post.deeper());
+  search(group_of(task_.elements, floor.large, group.wanted, task_.element_kernels), post.deeper());
+  search(group_of(task_.elements, floor.small, group.wanted, task_.element_kernels), post.deeper());
+  search(group_of(task_.elements, floor.across, Wanted::pairs_of_visitors, task_.element_kernels),
+         post.deeper());
 }
 
 template <int Dim>
@@ -217,7 +218,9 @@ bool GroupSearch<Dim>::search_crowded_tile(const Group<Dim>& group, const TileGr
   // Tiles of a group of all workers stand at depth 0 of the worker's own floors.
   const bool waits = post.depth == 0 && tiles.own_count(tile) >= large_group;
   Members& members = waits ? spare_members() : post.floors.at(post.depth).part;
-  Part part{collect_tile(task_.elements, tiles, tile, grid.cell_size, task_.margin, members), cut};
+  Part part{collect_tile(task_.elements, tiles, tile, grid.cell_size, task_.margin,
+                         task_.element_kernels, members),
+            cut};
   part.group.wanted = group.wanted;
   // Cells that are much smaller, because the box is, are progress enough.
   const grid::Bounds<Dim>& bounds = part.group.bounds;

@@ -128,8 +128,6 @@ void SortedTile<Dim>::count(std::span<const Record<Dim>> records, std::size_t ow
     company += inhabitants[cell]++;
   }
   crowding_ = 2 * company + records.size();
-  std::inclusive_scan(inhabitants, inhabitants + cell_of.total() + 1, inhabitants);
-
   size_ = records.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     view_.cells[axis] = axis < Dim ? cells.count[axis] : 1;
@@ -140,6 +138,7 @@ template <int Dim>
 void SortedTile<Dim>::sort(std::span<const Record<Dim>> records, const RecordSizes& sizes,
                            const kernels::ElementKernels& kernels) {
   std::uint32_t* const end = cell_begin_.data();
+  std::inclusive_scan(end, end + row_count_ * row_length_ + 1, end);
   for (std::size_t k = records.size(); k-- > 0;) {
     const std::uint32_t cell = cell_of_[k];
     const std::uint32_t place = --end[cell];

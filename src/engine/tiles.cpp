@@ -2,6 +2,7 @@
 
 #include "base/workers.hpp"
 #include "engine/catchment.hpp"
+#include "engine/sphere_block.hpp"
 #include "engine/tile_neighbors.hpp"
 #include "engine/tile_range.hpp"
 
@@ -35,11 +36,9 @@ Cursors cursors_of(base::Array<std::uint64_t>& table, std::size_t worker, std::s
   return {own, own + tile_count};
 }
 
-/// Elements that are treated together, so that what they need stays in the nearest cache.
-constexpr std::size_t block_size = 256;
-
 /// The elements of a block that lie near faces, one in three: collected first, since a branch for
 /// each element could not be foreseen.
+template <std::size_t block_size>
 class NearFaces {
  public:
   void clear() { size_ = 0; }
@@ -54,10 +53,20 @@ class NearFaces {
   std::size_t size_ = 0;
 };
 
-/// Calls body(begin, end) for blocks of [first, last).
-template <class Body>
-void for_each_block(std::size_t first, std::size_t last, Body&& body) {
-  for (; first < last; first += block_size) body(first, std::min(first + block_size, last));
+/// Records of natives, the first of which is `begin`, in their own tiles: `tile_of(k)` gives the
+/// tile's coordinates.
+template <int Dim, class TileOf>
+void record_natives(const Recorder<Dim>& recorder, const kernels::ElementKernels& kernels,
+                    std::span<const base::Sphere<Dim>> spheres, const Numbers& natives,
+                    std::size_t begin, const TileOf& tile_of, Record<Dim>* records) {
+  std::size_t k = kernels.record(spheres[0].center, spheres.size(), Dim, recorder.map(),
+                                 static_cast<std::uint32_t>(begin), records);
+  if (!natives.are_the_first()) {
+    for (std::size_t made = 0; made < k; ++made) records[made].number = natives[begin + made];
+  }
+  for (; k < spheres.size(); ++k) {
+    records[k] = recorder.record(spheres[k], natives[begin + k], tile_of(begin + k));
+  }
 }
 
 template <int Dim>
@@ -115,8 +124,8 @@ void Tiles<Dim>::count(const base::Elements<Dim>& elements, const Group<Dim>& gr
       return;
     }
     place(elements, group, grid, kernels, first, last);
-    NearFaces near;
-    for_each_block(first, last, [&](std::size_t begin, std::size_t end) {
+    NearFaces<SphereBlock<Dim>::size> near;
+    SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
       near.clear();
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t place = places_[k] & copied;
@@ -149,15 +158,17 @@ template <int Dim>
 void Tiles<Dim>::place(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                        std::size_t first, std::size_t last) {
-  std::size_t k = first;
-  if (group.natives.are_the_first()) {
-    k += kernels.place(elements[first].center, last - first, Dim, grid.place_map(),
-                       places_.data() + first);
-  }
-  for (; k < last; ++k) {
-    const auto [tile, near_faces] = grid.place(elements[group.natives[k]]);
-    places_[k] = packed(tile, near_faces);
-  }
+  const kernels::PlaceMap map = grid.place_map();
+  SphereBlock<Dim> block;
+  SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
+    const auto spheres = block.of(elements.spheres, group.natives, begin, end);
+    std::uint32_t* const places = places_.data() + begin;
+    std::size_t k = kernels.place(spheres[0].center, spheres.size(), Dim, map, places);
+    for (; k < spheres.size(); ++k) {
+      const auto [tile, near_faces] = grid.place(spheres[k]);
+      places[k] = packed(tile, near_faces);
+    }
+  });
 }
 
 /// Turns counts into places; a tile without elements of its own needs no copies.
@@ -193,11 +204,9 @@ void Tiles<Dim>::scatter(const base::Elements<Dim>& elements, const Group<Dim>& 
   for (std::size_t tile = 0; tile < grid.tile_count; ++tile)
     coordinates_[tile] = grid.coordinates(tile);
 
-  const std::span<const base::Sphere<Dim>> spheres = elements.spheres;
   const Numbers& natives = group.natives;
   const TileNeighbors<Dim> neighbors(grid);
   const Recorder<Dim> recorder(grid);
-  const kernels::RecordMap map = recorder.map();
   unit_ = recorder.unit();
   const bool sized = size_columns_ > 0;
   base::for_each_worker(workers, [&](std::size_t worker) {
@@ -207,33 +216,31 @@ void Tiles<Dim>::scatter(const base::Elements<Dim>& elements, const Group<Dim>& 
       const std::uint64_t own = cursors.own[grid.first_tile()];
       return record_one_tile(elements, group, recorder, kernels, first, last, own);
     }
-    std::array<Record<Dim>, block_size> block;
-    NearFaces near;
-    for_each_block(first, last, [&](std::size_t begin, std::size_t end) {
-      std::size_t made = 0;
-      if (natives.are_the_first()) {
-        made = kernels.record(spheres[begin].center, end - begin, Dim, map,
-                              static_cast<std::uint32_t>(begin), block.data());
-      }
-      for (std::size_t k = begin + made; k < end; ++k) {
-        block[k - begin] =
-            recorder.record(spheres[natives[k]], natives[k], coordinates_[tile_of(places_[k])]);
-      }
+    SphereBlock<Dim> block;
+    std::array<Record<Dim>, SphereBlock<Dim>::size> records;
+    NearFaces<SphereBlock<Dim>::size> near;
+    SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
+      const auto spheres = block.of(elements.spheres, natives, begin, end);
+      const auto tile_of_native = [&](std::size_t k) -> const std::array<double, Dim>& {
+        return coordinates_[tile_of(places_[k])];
+      };
+      record_natives<Dim>(recorder, kernels, spheres, natives, begin, tile_of_native,
+                          records.data());
       near.clear();
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint64_t target = cursors.own[tile_of(places_[k])]++;
-        records_[target] = block[k - begin];
-        if (sized) note_sizes(elements, natives[k], recorder, target);
+        records_[target] = records[k - begin];
+        if (sized) note_sizes(elements, natives[k], spheres[k - begin], recorder, target);
         near.add_if_near(k, places_[k]);
       }
       for (const std::uint32_t k : near.list()) {
-        const base::Sphere<Dim>& sphere = spheres[natives[k]];
+        const base::Sphere<Dim>& sphere = spheres[k - begin];
         for (const std::uint8_t neighbor : neighbors.of_native(faces_of(places_[k]))) {
           const std::size_t tile = neighbors.from(tile_of(places_[k]), neighbor);
           if (own_[tile] == 0) continue;
           const std::uint64_t target = cursors.copies[tile]++;
           records_[target] = recorder.record(sphere, natives[k], coordinates_[tile]);
-          if (sized) note_sizes(elements, natives[k], recorder, target);
+          if (sized) note_sizes(elements, natives[k], sphere, recorder, target);
         }
       }
     });
@@ -250,27 +257,27 @@ void Tiles<Dim>::record_one_tile(const base::Elements<Dim>& elements, const Grou
                                  const kernels::ElementKernels& kernels, std::size_t first,
                                  std::size_t last, std::uint64_t own) {
   constexpr std::array<double, Dim> origin{};
-  std::uint64_t target = own;
-  std::size_t k = first;
-  if (group.natives.are_the_first() && first < last) {
-    k += kernels.record(elements[first].center, last - first, Dim, recorder.map(),
-                        static_cast<std::uint32_t>(first), records_.data() + target);
-    target += k - first;
-  }
-  for (; k < last; ++k, ++target) {
-    const std::uint32_t number = group.natives[k];
-    records_[target] = recorder.record(elements[number], number, origin);
-  }
-  if (size_columns_ == 0) return;
-  for (k = first; k < last; ++k) note_sizes(elements, group.natives[k], recorder, own + k - first);
+  const auto only_tile = [&](std::size_t) -> const std::array<double, Dim>& { return origin; };
+  SphereBlock<Dim> block;
+  SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
+    const auto spheres = block.of(elements.spheres, group.natives, begin, end);
+    const std::uint64_t target = own + (begin - first);
+    record_natives<Dim>(recorder, kernels, spheres, group.natives, begin, only_tile,
+                        records_.data() + target);
+    if (size_columns_ == 0) return;
+    for (std::size_t k = begin; k < end; ++k) {
+      note_sizes(elements, group.natives[k], spheres[k - begin], recorder, target + (k - begin));
+    }
+  });
 }
 
 template <int Dim>
 void Tiles<Dim>::note_sizes(const base::Elements<Dim>& elements, std::uint32_t number,
-                            const Recorder<Dim>& recorder, std::uint64_t record) {
+                            const base::Sphere<Dim>& sphere, const Recorder<Dim>& recorder,
+                            std::uint64_t record) {
   float* const sizes = sizes_.data() + record * size_columns_;
   if (!elements.are_boxes()) {
-    *sizes = recorder.length(elements[number].radius);
+    *sizes = recorder.length(sphere.radius);
     return;
   }
   const base::Box<Dim>& box = elements.boxes[number];
@@ -293,7 +300,7 @@ void Tiles<Dim>::scatter_foreigns(const base::Elements<Dim>& elements, const Gro
       const std::uint64_t target = cursors[tile]++;
       records_[target] =
           recorder.record_of_foreign(elements[number], number, coordinates_[tile], group.bounds);
-      if (size_columns_ > 0) note_sizes(elements, number, recorder, target);
+      if (size_columns_ > 0) note_sizes(elements, number, elements[number], recorder, target);
     }
   }
 }

@@ -65,7 +65,8 @@ class Tiles {
                        const Recorder<Dim>& recorder, const kernels::ElementKernels& kernels,
                        std::size_t first, std::size_t last, std::uint64_t own);
   void note_sizes(const base::Elements<Dim>& elements, std::uint32_t number,
-                  const Recorder<Dim>& recorder, std::uint64_t record);
+                  const base::Sphere<Dim>& sphere, const Recorder<Dim>& recorder,
+                  std::uint64_t record);
   void scatter_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
                         const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
                         std::uint64_t* cursors);

@@ -64,6 +64,10 @@ struct ElementKernels {
   std::size_t (*pack)(const ElementColumns& columns, std::size_t count, int dimensions,
                       double* records, ElementBounds& bounds);
 
+  /// Widens the bounds by records that are known to be valid.
+  std::size_t (*bound)(const double* records, std::size_t count, int dimensions,
+                       ElementBounds& bounds);
+
   /// places[k] = tile << 6 | near faces of record k: TileGrid::place.
   std::size_t (*place)(const double* records, std::size_t count, int dimensions,
                        const PlaceMap& map, std::uint32_t* places);

@@ -97,13 +97,32 @@ std::size_t pack_in(const ElementColumns& columns, std::size_t count, double* re
 }
 
 template <int Dim>
-HWY_INLINE void load_centers(const double* records, Doubles* center) {
-  Doubles radius;
+HWY_INLINE void load_records(const double* records, Doubles* center, Doubles& radius) {
   if constexpr (Dim == 2) {
     hn::LoadInterleaved3(doubles, records, center[0], center[1], radius);
   } else {
     hn::LoadInterleaved4(doubles, records, center[0], center[1], center[2], radius);
   }
+}
+
+template <int Dim>
+HWY_INLINE void load_centers(const double* records, Doubles* center) {
+  Doubles radius;
+  load_records<Dim>(records, center, radius);
+}
+
+template <int Dim>
+std::size_t bound_in(const double* records, std::size_t count, ElementBounds& bounds) {
+  LaneBounds<Dim> lane_bounds(bounds);
+  std::size_t k = 0;
+  for (; k + lanes <= count; k += lanes) {
+    Doubles center[Dim];
+    Doubles radius;
+    load_records<Dim>(records + k * (Dim + 1), center, radius);
+    lane_bounds.include(center, radius);
+  }
+  if (k > 0) lane_bounds.widen(bounds);
+  return k;
 }
 
 /// Position along an axis in tiles, and the tile: TileGrid::place.
@@ -278,6 +297,11 @@ std::size_t pack(const ElementColumns& columns, std::size_t count, int dimension
                          : pack_in<3>(columns, count, records, bounds);
 }
 
+std::size_t bound(const double* records, std::size_t count, int dimensions, ElementBounds& bounds) {
+  return dimensions == 2 ? bound_in<2>(records, count, bounds)
+                         : bound_in<3>(records, count, bounds);
+}
+
 std::size_t place(const double* records, std::size_t count, int dimensions, const PlaceMap& map,
                   std::uint32_t* places) {
   return dimensions == 2 ? place_in<2>(records, count, map, places)
@@ -307,6 +331,7 @@ HWY_AFTER_NAMESPACE();
 namespace abut::kernels {
 
 HWY_EXPORT(pack);
+HWY_EXPORT(bound);
 HWY_EXPORT(place);
 HWY_EXPORT(record);
 HWY_EXPORT(bin);
@@ -315,9 +340,10 @@ HWY_EXPORT(arrange);
 ElementKernels simd_element_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(pack)[chosen.GetIndex()], HWY_DISPATCH_TABLE(place)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(record)[chosen.GetIndex()], HWY_DISPATCH_TABLE(bin)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(arrange)[chosen.GetIndex()]};
+  return {
+      HWY_DISPATCH_TABLE(pack)[chosen.GetIndex()],  HWY_DISPATCH_TABLE(bound)[chosen.GetIndex()],
+      HWY_DISPATCH_TABLE(place)[chosen.GetIndex()], HWY_DISPATCH_TABLE(record)[chosen.GetIndex()],
+      HWY_DISPATCH_TABLE(bin)[chosen.GetIndex()],   HWY_DISPATCH_TABLE(arrange)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

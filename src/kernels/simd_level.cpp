@@ -135,6 +135,7 @@ ElementKernels element_kernels(Simd level) {
       [](const ElementColumns&, std::size_t, int, double*, ElementBounds&) {
         return std::size_t{0};
       },
+      [](const double*, std::size_t, int, ElementBounds&) { return std::size_t{0}; },
       [](const double*, std::size_t, int, const PlaceMap&, std::uint32_t*) {
         return std::size_t{0};
       },

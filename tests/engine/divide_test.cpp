@@ -56,7 +56,8 @@ TYPED_TEST(CollectedTile, KeepsVisitorsThatTouchButForTheirRounding) {
   EXPECT_EQ(sorted(tiles.visitors(tile)), (std::vector<std::uint32_t>{1, 2}));
 
   Members members(memory);
-  const Group<dim> collected = collect_tile(elements, tiles, tile, cell, 0.0, members);
+  const Group<dim> collected = collect_tile(elements, tiles, tile, cell, 0.0,
+                                            kernels::element_kernels(Simd::scalar), members);
   EXPECT_EQ(collected.visitors.size(), 2U);
   EXPECT_EQ(sorted(members.visitors), (std::vector<std::uint32_t>{1, 2}));
 }

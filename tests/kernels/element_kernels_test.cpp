@@ -15,11 +15,13 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+constexpr ElementBounds bounds_of_none{
+    {infinite, infinite, infinite}, {-infinite, -infinite, -infinite}, infinite, 0.0, 0.0};
+
 struct Packed {
   std::size_t count = 0;
   std::vector<double> records;
-  ElementBounds bounds{
-      {infinite, infinite, infinite}, {-infinite, -infinite, -infinite}, infinite, 0.0, 0.0};
+  ElementBounds bounds = bounds_of_none;
 };
 
 class ElementKernelsTest : public ::testing::TestWithParam<int> {
@@ -45,6 +47,23 @@ class ElementKernelsTest : public ::testing::TestWithParam<int> {
     return packed;
   }
 
+  void expect_bounds_of(std::size_t count, const ElementBounds& bounds) const {
+    const auto first_of = [&](const std::vector<double>& column) {
+      return std::vector<double>(column.begin(),
+                                 column.begin() + static_cast<std::ptrdiff_t>(count));
+    };
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(GetParam()); ++axis) {
+      const std::vector<double> x = first_of(columns[axis]);
+      EXPECT_EQ(bounds.lower[axis], *std::min_element(x.begin(), x.end()));
+      EXPECT_EQ(bounds.upper[axis], *std::max_element(x.begin(), x.end()));
+    }
+    std::vector<double> radii = first_of(columns[3]);
+    std::sort(radii.begin(), radii.end());
+    EXPECT_EQ(bounds.smallest_radius, radii.front());
+    EXPECT_EQ(bounds.largest_radius, radii.back());
+    EXPECT_EQ(bounds.second_largest_radius, radii[radii.size() - 2]);
+  }
+
   std::array<std::vector<double>, 4> columns;
 };
 
@@ -56,24 +75,46 @@ TEST_P(ElementKernelsTest, PackTheElementsAndTheirBounds) {
     ASSERT_GE(packed.count, level == Simd::scalar ? 0 : size - 15);
     if (packed.count == 0) continue;
     const auto width = static_cast<std::size_t>(GetParam() + 1);
-    const auto end = static_cast<std::ptrdiff_t>(packed.count);
     for (std::size_t k = 0; k < packed.count; ++k) {
       for (std::size_t axis = 0; axis + 1 < width; ++axis) {
         ASSERT_EQ(packed.records[k * width + axis], columns[axis][k]);
       }
       ASSERT_EQ(packed.records[k * width + width - 1], columns[3][k]);
     }
-    for (std::size_t axis = 0; axis + 1 < width; ++axis) {
-      const auto [least, most] =
-          std::minmax_element(columns[axis].begin(), columns[axis].begin() + end);
-      EXPECT_EQ(packed.bounds.lower[axis], *least);
-      EXPECT_EQ(packed.bounds.upper[axis], *most);
-    }
-    std::vector<double> radii(columns[3].begin(), columns[3].begin() + end);
-    std::sort(radii.begin(), radii.end());
-    EXPECT_EQ(packed.bounds.smallest_radius, radii.front());
-    EXPECT_EQ(packed.bounds.largest_radius, radii.back());
-    EXPECT_EQ(packed.bounds.second_largest_radius, radii[radii.size() - 2]);
+    expect_bounds_of(packed.count, packed.bounds);
+  }
+}
+
+/// What an earlier call found stays: the two largest radii, too, whichever part they are in.
+TEST_P(ElementKernelsTest, BoundRecordsPartByPart) {
+  const auto width = static_cast<std::size_t>(GetParam() + 1);
+  std::vector<double> records(size * width);
+  for (std::size_t column = 0; column < 3; ++column) {
+    columns[column][5] = -60.0;
+    columns[column][6] = 60.0;
+  }
+  columns[3][7] = 9.0;
+  columns[3][8] = 8.0;
+  columns[3][9] = -0.0;
+  for (std::size_t k = 0; k < size; ++k) {
+    for (std::size_t axis = 0; axis + 1 < width; ++axis)
+      records[k * width + axis] = columns[axis][k];
+    records[k * width + width - 1] = columns[3][k];
+  }
+  for (const Simd level : testing::simd_levels_here()) {
+    if (level == Simd::scalar) continue;  // treats none
+    SCOPED_TRACE(std::string(name_of(level)));
+    const ElementKernels kernels = element_kernels(level);
+    constexpr std::size_t half = size / 32 * 16;  // whole vectors
+    ElementBounds bounds = bounds_of_none;
+    ASSERT_EQ(kernels.bound(records.data(), half, GetParam(), bounds), half);
+    expect_bounds_of(half, bounds);
+    const std::size_t rest =
+        kernels.bound(records.data() + half * width, size - half, GetParam(), bounds);
+    ASSERT_GE(rest, size - half - 15);
+    expect_bounds_of(half + rest, bounds);
+    EXPECT_EQ(kernels.bound(records.data(), 1, GetParam(), bounds), 0U);
+    expect_bounds_of(half + rest, bounds);
   }
 }
 

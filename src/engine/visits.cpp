@@ -48,6 +48,7 @@ struct Field {
   double reach = 2.0 * too_large_to_square;  ///< of a box: it cuts no row short
   std::array<std::int32_t, 3> first{1, 1, 0};
   std::array<std::int32_t, 3> last{1, 1, 0};
+  std::array<double, 3> per_unit{};  ///< cells; divisions are few, rows are many
 };
 
 template <int Dim>
@@ -70,12 +71,11 @@ Field<Dim> field_of(const kernels::TileView& tile, const TileFrame<Dim>& frame,
     const double end =
         elements.are_boxes() ? elements.boxes[visitor].upper[axis] : sphere.center[axis];
     field.center[axis] = position(sphere.center[axis], axis);
-    const double lower = field.center[axis] - before * roundings;
-    const double upper = position(end, axis) + behind * roundings;
-    field.first[axis] =
-        cell_between(lower / frame.cell_size[axis] - cell_slack + 1.0, 1, tile.cells[axis]);
-    field.last[axis] =
-        cell_between(upper / frame.cell_size[axis] + cell_slack + 1.0, 1, tile.cells[axis]);
+    field.per_unit[axis] = 1.0 / frame.cell_size[axis];
+    const double lower = (field.center[axis] - before * roundings) * field.per_unit[axis];
+    const double upper = (position(end, axis) + behind * roundings) * field.per_unit[axis];
+    field.first[axis] = cell_between(lower - cell_slack + 1.0, 1, tile.cells[axis]);
+    field.last[axis] = cell_between(upper + cell_slack + 1.0, 1, tile.cells[axis]);
   }
   return field;
 }
@@ -92,11 +92,12 @@ std::span<const kernels::Run> Visits<Dim>::runs(const kernels::TileView& tile,
                                                 const base::Elements<Dim>& elements,
                                                 std::uint32_t visitor) {
   const Field<Dim> field = field_of(tile, frame, elements, visitor);
-  const auto& [center, reach, first, last] = field;
+  const auto& [center, reach, first, last, per_unit] = field;
   const auto rows = static_cast<std::size_t>(last[1] - first[1] + 1) *
                     static_cast<std::size_t>(last[2] - first[2] + 1);
   base::make_room(runs_, rows);
 
+  const double q = center[0] * per_unit[0] + 1.0;
   std::size_t count = 0;
   for (std::int32_t z = first[2]; z <= last[2]; ++z) {
     double beyond_z = 0.0;
@@ -105,8 +106,7 @@ std::span<const kernels::Run> Visits<Dim>::runs(const kernels::TileView& tile,
       const double beyond_y = outside(center[1], y - 1, y, frame.cell_size[1]);
       const double square = square_of_half_chord(reach, beyond_y, beyond_z);
       if (square < 0.0) continue;
-      const double half = std::sqrt(square) / frame.cell_size[0] + cell_slack;
-      const double q = center[0] / frame.cell_size[0] + 1.0;
+      const double half = std::sqrt(square) * per_unit[0] + cell_slack;
       const std::int32_t from = cell_between(q - half, first[0], last[0]);
       const std::int32_t to = cell_between(q + half, first[0], last[0]);
       const std::uint32_t* row = tile.cell_begin + z * tile.layer_length() + y * tile.row_length();

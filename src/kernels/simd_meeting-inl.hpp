@@ -52,10 +52,13 @@ class SimdMeeting {
 
   void meet(const Visitor& visitor, std::span<const Run> runs) {
     const Probe probe(tile_, job_, visitor);
+    if (meet_runs(probe, RunsOfVisitor{runs})) return;
     for (const Run& run : runs) meet_with_care(probe, run);
   }
 
  private:
+  using Probe = SimdProbe<Dim, Shape>;
+
   /// The hits of an element among the first eight candidates of each run: a byte for each run.
   using Hits = std::uint64_t;
   /// Runs are longer.
@@ -174,17 +177,30 @@ class SimdMeeting {
     return count;
   }
 
-  /// An element with runs of any length. Returns false, having found nothing, where the filter
-  /// cannot decide everything.
   template <class Runs>
   HWY_NOINLINE bool meet_long_runs(std::uint32_t p, const Runs& runs) {
+    return meet_runs(probe_of(p), runs);
+  }
+
+  /// What follows a run is somewhere else in the tile.
+  struct RunsOfVisitor {
+    static constexpr bool harmless_beyond = false;
+    std::span<const Run> runs;
+
+    [[nodiscard]] HWY_INLINE std::size_t size() const { return runs.size(); }
+    [[nodiscard]] HWY_INLINE const Run& operator[](std::size_t r) const { return runs[r]; }
+  };
+
+  /// Runs of any length. Returns false, having found nothing, where the filter cannot decide
+  /// everything, or where they do not fit into the findings.
+  template <class Runs>
+  HWY_INLINE bool meet_runs(const Probe& probe, const Runs& runs) {
     std::size_t size = 0;
     for (std::size_t r = 0; r < runs.size(); ++r) size += runs[r].end - runs[r].begin;
-    if (size + Runs::size() * lanes > Findings::room) return false;
+    if (size + lanes > Findings::room) return false;
     make_room(size + lanes);
-    const Probe probe = probe_of(p);
     Row row(partner_ + findings_.found);
-    for (std::size_t r = 0; r < Runs::size(); ++r) {
+    for (std::size_t r = 0; r < runs.size(); ++r) {
       const Run run = runs[r];
       for (std::size_t q = run.begin; q < run.end; q += lanes) {
         const std::size_t left = run.end - q;
@@ -204,8 +220,6 @@ class SimdMeeting {
     const auto runs = runs_of(p);
     for (std::size_t r = 0; r < runs.size(); ++r) meet_with_care(probe, runs[r]);
   }
-
-  using Probe = SimdProbe<Dim, Shape>;
 
   HWY_INLINE Probe probe_of(std::uint32_t p) const { return Probe(tile_, job_, p); }
 

@@ -4,7 +4,7 @@
 #include "io/digest.hpp"
 #include "io/write_contacts.hpp"
 #include "json_text.hpp"
-#include "talk.hpp"
+#include "output_option.hpp"
 
 #include <abut/detect.hpp>
 #include <abut/error.hpp>
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -101,23 +100,6 @@ std::string report_text(const ContactsOptions& options, const io::Snapshot& snap
   return contact_summary(options, {snapshot, domain, pairs}, seconds);
 }
 
-/// Where the pairs take standard output, the report goes to standard error.
-void show_report(const ContactsOptions& options, const std::string& text) {
-  if (options.output == "-") {
-    talk(text);
-  } else {
-    write_out(text);
-  }
-}
-
-void require_other_file(const ContactsOptions& options) {
-  std::error_code ignored;
-  if (!std::filesystem::equivalent(options.input.path, options.output, ignored)) return;
-  if (!std::filesystem::is_regular_file(options.output, ignored)) return;
-  throw Error(ErrorCode::wrong_usage,
-              fmt::format("-o {}: that is the file that is read; name another", options.output));
-}
-
 }  // namespace
 
 void run(const ContactsOptions& options) {
@@ -125,7 +107,7 @@ void run(const ContactsOptions& options) {
   PhaseSeconds seconds;
   Console console(options.console);
   const io::ContactFormat format = output_format(options);
-  require_other_file(options);
+  require_other_file(options.input.path, options.output);
   const io::Snapshot snapshot = read(options, console);
   seconds.read = stopwatch.lap();
   const Domain domain = domain_of(options.input.domain, snapshot);
@@ -139,7 +121,7 @@ void run(const ContactsOptions& options) {
   console.finish();
 
   if (options.report == Report::summary && console.is_quiet()) return;
-  show_report(options, report_text(options, snapshot, domain, pairs, seconds));
+  report_beside(options.output, report_text(options, snapshot, domain, pairs, seconds));
 }
 
 }  // namespace abut::cli

@@ -3,7 +3,7 @@
 #include "human_text.hpp"
 #include "io/output_file.hpp"
 #include "io/text_output.hpp"
-#include "talk.hpp"
+#include "output_option.hpp"
 
 #include <abut/error.hpp>
 #include <abut/points.hpp>
@@ -11,8 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 
 namespace abut::cli {
 namespace {
@@ -79,19 +77,11 @@ std::string summary(const NeighborsOptions& options, const io::Snapshot& snapsho
       name_of(list.statistics().algorithm));
 }
 
-void require_other_file(const NeighborsOptions& options) {
-  std::error_code ignored;
-  if (!std::filesystem::equivalent(options.input.path, options.output, ignored)) return;
-  if (!std::filesystem::is_regular_file(options.output, ignored)) return;
-  throw Error(ErrorCode::wrong_usage,
-              fmt::format("-o {}: that is the file that is read; name another", options.output));
-}
-
 }  // namespace
 
 void run(const NeighborsOptions& options) {
   Console console(options.console);
-  require_other_file(options);
+  require_other_file(options.input.path, options.output);
   InputOptions input = options.input;
   if (!input.radius) input.radius = 0.0;  // points need none, whatever the file says
   const io::Snapshot snapshot = load_snapshot(input, console);
@@ -107,8 +97,7 @@ void run(const NeighborsOptions& options) {
   if (!options.output.empty()) write(list, domain, options.output);
   console.finish();
   if (console.is_quiet()) return;
-  const std::string text = summary(options, snapshot, list);
-  options.output == "-" ? talk(text) : write_out(text);
+  report_beside(options.output, summary(options, snapshot, list));
 }
 
 }  // namespace abut::cli

@@ -6,12 +6,11 @@
 // decided several times as fast as others.
 
 #include "base/big_integer.hpp"
+#include "base/bit_range.hpp"
 #include "base/bits.hpp"
 #include "base/nearest_part.hpp"
 #include "base/triangle_predicate.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -74,27 +73,6 @@ Vector<Integer> cross(const Vector<Integer>& a, const Vector<Integer>& b) noexce
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The exponents of the lowest and behind the highest bit that is set in any of the numbers.
-class BitRange {
- public:
-  void include(double value) noexcept {
-    const Decomposed d = decompose(value);
-    if (d.significand == 0) return;
-    lowest_ = std::min(lowest_, d.exponent + std::countr_zero(d.significand));
-    highest_ = std::max(highest_, d.exponent + static_cast<int>(std::bit_width(d.significand)));
-  }
-  void include(const double (&point)[3]) noexcept {
-    for (const double x : point) include(x);
-  }
-
-  [[nodiscard]] int lowest() const noexcept { return lowest_; }
-  [[nodiscard]] int bits() const noexcept { return highest_ - lowest_; }
-
- private:
-  int lowest_ = 4096;
-  int highest_ = -4096;
-};
-
 /// Corners seen from the center.
 template <class Integer>
 class ExactSigns {
@@ -151,8 +129,11 @@ std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                                                       const Triangle& triangle,
                                                       double margin) noexcept {
   BitRange range;
-  for (const auto& corner : triangle.corner) range.include(corner);
-  range.include(sphere.center);
+  const auto include_point = [&](const double(&point)[3]) {
+    for (const double x : point) range.include(x);
+  };
+  for (const auto& corner : triangle.corner) include_point(corner);
+  include_point(sphere.center);
   range.include(sphere.radius);
   range.include(margin);
   return range.bits() <= SmallInteger::most_bits

@@ -4,9 +4,8 @@
 //    of the filter happens to be exact, and then so is its comparison. Proof of that costs a few
 //    nanoseconds: error terms that are zero, factors of at most 26 bits.
 // 2. Doubled precision. Sums and products as pairs of doubles, about thirty digits: decides all
-// pairs
-//    that do not touch exactly but are closer to it than the filter can see, such as those of a
-//    lattice whose radius is the smallest double that touches.
+//    pairs that do not touch exactly but are closer to it than the filter can see, such as those of
+//    a lattice whose radius is the smallest double that touches.
 // 3. Scaled integers. When all numbers, written over a common power of two, fit into 61 bits, the
 //    differences fit into 62, their squares into 124, and the sum of three into a 128-bit integer:
 //    about ten nanoseconds. Touching lattices and most borderline pairs end here.
@@ -14,12 +13,12 @@
 
 #include "base/sphere_predicate.hpp"
 
+#include "base/bit_range.hpp"
 #include "base/bits.hpp"
 #include "base/doubled.hpp"
 #include "base/exact_accumulator.hpp"
 #include "base/exact_stages.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -115,28 +114,22 @@ namespace {
 /// All numbers of one decision as integers times one power of two.
 class CommonScale {
  public:
-  void include(double value) noexcept {
-    const Decomposed d = decompose(value);
-    if (d.significand == 0) return;
-    lowest_ = std::min(lowest_, d.exponent + std::countr_zero(d.significand));
-    highest_ = std::max(highest_, d.exponent + static_cast<int>(std::bit_width(d.significand)));
-  }
+  void include(double value) noexcept { range_.include(value); }
 
-  [[nodiscard]] bool fits() const noexcept { return highest_ - lowest_ <= 61; }
+  [[nodiscard]] bool fits() const noexcept { return range_.bits() <= 61; }
 
   /// Exact: below 2^61 in magnitude.
   [[nodiscard]] std::int64_t scaled(double value) const noexcept {
     const Decomposed d = decompose(value);
     if (d.significand == 0) return 0;
-    const int shift = d.exponent - lowest_;
+    const int shift = d.exponent - range_.lowest();
     const std::uint64_t magnitude = shift >= 0 ? d.significand << shift : d.significand >> -shift;
     const auto integer = static_cast<std::int64_t>(magnitude);
     return d.negative ? -integer : integer;
   }
 
  private:
-  int lowest_ = 4096;
-  int highest_ = -4096;
+  BitRange range_;
 };
 
 Uint128 square(std::int64_t value) noexcept {

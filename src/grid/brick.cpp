@@ -1,5 +1,7 @@
 #include "grid/brick.hpp"
 
+#include "grid/dot.hpp"
+
 #include <abut/error.hpp>
 
 #include <algorithm>
@@ -10,13 +12,6 @@ namespace {
 
 template <int Dim>
 using Vectors = std::array<std::array<double, Dim>, Dim>;
-
-template <int Dim>
-double dot(const std::array<double, Dim>& p, const std::array<double, Dim>& q) {
-  double sum = p[0] * q[0];
-  for (std::size_t axis = 1; axis < Dim; ++axis) sum += p[axis] * q[axis];
-  return sum;
-}
 
 template <int Dim>
 double length_of(const std::array<double, Dim>& vector) {

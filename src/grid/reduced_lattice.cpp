@@ -8,6 +8,7 @@
 #include "base/bits.hpp"
 #include "base/exact_accumulator.hpp"
 #include "grid/check_lattice.hpp"
+#include "grid/dot.hpp"
 
 #include <abut/error.hpp>
 
@@ -40,13 +41,6 @@ std::int64_t narrowed(Int128 value) {
   constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
   if (value > largest || value < -Int128{largest}) refuse_shape();
   return static_cast<std::int64_t>(value);
-}
-
-template <int Dim>
-double dot(const std::array<double, Dim>& p, const std::array<double, Dim>& q) {
-  double sum = p[0] * q[0];
-  for (std::size_t axis = 1; axis < Dim; ++axis) sum += p[axis] * q[axis];
-  return sum;
 }
 
 template <int Dim>

@@ -4,6 +4,7 @@
 
 #include "base/hard_pairs.hpp"
 #include "base/rational_oracle.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +68,6 @@ double rounded_to(double value, int bits) {
 template <class Dimension>
 class ExactStages : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(ExactStages, Dimensions);
 
 TYPED_TEST(ExactStages, ShortTiesAreDecidedByTheFirst) {

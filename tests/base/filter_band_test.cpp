@@ -4,6 +4,7 @@
 #include "base/hard_pairs.hpp"
 #include "base/rational_oracle.hpp"
 #include "base/sphere_predicate.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +75,6 @@ HardPair<Dim> climb(HardPair<Dim> pair, double sign, Random& random, int steps) 
 template <class Dimension>
 class FilterBand : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(FilterBand, Dimensions);
 
 TYPED_TEST(FilterBand, IsNeverWrongNearTheReach) {

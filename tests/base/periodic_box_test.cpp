@@ -3,6 +3,7 @@
 #include "base/periodic_box.hpp"
 
 #include "base/hard_pairs.hpp"
+#include "support/dimensions.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -189,7 +190,6 @@ void scale(BoxPair<Dim>& pair, int exponent) {
 template <class Dimension>
 class PeriodicBoxes : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(PeriodicBoxes, Dimensions);
 
 TYPED_TEST(PeriodicBoxes, CancellationAtEveryNumberOfCells) {

@@ -2,6 +2,7 @@
 
 #include "base/periodic_pairs.hpp"
 #include "base/sphere_gap.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,6 @@ std::uint64_t bits(double value) {
 template <class Dimension>
 class PeriodicGap : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(PeriodicGap, Dimensions);
 
 /// Finite, of the right sign, and the same bits when seen from the other element.

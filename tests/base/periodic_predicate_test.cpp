@@ -4,6 +4,7 @@
 
 #include "base/periodic_pairs.hpp"
 #include "base/periodic_stages.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,6 @@ void compare(const PeriodicPair<Dim>& pair, Count& count) {
 template <class Dimension>
 class PeriodicPredicate : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(PeriodicPredicate, Dimensions);
 
 TYPED_TEST(PeriodicPredicate, CancellationAtEveryNumberOfCells) {

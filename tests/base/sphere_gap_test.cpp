@@ -2,6 +2,7 @@
 
 #include "base/hard_pairs.hpp"
 #include "base/rational_oracle.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,6 @@ constexpr double u = 0x1p-53;
 template <class Dimension>
 class SphereGap : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(SphereGap, Dimensions);
 
 /// Finite, of the right sign, and the same bits when the two are exchanged.

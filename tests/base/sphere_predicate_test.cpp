@@ -4,6 +4,7 @@
 
 #include "base/hard_pairs.hpp"
 #include "base/rational_oracle.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,6 @@ void compare(const HardPair<Dim>& pair, Count& count) {
 template <class Dimension>
 class SpherePredicate : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(SpherePredicate, Dimensions);
 
 TYPED_TEST(SpherePredicate, OrdinaryPairsAreDecidedByTheFilter) {

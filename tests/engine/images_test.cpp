@@ -5,6 +5,7 @@
 #include "engine/periodic_search.hpp"
 #include "grid/lattices.hpp"
 #include "kernels/simd_level.hpp"
+#include "support/dimensions.hpp"
 
 #include <abut/error.hpp>
 
@@ -16,7 +17,6 @@ namespace {
 template <class Dimension>
 class Images : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Images, Dimensions);
 
 /// Elements in the cell, or up to `cells_away` cells outside, and off the open axes by a little.

@@ -4,6 +4,7 @@
 
 #include "engine/periodic_search.hpp"
 #include "grid/lattices.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,6 @@ namespace {
 template <class Dimension>
 class MovedBoxes : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(MovedBoxes, Dimensions);
 
 /// Boxes anywhere, small and as wide as some cells; on each axis the stand-in's sphere as
@@ -42,18 +42,6 @@ struct BoxSystem {
   }
 };
 
-/// x_i - (x_j + n A) of two ends on an axis, exactly.
-template <int Dim>
-mpq_class difference(double x_i, double x_j, const ImageShift& shift, const base::Lattice& lattice,
-                     std::size_t axis) {
-  mpq_class result = mpq_class(x_i) - mpq_class(x_j);
-  for (std::size_t k = 0; k < Dim; ++k) {
-    if (!lattice.periodic[k]) continue;
-    result -= base::numbers(shift)[k] * mpq_class(lattice.vectors[k][axis]);
-  }
-  return result;
-}
-
 /// On each axis one end less the other end of a native and a ghost, or of two natives, is off by no
 /// more than the slack, and so is a width; and that not by far less.
 TYPED_TEST(MovedBoxes, AreOffByNoMoreThanTheSlack) {
@@ -63,9 +51,7 @@ TYPED_TEST(MovedBoxes, AreOffByNoMoreThanTheSlack) {
   for (int round = 0; round < 100; ++round) {
     const auto named = random_lattice<dim>(random);
     const grid::ReducedLattice<dim> reduced(named.lattice);
-    // Where c has 2^20 a in it, shifts of far elements exceed 31 bits.
-    const bool skewed = named.kind == std::string("skewed by many vectors");
-    const double size = std::array{1.0, 30.0, skewed ? 300.0 : 1e5}[random() % 3];
+    const double size = random_size(named, random);
     const double width = std::array{0.1, 1.0, 2.0}[random() % 3] * reduced.height[0];
     const BoxSystem<dim> system(6, size, width, random);
     base::MemoryMeter memory;
@@ -85,7 +71,7 @@ TYPED_TEST(MovedBoxes, AreOffByNoMoreThanTheSlack) {
                                      ? images.shift_between(i, images.ghosts()[other - natives])
                                      : images.shift_between(i, j);
         for (std::size_t axis = 0; axis < dim; ++axis) {
-          const mpq_class exact = difference<dim>(
+          const mpq_class exact = exact_difference<dim>(
               system.boxes[i].lower[axis], system.boxes[j].upper[axis], shift, named.lattice, axis);
           // As a tile computes it: lower ends and a rounded width.
           const double seen_width = moved[other].upper[axis] - moved[other].lower[axis];

@@ -3,11 +3,13 @@
 #include "base/periodic_predicate.hpp"
 #include "base/rational_oracle.hpp"
 #include "engine/images.hpp"
+#include "grid/lattices.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
 #include <span>
@@ -41,6 +43,26 @@ struct FoundPair {
 [[nodiscard]] inline FoundPair canonical(std::size_t i, std::size_t j, const ImageShift& n) {
   if (i > j || (i == j && n < ImageShift{})) return {j, i, {-n.x, -n.y, -n.z}};
   return {i, j, n};
+}
+
+/// How far from the origin elements may lie: near, some cells or many cells away. Where c has 2^20
+/// a in it, shifts of those farther away would exceed 31 bits.
+template <int Dim>
+[[nodiscard]] double random_size(const NamedLattice<Dim>& lattice, Random& random) {
+  const bool skewed = lattice.kind == std::string("skewed by many vectors");
+  return std::array{1.0, 30.0, skewed ? 300.0 : 1e5}[random() % 3];
+}
+
+/// x_i - (x_j + n A) on an axis, exactly.
+template <int Dim>
+[[nodiscard]] mpq_class exact_difference(double x_i, double x_j, const ImageShift& shift,
+                                         const base::Lattice& lattice, std::size_t axis) {
+  mpq_class result = mpq_class(x_i) - mpq_class(x_j);
+  for (std::size_t k = 0; k < Dim; ++k) {
+    if (!lattice.periodic[k]) continue;
+    result -= base::numbers(shift)[k] * mpq_class(lattice.vectors[k][axis]);
+  }
+  return result;
 }
 
 template <int Dim>

@@ -3,6 +3,7 @@
 #include "base/sphere_predicate.hpp"
 #include "grid/bounds.hpp"
 #include "scenes/random.hpp"
+#include "support/dimensions.hpp"
 
 #include <array>
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace abut::engine {
 
 using scenes::Random;
 
-using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using test::Dimensions;
 
 template <int Dim>
 using Spheres = std::vector<base::Sphere<Dim>>;

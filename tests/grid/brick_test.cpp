@@ -1,6 +1,7 @@
 #include "grid/brick.hpp"
 
 #include "grid/lattices.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,6 @@ double length(const std::array<double, Dim>& vector) {
 template <class Dimension>
 class Bricks : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Bricks, Dimensions);
 
 /// What docs/derivations/periodic_images.md takes from a brick, in rational numbers.

@@ -1,6 +1,7 @@
 #include "grid/reduced_lattice.hpp"
 
 #include "grid/lattices.hpp"
+#include "support/dimensions.hpp"
 
 #include <abut/error.hpp>
 
@@ -141,7 +142,6 @@ void expect_sound(const base::Lattice& given) {
 template <class Dimension>
 class ReducedLattices : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(ReducedLattices, Dimensions);
 
 TYPED_TEST(ReducedLattices, AreShortAndExact) {

@@ -2,6 +2,7 @@
 
 #include "base/rational_oracle.hpp"
 #include "grid/lattices.hpp"
+#include "support/dimensions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,6 @@ mpq_class moved_exactly(double x, const base::Lattice& given,
 template <class Dimension>
 class Wrapper : public testing::Test {};
 
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Wrapper, Dimensions);
 
 TYPED_TEST(Wrapper, IsOffByHalfALastPlaceHoweverFar) {

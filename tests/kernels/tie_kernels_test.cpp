@@ -5,6 +5,7 @@
 #include "base/exact_stages.hpp"
 #include "base/hard_pairs.hpp"
 #include "base/sphere_predicate.hpp"
+#include "support/dimensions.hpp"
 #include "support/rows_variants.hpp"
 
 #include <gtest/gtest.h>
@@ -93,7 +94,7 @@ class TieKernelsTest : public ::testing::Test {
   }
 };
 
-using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using test::Dimensions;
 TYPED_TEST_SUITE(TieKernelsTest, Dimensions);
 
 TYPED_TEST(TieKernelsTest, DecideTies) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// What -o asks of every command that writes a result.
+namespace abut::cli {
+
+/// Throws Error{wrong_usage} if `output` is the file that is read. Pipes and devices may be both.
+void require_other_file(const std::string& input, const std::string& output);
+
+/// Writes a report to standard output, or to standard error where the result takes the other.
+void report_beside(const std::string& output, std::string_view text);
+
+}  // namespace abut::cli

@@ -10,6 +10,13 @@ namespace {
 /// Pairs that are looked at together.
 constexpr std::size_t block_size = 64;
 
+std::size_t count_with_ghosts(std::span<const ContactPair> pairs, std::size_t natives) {
+  std::uint32_t count = 0;  // as wide as the numbers: a loop without branches, in vectors
+  const auto first_ghost = static_cast<std::uint32_t>(natives);
+  for (const ContactPair& pair : pairs) count += pair.second >= first_ghost ? 1 : 0;
+  return count;
+}
+
 /// The shift of the same pair, seen from the other element.
 ImageShift reversed(const ImageShift& shift) {
   return {-shift.x, -shift.y, -shift.z};
@@ -43,8 +50,8 @@ void ImageSink<Dim>::commit(std::size_t count, const base::Origin& origin) {
   if (kept > 0) next_->commit(kept, origin);
 }
 
-/// Most pairs are of two natives. The others are listed first, since a branch for each pair could
-/// not be foreseen.
+/// Most blocks hold pairs of two natives only. In the others those with ghosts are listed first,
+/// since a branch for each pair could not be foreseen.
 template <int Dim>
 std::size_t ImageSink<Dim>::name(const Room& room, std::size_t count) const {
   const std::size_t natives = images_->natives().size();
@@ -54,6 +61,10 @@ std::size_t ImageSink<Dim>::name(const Room& room, std::size_t count) const {
     const std::size_t end = std::min(count, begin + block_size);
     if (!room.shifts.empty()) {
       images_->fetch_shifts(room.pairs.subspan(end, std::min(count - end, block_size)));
+    }
+    if (count_with_ghosts(room.pairs.subspan(begin, end - begin), natives) == 0) {
+      kept = name_natives(room, begin, end, kept);
+      continue;
     }
     std::size_t listed = 0;
     for (std::size_t k = begin; k < end; ++k) {

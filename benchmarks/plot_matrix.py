@@ -117,13 +117,16 @@ def plot_threads(matrix, folder):
     figure, axes = plt.subplots(figsize=(5, 3.6))
     most = max(matrix.threads)
     axes.plot([1, most], [1, most], color="black", lw=0.8, ls=":", label="ideal")
-    for scene in matrix.scenes:
+    for place, scene in enumerate(matrix.scenes):
         count = matrix.counts[-1]
         one = matrix.ns(scene, count, DEFAULT)
         points = [(t, one / matrix.ns(scene, count, DEFAULT, threads=t)) for t in matrix.threads
                   if one and matrix.ns(scene, count, DEFAULT, threads=t)]
         if len(points) > 1:
-            axes.plot(*zip(*points), marker="o", ms=4, lw=1.2, label=scene)
+            # Ten colours, then the same with another mark and line.
+            marker, line = ("o", "-") if place < 10 else ("s", "--")
+            axes.plot(*zip(*points), color=f"C{place % 10}", marker=marker, ls=line, ms=4, lw=1.2,
+                      label=scene)
     axes.set(xlabel="threads, one on each core", ylabel="speedup",
              title=f"abut (auto), N = {matrix.counts[-1]:,}")
     axes.set_xticks(matrix.threads)

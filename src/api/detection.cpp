@@ -307,7 +307,9 @@ void Detection::list_rows(const Request& request, NeighborListKind kind, PairPie
                           const NeighborArrays& arrays, std::size_t workers) {
   if (shifts_to_find(request) == Shifts::none) {
     std::fill(arrays.shifts.begin(), arrays.shifts.end(), ImageShift{});
-    return api::list_neighbors(pieces, kind, arrays.offsets, arrays.neighbors, workers);
+    return neighbor_rows_.list(pieces, kind,
+                               std::span(arrays.offsets).first(arrays.offsets.size() - 1),
+                               arrays.neighbors, workers);
   }
   while (row_rooms_.size() < workers) {
     row_rooms_.push_back(base::make_array_for_overwrite<Partner>(memory_, 0));

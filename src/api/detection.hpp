@@ -5,6 +5,7 @@
 #include "api/gathered_elements.hpp"
 #include "api/joined_sets.hpp"
 #include "api/list_neighbors.hpp"
+#include "api/neighbor_rows.hpp"
 #include "api/order_pairs.hpp"
 #include "api/rule_sink.hpp"
 #include "api/skin_choice.hpp"
@@ -139,6 +140,7 @@ class Detection {
   SkinChoice skin_choice_;
   SkinStatistics skin_statistics_;
   Algorithm candidates_from_ = Algorithm::automatic;
+  NeighborRows neighbor_rows_{memory_};
   RowRooms row_rooms_;
 };
 

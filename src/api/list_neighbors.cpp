@@ -56,21 +56,6 @@ void sort_row(std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
 
 }  // namespace
 
-void list_neighbors(PairPieces pieces, NeighborListKind kind, std::span<PairCount> offsets,
-                    std::span<ElementIndex> neighbors, std::size_t workers) {
-  find_offsets(pieces, kind, offsets);
-  for_each_entry(pieces, kind, [&](std::size_t e, ElementIndex neighbor) {
-    neighbors[offsets[e + 1]++] = neighbor;
-  });
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, offsets.size() - 2);
-    for (std::size_t e = first; e < last; ++e) {
-      const auto row = neighbors.subspan(offsets[e], offsets[e + 1] - offsets[e]);
-      std::sort(row.begin(), row.end());
-    }
-  });
-}
-
 void list_neighbors(const ImagePieces& pieces, NeighborListKind kind, std::span<PairCount> offsets,
                     std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
                     std::span<base::Array<Partner>> rooms) {

@@ -10,16 +10,13 @@
 
 namespace abut::api {
 
-/// Compressed rows straight from the pairs as found: counts, places, each row sorted. `offsets` has
-/// elements + 2 numbers, of which the last is scratch; `neighbors` one for each entry.
-void list_neighbors(PairPieces pieces, NeighborListKind kind, std::span<PairCount> offsets,
-                    std::span<ElementIndex> neighbors, std::size_t workers);
-
 /// Room for one row, one for each worker.
 using RowRooms = std::vector<base::Array<Partner>>;
 
-/// The same with image shifts, which run parallel to the neighbors: the opposite one where a pair
-/// is seen from its second element. As many workers as rooms.
+/// Compressed rows straight from the pairs as found, with image shifts, which run parallel to the
+/// neighbors: the opposite one where a pair is seen from its second element. `offsets` has
+/// elements + 2 numbers, of which the last is scratch; `neighbors` one for each entry. As many
+/// workers as rooms.
 void list_neighbors(const ImagePieces& pieces, NeighborListKind kind, std::span<PairCount> offsets,
                     std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
                     std::span<base::Array<Partner>> rooms);

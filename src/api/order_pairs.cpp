@@ -3,25 +3,8 @@
 #include "base/workers.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace abut::api {
-
-/// Ranges of first elements, a power of two wide: few enough that each is written as a stream, and
-/// narrow enough that the pairs of one lie in the cache.
-struct PairOrder::Buckets {
-  explicit Buckets(std::size_t element_count) {
-    while ((element_count >> shift) >= most) ++shift;
-    count = (element_count >> shift) + 1;
-  }
-
-  [[nodiscard]] std::size_t of(const ContactPair& pair) const { return pair.first >> shift; }
-  [[nodiscard]] std::size_t width() const { return std::size_t{1} << shift; }
-
-  static constexpr std::size_t most = 512;
-  int shift = 11;
-  std::size_t count;
-};
 
 namespace {
 
@@ -35,6 +18,22 @@ template <class Body>
 void for_each_piece(PairPieces pieces, std::size_t worker, std::size_t workers, Body&& body) {
   const auto [first, last] = base::share_of(worker, workers, pieces.size());
   for (std::size_t k = first; k < last; ++k) body(k);
+}
+
+/// `ranges` as a copy, of which the compiler knows that nothing written here changes it.
+void scatter(std::span<const ContactPair> piece, ElementRanges ranges, std::uint64_t* next,
+             std::span<ContactPair> target) {
+  for (const ContactPair& pair : piece) target[next[ranges.of(pair.first)]++] = pair;
+}
+
+void scatter(std::span<const ContactPair> piece, std::span<const ImageShift> their_shifts,
+             ElementRanges ranges, std::uint64_t* next, std::span<ContactPair> target,
+             std::span<ImageShift> shifts) {
+  for (std::size_t p = 0; p < piece.size(); ++p) {
+    const std::uint64_t place = next[ranges.of(piece[p].first)]++;
+    target[place] = piece[p];
+    shifts[place] = their_shifts[p];
+  }
 }
 
 }  // namespace
@@ -65,42 +64,28 @@ void PairOrder::join(const ImagePieces& pieces, std::span<ContactPair> target,
   });
 }
 
-/// Afterwards each worker's cursor of a bucket is where its first pair there goes.
-void PairOrder::count(PairPieces pieces, const Buckets& buckets, std::size_t workers) {
-  base::make_room(cursors_, workers * buckets.count);
-  base::make_room(begin_, buckets.count + 1);
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    std::uint64_t* const own = cursors_.data() + worker * buckets.count;
-    std::fill_n(own, buckets.count, std::uint64_t{0});
+void PairOrder::count(PairPieces pieces, const ElementRanges& ranges, std::size_t workers) {
+  places_.count(ranges, workers, [&](std::size_t worker, auto&& count) {
     for_each_piece(pieces, worker, workers, [&](std::size_t k) {
-      for (const ContactPair& pair : pieces[k]) ++own[buckets.of(pair)];
+      for (const ContactPair& pair : pieces[k]) count(pair.first);
     });
   });
-  std::uint64_t end = 0;
-  for (std::size_t b = 0; b < buckets.count; ++b) {
-    begin_[b] = end;
-    for (std::size_t w = 0; w < workers; ++w) {
-      end += std::exchange(cursors_[w * buckets.count + b], end);
-    }
-  }
-  begin_[buckets.count] = end;
 }
 
 void PairOrder::sort(PairPieces pieces, std::size_t element_count, std::span<ContactPair> target,
                      std::size_t workers) {
   if (target.empty()) return;
-  const Buckets buckets(element_count);
-  count(pieces, buckets, workers);
+  const ElementRanges ranges(element_count);
+  count(pieces, ranges, workers);
   while (sorts_.size() < workers) sorts_.emplace_back(memory_);
   base::for_each_worker(workers, [&](std::size_t worker) {
-    std::uint64_t* const own = cursors_.data() + worker * buckets.count;
-    for_each_piece(pieces, worker, workers, [&](std::size_t k) {
-      for (const ContactPair& pair : pieces[k]) target[own[buckets.of(pair)]++] = pair;
-    });
+    std::uint64_t* const next = places_.next_of(ranges, worker);
+    for_each_piece(pieces, worker, workers,
+                   [&](std::size_t k) { scatter(pieces[k], ranges, next, target); });
   });
-  base::for_each_index(workers, buckets.count, [&](std::size_t worker, std::size_t b) {
-    sorts_[worker].sort(target.subspan(begin_[b], begin_[b + 1] - begin_[b]), b << buckets.shift,
-                        buckets.width());
+  base::for_each_index(workers, ranges.count(), [&](std::size_t worker, std::size_t b) {
+    sorts_[worker].sort(target.subspan(places_.begin(b), places_.size(b)), ranges.first_of(b),
+                        ranges.width());
   });
 }
 
@@ -108,24 +93,19 @@ void PairOrder::sort(const ImagePieces& pieces, std::size_t element_count,
                      std::span<ContactPair> target, std::span<ImageShift> shifts,
                      std::size_t workers) {
   if (target.empty()) return;
-  const Buckets buckets(element_count);
-  count(pieces.pairs, buckets, workers);
+  const ElementRanges ranges(element_count);
+  count(pieces.pairs, ranges, workers);
   while (image_sorts_.size() < workers) image_sorts_.emplace_back(memory_);
   base::for_each_worker(workers, [&](std::size_t worker) {
-    std::uint64_t* const own = cursors_.data() + worker * buckets.count;
+    std::uint64_t* const next = places_.next_of(ranges, worker);
     for_each_piece(pieces.pairs, worker, workers, [&](std::size_t k) {
-      const auto pairs = pieces.pairs[k];
-      for (std::size_t p = 0; p < pairs.size(); ++p) {
-        const std::uint64_t place = own[buckets.of(pairs[p])]++;
-        target[place] = pairs[p];
-        shifts[place] = pieces.shifts[k][p];
-      }
+      scatter(pieces.pairs[k], pieces.shifts[k], ranges, next, target, shifts);
     });
   });
-  base::for_each_index(workers, buckets.count, [&](std::size_t worker, std::size_t b) {
-    const std::uint64_t size = begin_[b + 1] - begin_[b];
-    image_sorts_[worker].sort(target.subspan(begin_[b], size), shifts.subspan(begin_[b], size),
-                              b << buckets.shift, buckets.width());
+  base::for_each_index(workers, ranges.count(), [&](std::size_t worker, std::size_t b) {
+    image_sorts_[worker].sort(target.subspan(places_.begin(b), places_.size(b)),
+                              shifts.subspan(places_.begin(b), places_.size(b)), ranges.first_of(b),
+                              ranges.width());
   });
 }
 

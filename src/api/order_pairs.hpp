@@ -1,6 +1,7 @@
 #pragma once
 
 #include "api/bucket_sort.hpp"
+#include "api/element_ranges.hpp"
 #include "api/image_bucket_sort.hpp"
 #include "base/array.hpp"
 
@@ -28,7 +29,7 @@ class PairOrder {
  public:
   explicit PairOrder(base::MemoryMeter& memory)
       : memory_(memory),
-        cursors_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
+        places_(memory),
         begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
 
   /// Writes the pairs one after the other; `target` has room for all. The first pieces, `in_place`
@@ -48,14 +49,12 @@ class PairOrder {
             std::span<ImageShift> shifts, std::size_t workers);
 
  private:
-  struct Buckets;
-
   void find_begins(PairPieces pieces);
-  void count(PairPieces pieces, const Buckets& buckets, std::size_t workers);
+  void count(PairPieces pieces, const ElementRanges& ranges, std::size_t workers);
 
   base::MemoryMeter& memory_;
-  base::Array<std::uint64_t> cursors_;
-  base::Array<std::uint64_t> begin_;
+  RangePlaces places_;
+  base::Array<std::uint64_t> begin_;  ///< of each piece
   std::vector<BucketSort> sorts_;
   std::vector<ImageBucketSort> image_sorts_;
 };

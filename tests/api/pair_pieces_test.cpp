@@ -1,7 +1,8 @@
-// From pairs as several workers found them to lists: FoundPairs, join, canonical order, neighbors.
+// From pairs as several workers found them to lists: FoundPairs, join, canonical order, rows of
+// neighbors.
 
 #include "api/found_pairs.hpp"
-#include "api/list_neighbors.hpp"
+#include "api/neighbor_rows.hpp"
 #include "api/order_pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/oracle.hpp"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace abut::api {
@@ -239,7 +241,7 @@ TEST(OrderPairs, NoPairsNoWork) {
   EXPECT_EQ(memory.held(), 0U);
 }
 
-TEST(ListNeighbors, RowsHoldThePartnersAscending) {
+TEST(NeighborRows, HoldThePartnersAscending) {
   const Units units(5);
   const PairVector pairs = units.together();
   for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
@@ -249,11 +251,14 @@ TEST(ListNeighbors, RowsHoldThePartnersAscending) {
       if (kind == NeighborListKind::full) expected[pair.second].push_back(pair.first);
     }
     for (auto& row : expected) std::sort(row.begin(), row.end());
-    const std::span<const ContactPair> piece(pairs);
+    // In two pieces, so that workers share them.
+    const std::span<const ContactPair> all(pairs);
+    const std::array pieces{all.first(1000), all.subspan(1000)};
     for (const std::size_t workers : {1U, 2U, 7U}) {
-      std::vector<PairCount> offsets(elements + 2, 12345);
+      base::MemoryMeter memory;
+      std::vector<PairCount> offsets(elements + 1, 12345);
       std::vector<ElementIndex> neighbors(pairs.size() * (kind == NeighborListKind::full ? 2 : 1));
-      list_neighbors({&piece, 1}, kind, offsets, neighbors, workers);
+      NeighborRows(memory).list(pieces, kind, offsets, neighbors, workers);
       ASSERT_EQ(offsets[0], 0U);
       ASSERT_EQ(offsets[elements], neighbors.size());
       for (std::size_t e = 0; e < elements; ++e) {

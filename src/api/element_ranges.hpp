@@ -1,0 +1,81 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "base/workers.hpp"
+
+#include <abut/pair.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace abut::api {
+
+/// Ranges of elements, a power of two wide: few enough that each is written as a stream, and narrow
+/// enough that the pairs of one lie in the cache.
+class ElementRanges {
+ public:
+  explicit ElementRanges(std::size_t element_count) {
+    while ((element_count >> shift_) >= most && shift_ < widest) ++shift_;
+    count_ = (element_count >> shift_) + 1;
+  }
+
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  /// At most 2^16.
+  [[nodiscard]] std::size_t width() const noexcept { return std::size_t{1} << shift_; }
+  [[nodiscard]] std::size_t of(ElementIndex element) const noexcept { return element >> shift_; }
+  [[nodiscard]] std::size_t first_of(std::size_t range) const noexcept { return range << shift_; }
+
+ private:
+  static constexpr std::size_t most = 512;
+  static constexpr int widest = 16;
+
+  int shift_ = 11;
+  std::size_t count_;
+};
+
+/// Places for entries sorted by range, in each in the order of the entries whatever the number of
+/// workers: first all count theirs, then all write. It keeps its arrays.
+class RangePlaces {
+ public:
+  explicit RangePlaces(base::MemoryMeter& memory)
+      : next_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
+        begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
+
+  /// `for_each_entry(worker, count)` calls count(element) for each entry of the worker's share.
+  template <class ForEachEntry>
+  void count(const ElementRanges& ranges, std::size_t workers, ForEachEntry&& for_each_entry) {
+    base::make_room(next_, workers * ranges.count());
+    base::make_room(begin_, ranges.count() + 1);
+    base::for_each_worker(workers, [&](std::size_t worker) {
+      std::uint64_t* const own = next_.data() + worker * ranges.count();
+      std::fill_n(own, ranges.count(), std::uint64_t{0});
+      for_each_entry(worker, [own, ranges](ElementIndex element) { ++own[ranges.of(element)]; });
+    });
+    std::uint64_t end = 0;
+    for (std::size_t b = 0; b < ranges.count(); ++b) {
+      begin_[b] = end;
+      for (std::size_t w = 0; w < workers; ++w) {
+        end += std::exchange(next_[w * ranges.count() + b], end);
+      }
+    }
+    begin_[ranges.count()] = end;
+  }
+
+  /// Where the worker's next entry of each range goes; the worker counts them on.
+  [[nodiscard]] std::uint64_t* next_of(const ElementRanges& ranges, std::size_t worker) noexcept {
+    return next_.data() + worker * ranges.count();
+  }
+
+  [[nodiscard]] std::uint64_t begin(std::size_t range) const noexcept { return begin_[range]; }
+  [[nodiscard]] std::uint64_t size(std::size_t range) const noexcept {
+    return begin_[range + 1] - begin_[range];
+  }
+
+ private:
+  base::Array<std::uint64_t> next_;
+  base::Array<std::uint64_t> begin_;
+};
+
+}  // namespace abut::api

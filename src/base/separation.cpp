@@ -55,8 +55,8 @@ double scale_of_squares(double largest) noexcept {
   return 1.0;
 }
 
-/// A number that was multiplied by powers of two, as far as doubles reach. Nearly always by 1, which
-/// a branch knows sooner than a division.
+/// A number that was multiplied by powers of two, as far as doubles reach. Nearly always by 1,
+/// which a branch knows sooner than a division.
 double unscaled(double number, double scale, double further = 1.0) noexcept {
   if (scale == 1.0 && further == 1.0) return number;
   return std::clamp(number / scale / further, -largest_double, largest_double);

@@ -131,6 +131,7 @@ void SortedTile<Dim>::count(std::span<const Record<Dim>> records, std::size_t ow
   size_ = records.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     view_.cells[axis] = axis < Dim ? cells.count[axis] : 1;
+    view_.per_unit[axis] = axis < Dim ? cells.per_unit[axis] : 1.0f;
   }
 }
 

@@ -16,7 +16,7 @@ namespace abut::engine {
 struct RecordSizes {
   kernels::TileShape shape = kernels::TileShape::equal_spheres;
   std::span<const float> sizes;  ///< record by record
-  float common_radius = 0.0f;    ///< of equal spheres
+  float common_radius = 0.0f;    ///< of equal spheres; of others the largest
 };
 
 /// One tile sorted by cell: contiguous arrays for the kernels, kept from tile to tile. The layout

@@ -28,6 +28,43 @@ class SimdMeeting {
     }
   }
 
+  /// Elements [first, last) of a row, each with those of the cells that it lies near: run by run,
+  /// of a batch of elements at a time.
+  template <std::size_t Runs>
+  HWY_INLINE void meet_nearby(std::uint32_t first, std::uint32_t last,
+                              const RowOfCells<Runs>& row) {
+    if constexpr (Shape != TileShape::boxes) {
+      SimdNearby<Dim, Shape, Runs> nearby(tile_, job_);
+      const Probe any = probe_of(first);
+      const Columns columns = sorted_;
+      const std::uint32_t* const cell = tile_.cell;
+      for (; first < last; first += nearby.batch_size) {
+        const std::uint32_t end = std::min(last, first + nearby.batch_size);
+        nearby.list(first, end, row);
+        const std::uint32_t* const before = nearby.before();
+        const std::uint32_t* const after = nearby.after();
+        std::size_t tests = 0;
+        const auto meet = [&](std::uint32_t p, Run run) {
+          const Filtered filtered =
+              any.moved_to(columns, tile_, job_, p).filter(columns, run.begin);
+          const std::uint32_t size = run.end - run.begin;
+          if (HWY_UNLIKELY(size > lanes || bits_of(filtered.hit) != 0)) return meet_run(p, run);
+          tests += size;
+        };
+        const std::uint32_t* const begin = tile_.cell_begin;
+        for (std::uint32_t p = first; p < end; ++p)
+          meet(p, {p + 1, begin[cell[p] + 1 + after[p - first]]});
+        for (std::size_t k = 1; k < Runs; ++k) {
+          const std::uint32_t* const ahead = begin + row.step[k];
+          for (const std::uint32_t p : nearby.near_run(k)) {
+            meet(p, {ahead[cell[p] - before[p - first]], ahead[cell[p] + 1 + after[p - first]]});
+          }
+        }
+        candidate_tests_ += tests;
+      }
+    }
+  }
+
   /// The first `own` elements of the runs, each with all that follow it.
   HWY_INLINE void meet_block(std::uint32_t own, std::span<const Run> runs) {
     const std::size_t size = gather(runs);
@@ -180,6 +217,12 @@ class SimdMeeting {
   template <class Runs>
   HWY_NOINLINE bool meet_long_runs(std::uint32_t p, const Runs& runs) {
     return meet_runs(probe_of(p), runs);
+  }
+
+  /// A run that is long or has a hit.
+  HWY_NOINLINE void meet_run(std::uint32_t p, Run run) {
+    const Probe probe = probe_of(p);
+    if (!meet_runs(probe, RunsOfVisitor{std::span(&run, 1)})) meet_with_care(probe, run);
   }
 
   /// What follows a run is somewhere else in the tile.

@@ -25,6 +25,17 @@ class SimdProbe {
     number_ = hn::Set(numbers, tile.number[p]);
   }
 
+  /// Of another element of the tile, but for its number. An equal sphere's reach is the same.
+  [[nodiscard]] HWY_INLINE SimdProbe moved_to(const Columns& columns, const TileView& tile,
+                                              const SearchJob& job, std::uint32_t p) const {
+    SimdProbe result = *this;
+    for (int axis = 0; axis < Dim; ++axis) {
+      result.center_[axis] = hn::Set(floats, columns.center[axis][p]);
+    }
+    if constexpr (!equal) result.set_reach(tile, job, columns.size[0][p], job.slack);
+    return result;
+  }
+
   HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, const Visitor& visitor) {
     for (int axis = 0; axis < Dim; ++axis) center_[axis] = hn::Set(floats, visitor.center[axis]);
     set_reach(tile, job, visitor.size[0], visitor.slack);

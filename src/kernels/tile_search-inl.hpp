@@ -10,6 +10,9 @@
 // Where runs are longer than a vector, how many vectors each takes could not be foreseen. There the
 // runs of a block of cells are gathered into one, for all elements of the block.
 //
+// Where cells are much wider than the reach, an element lies near few of the cells around its own,
+// and only those are looked at.
+//
 // Copies meet own elements only: a pair of copies is found in another tile.
 
 /// Rows with more elements in a cell, on average, are searched in blocks: fewer cells gather more
@@ -20,6 +23,10 @@ constexpr std::int32_t cells_per_block = 3;
 /// Rows with more than that have blocks of one cell.
 constexpr std::uint32_t crowd_of_cell = 5;
 
+/// The part of the runs beyond its own row that an element lies near, on average, up to which it
+/// pays to ask which: from 0.4 on it costs more than it saves.
+constexpr float few_runs = 0.25f;
+
 template <int Dim, class Meeting>
 class TileSearch {
  public:
@@ -27,6 +34,7 @@ class TileSearch {
       : tile_(tile),
         row_length_(tile.row_length()),
         layer_length_(tile.layer_length()),
+        is_wide_(has_wide_cells(tile, job.margin)),
         meeting_(tile, job) {}
 
   void search() {
@@ -40,6 +48,20 @@ class TileSearch {
 
  private:
   static constexpr std::size_t run_count = Dim == 2 ? 2 : 5;
+
+  /// Whether elements lie near few of the rows around their own, on average.
+  static bool has_wide_cells(const TileView& tile, float margin) {
+    if (tile.shape == TileShape::boxes) return false;
+    float near[3];
+    for (int axis = 0; axis < Dim; ++axis) {
+      const float reach = 2.0f * tile.common_radius + margin;
+      const float cells = reach * tile.per_unit[axis];
+      near[axis] = cells < 1.0f ? cells : 1.0f;
+    }
+    float runs = near[1];
+    if constexpr (Dim == 3) runs += near[2] * (1.0f + 2.0f * near[1]);
+    return runs <= few_runs * static_cast<float>(run_count - 1);
+  }
 
   /// From a cell to the cell above it in the row of run k.
   [[nodiscard]] static constexpr std::ptrdiff_t step_to(std::size_t k, std::ptrdiff_t row,
@@ -114,6 +136,8 @@ class TileSearch {
       meet_from_copies(row, 0, 0, ahead);
       if (const std::uint32_t most = most_in_row_ahead(row); is_crowded(most, crowd_of_row)) {
         meet_in_blocks(row, is_crowded(most, crowd_of_cell) ? 1 : cells_per_block);
+      } else if (is_wide_) {
+        meet_nearby(row, y, z);
       } else {
         meet_directly(row);
       }
@@ -128,6 +152,17 @@ class TileSearch {
                        to_layer = layer_length_](std::uint32_t p) {
                         return Ahead(p, begin + cell[p], to_row, to_layer);
                       });
+  }
+
+  /// All own elements of the row, each with the cells that it lies near.
+  void meet_nearby(const std::uint32_t* row, std::int32_t y, std::int32_t z) {
+    RowOfCells<run_count> place{row, static_cast<std::uint32_t>(row - tile_.cell_begin), {}, {}};
+    for (std::size_t k = 0; k < run_count; ++k) {
+      place.step[k] = step_to(k, row_length_, layer_length_);
+    }
+    place.index[1] = static_cast<float>(y);
+    place.index[2] = static_cast<float>(z);
+    meeting_.meet_nearby(row[1], row[tile_.cells[0] + 1], place);
   }
 
   /// Elements in the fullest of the rows that the row's elements meet.
@@ -198,6 +233,7 @@ class TileSearch {
   const TileView& tile_;
   std::ptrdiff_t row_length_;
   std::ptrdiff_t layer_length_;
+  bool is_wide_;
   Meeting meeting_;
 };
 

@@ -120,6 +120,20 @@ class ScalarMeeting {
     }
   }
 
+  /// Elements [first, last) of a row, each with those of the cells that it lies near: run by run,
+  /// of a batch of elements at a time.
+  template <std::size_t Runs>
+  void meet_nearby(std::uint32_t first, std::uint32_t last, const RowOfCells<Runs>& row) {
+    constexpr std::uint32_t batch_size = 64;
+    for (; first < last; first += batch_size) {
+      for (std::size_t k = 0; k < Runs; ++k) {
+        for (std::uint32_t p = first; p < std::min(last, first + batch_size); ++p) {
+          meet_if_near(p, k, row);
+        }
+      }
+    }
+  }
+
   /// The first `own` elements of the runs, each with all that follow it.
   void meet_block(std::uint32_t own, std::span<const Run> runs) {
     const std::uint32_t begin = runs[0].begin;
@@ -147,6 +161,35 @@ class ScalarMeeting {
       if (finding == Finding::none) continue;
       push(element.number(), tile_.number[q], finding);
     }
+  }
+
+  /// Faces of an element's cell within its reach, on an axis. Those of a flat tile, where numbers are
+  /// infinite or none, are.
+  struct Sides {
+    bool below;
+    bool above;
+  };
+
+  [[nodiscard]] Sides sides(std::uint32_t p, int axis, float index) const {
+    const float radius = Shape == TileShape::equal_spheres ? tile_.common_radius : tile_.size[0][p];
+    const float reach = tile_.common_radius + job_.margin + radius;
+    const float within = tile_.center[axis][p] * tile_.per_unit[axis] + 1.0f - index;
+    const float near = reach * tile_.per_unit[axis] + nearby_slack;
+    return {!(within > near), !(within < 1.0f - near)};
+  }
+
+  /// The runs are those of TileSearch: this row and the next; the last three are of the next layer.
+  template <std::size_t Runs>
+  void meet_if_near(std::uint32_t p, std::size_t k, const RowOfCells<Runs>& row) {
+    if (k > 0) {
+      const Sides y = sides(p, 1, row.index[1]);
+      if ((k == 1 || k == 4) && !y.above) return;
+      if (k == 2 && !y.below) return;
+      if (k > 1 && !sides(p, Dim - 1, row.index[Dim - 1]).above) return;
+    }
+    const Sides x = sides(p, 0, static_cast<float>(tile_.cell[p] - row.first_cell));
+    const std::uint32_t* const cell = tile_.cell_begin + tile_.cell[p] + row.step[k];
+    meet(Element(tile_, job_, p), {k == 0 ? p + 1 : cell[x.below ? -1 : 0], cell[x.above ? 2 : 1]});
   }
 
   void push(std::uint32_t element, std::uint32_t partner, Finding finding) {

@@ -44,11 +44,12 @@ struct TileView {
   TileShape shape;
   const float* center[3];           ///< by axis
   const float* size[3];             ///< as the shape says
-  float common_radius;              ///< of equal spheres
+  float common_radius;              ///< of equal spheres; of others the largest
   const std::uint32_t* number;      ///< of the element in the caller's arrays
   const std::uint32_t* cell;        ///< of the element
   const std::uint32_t* cell_begin;  ///< first place of each cell; one more at the end
   std::int32_t cells[3];            ///< own cells k along each axis
+  float per_unit[3];                ///< cells in a unit of the coordinates, on each axis
 
   [[nodiscard]] std::int32_t row_length() const noexcept { return cells[0] + 3; }
   [[nodiscard]] std::int32_t layer_length() const noexcept { return row_length() * (cells[1] + 2); }
@@ -88,6 +89,19 @@ struct Run {
   std::uint32_t begin;
   std::uint32_t end;
 };
+
+/// A row of cells, for the elements in it.
+template <std::size_t Runs>
+struct RowOfCells {
+  const std::uint32_t* cell_begin;  ///< of its first cell, which holds copies
+  std::uint32_t first_cell;
+  std::ptrdiff_t step[Runs];  ///< from a cell to the one above it in the row of each run
+  float index[3];             ///< of the row, in cells, on all axes but the first
+};
+
+/// Coordinates in cells are known to 2^-10, generously: an element nearer than that to being within
+/// reach of a face of its cell is taken to be (docs/derivations/tile_filter.md, section 6).
+inline constexpr float nearby_slack = 0x1p-9f;
 
 /// A larger element that meets elements of a tile without being sorted into its cells.
 struct Visitor {

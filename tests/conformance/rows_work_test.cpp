@@ -1,0 +1,51 @@
+// How many candidate pairs `rows` tests: a bound on every scene, and what its ways of searching are
+// for. Work is counted, not timed.
+
+#include "support/scene_view.hpp"
+
+#include <abut/detect.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace abut::testing {
+namespace {
+
+/// Candidate tests for each element and contact pair.
+double tests_of(const scenes::SceneInfo& info, std::size_t count) {
+  const scenes::Scene scene = info.make(count, 1);
+  const Statistics statistics =
+      count_contact_pairs(view_of(scene), Domain::open(), {.algorithm = Algorithm::rows});
+  return static_cast<double>(statistics.candidate_tests) /
+         static_cast<double>(scene.size() + statistics.contact_pairs);
+}
+
+class RowsWork : public ::testing::TestWithParam<scenes::SceneInfo> {};
+
+TEST_P(RowsWork, IsBounded) {
+  for (const std::size_t count : {100U, 3000U, 30000U}) {
+    if (GetParam().name == "coincident" && count > 3000U) continue;  // (N^2 - N) / 2 pairs
+    EXPECT_LE(tests_of(GetParam(), count), 150.0) << count << " elements";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RowsWork,
+                         ::testing::ValuesIn(scenes::scenes().begin(), scenes::scenes().end()),
+                         [](const auto& parameter) { return std::string(parameter.param.name); });
+
+TEST(RowsWork, EqualSizesNeedTwentyTestsAtMost) {
+  for (const char* const name :
+       {"dense", "ordered", "gas", "sparse", "clusters", "hexagonal_2d", "touching_cubic"}) {
+    EXPECT_LE(tests_of(scenes::scene_named(name), 30000), 20.0) << name;
+  }
+}
+
+/// Where cells are far wider than the reach, the rows that an element does not lie near are left
+/// out.
+TEST(RowsWork, NearlyEmptySpaceNeedsLessThanOne) {
+  EXPECT_LT(tests_of(scenes::scene_named("sparse"), 30000), 1.0);
+}
+
+}  // namespace
+}  // namespace abut::testing

@@ -5,6 +5,7 @@
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -48,7 +49,8 @@ class FilteringSink : public base::PairSink {
   }
 
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) final {
-    rooms_[worker].batch = {next_->room(worker), {}};
+    const std::span<ContactPair> room = next_->room(worker);
+    rooms_[worker].batch = {room.first(std::min(room.size(), room_in_cache)), {}};
     return rooms_[worker].batch.pairs;
   }
 

@@ -39,7 +39,8 @@ void ImageSink<Dim>::expect_workers(std::size_t count) {
 template <int Dim>
 std::span<ContactPair> ImageSink<Dim>::room(std::size_t worker) {
   Room& own = rooms_[worker];
-  own.pairs = next_->room(worker);
+  const std::span<ContactPair> room = next_->room(worker);
+  own.pairs = room.first(std::min(room.size(), room_in_cache));
   own.shifts = next_->shift_room(worker);
   return own.pairs;
 }

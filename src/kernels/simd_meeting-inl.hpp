@@ -95,6 +95,7 @@ class SimdMeeting {
 
  private:
   using Probe = SimdProbe<Dim, Shape>;
+  using Row = SimdRow<Probe>;
 
   /// The hits of an element among the first eight candidates of each run: a byte for each run.
   using Hits = std::uint64_t;
@@ -315,38 +316,6 @@ class SimdMeeting {
     }
     return commit(probe, row);
   }
-
-  /// The partners of an element while they are being found.
-  class Row {
-   public:
-    HWY_INLINE explicit Row(std::uint32_t* begin)
-        : end_(begin), doubtful_(hn::MaskFromVec(hn::Zero(floats))) {}
-
-    /// The wanted candidates in the vector from q on. Without a branch: nothing to guess.
-    HWY_INLINE void write_all(const Probe& probe, const Columns& columns, std::size_t q,
-                              Bits wanted) {
-      const Filtered filtered = probe.filter(columns, q);
-      doubtful_ = hn::Or(doubtful_, hn::AndNot(filtered.sure, filtered.hit));
-      const Bits hits = bits_of(filtered.hit) & wanted;
-      hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, end_);
-      end_ += std::popcount(hits);
-    }
-
-    /// The same, where few vectors hold a hit.
-    HWY_INLINE void write_few(const Probe& probe, const Columns& columns, std::size_t q,
-                              Bits wanted) {
-      if (HWY_UNLIKELY((bits_of(probe.filter(columns, q).hit) & wanted) != 0)) {
-        write_all(probe, columns, q, wanted);
-      }
-    }
-
-    [[nodiscard]] HWY_INLINE std::uint32_t* end() const { return end_; }
-    [[nodiscard]] HWY_INLINE bool is_decided() const { return hn::AllFalse(floats, doubtful_); }
-
-   private:
-    std::uint32_t* end_;
-    Mask doubtful_;
-  };
 
   /// Takes a row that was written behind the findings, unless some of it is doubtful.
   HWY_INLINE bool commit(const Probe& probe, const Row& row) {

@@ -163,8 +163,8 @@ class ScalarMeeting {
     }
   }
 
-  /// Faces of an element's cell within its reach, on an axis. Those of a flat tile, where numbers are
-  /// infinite or none, are.
+  /// Faces of an element's cell within its reach, on an axis. Those of a flat tile, where numbers
+  /// are infinite or none, are.
   struct Sides {
     bool below;
     bool above;

@@ -63,6 +63,8 @@ constexpr std::size_t most_hits = 5 * short_run;
 
 #include "kernels/simd_nearby-inl.hpp"
 
+#include "kernels/simd_row-inl.hpp"
+
 #include "kernels/simd_meeting-inl.hpp"
 
 #include "kernels/tile_search-inl.hpp"

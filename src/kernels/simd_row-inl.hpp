@@ -1,0 +1,34 @@
+// What an element meets, in vectors, while it is being found; included like simd_meeting-inl.hpp.
+
+/// The partners of an element while they are being found.
+template <class Probe>
+class SimdRow {
+ public:
+  HWY_INLINE explicit SimdRow(std::uint32_t* begin)
+      : end_(begin), doubtful_(hn::MaskFromVec(hn::Zero(floats))) {}
+
+  /// The wanted candidates in the vector from q on. Without a branch: nothing to guess.
+  HWY_INLINE void write_all(const Probe& probe, const Columns& columns, std::size_t q,
+                            Bits wanted) {
+    const Filtered filtered = probe.filter(columns, q);
+    doubtful_ = hn::Or(doubtful_, hn::AndNot(filtered.sure, filtered.hit));
+    const Bits hits = bits_of(filtered.hit) & wanted;
+    hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, end_);
+    end_ += std::popcount(hits);
+  }
+
+  /// The same, where few vectors hold a hit.
+  HWY_INLINE void write_few(const Probe& probe, const Columns& columns, std::size_t q,
+                            Bits wanted) {
+    if (HWY_UNLIKELY((bits_of(probe.filter(columns, q).hit) & wanted) != 0)) {
+      write_all(probe, columns, q, wanted);
+    }
+  }
+
+  [[nodiscard]] HWY_INLINE std::uint32_t* end() const { return end_; }
+  [[nodiscard]] HWY_INLINE bool is_decided() const { return hn::AllFalse(floats, doubtful_); }
+
+ private:
+  std::uint32_t* end_;
+  Mask doubtful_;
+};

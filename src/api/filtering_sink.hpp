@@ -5,7 +5,6 @@
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -49,8 +48,7 @@ class FilteringSink : public base::PairSink {
   }
 
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) final {
-    const std::span<ContactPair> room = next_->room(worker);
-    rooms_[worker].batch = {room.first(std::min(room.size(), room_in_cache)), {}};
+    rooms_[worker].batch = {next_->room(worker), {}};
     return rooms_[worker].batch.pairs;
   }
 

@@ -25,10 +25,6 @@ class PairSink {
   /// Least size of a room.
   static constexpr std::size_t smallest_room = 512;
 
-  /// Of a room that is larger, sinks that look at the pairs once more before they hand them on lend
-  /// so much: the pairs are in the nearest cache then.
-  static constexpr std::size_t room_in_cache = 2048;
-
   /// Called once before anything else.
   virtual void expect_workers(std::size_t count) = 0;
 

@@ -39,8 +39,7 @@ void ImageSink<Dim>::expect_workers(std::size_t count) {
 template <int Dim>
 std::span<ContactPair> ImageSink<Dim>::room(std::size_t worker) {
   Room& own = rooms_[worker];
-  const std::span<ContactPair> room = next_->room(worker);
-  own.pairs = room.first(std::min(room.size(), room_in_cache));
+  own.pairs = next_->room(worker);
   own.shifts = next_->shift_room(worker);
   return own.pairs;
 }

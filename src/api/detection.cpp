@@ -3,7 +3,6 @@
 #include "api/choose_algorithm.hpp"
 #include "api/lack_of_memory.hpp"
 #include "api/lattice_of.hpp"
-#include "api/list_neighbors.hpp"
 #include "api/measure_neighbors.hpp"
 #include "api/registry.hpp"
 #include "api/validate_options.hpp"
@@ -314,8 +313,8 @@ void Detection::list_rows(const Request& request, NeighborListKind kind, PairPie
   while (row_rooms_.size() < workers) {
     row_rooms_.push_back(base::make_array_for_overwrite<Partner>(memory_, 0));
   }
-  api::list_neighbors({pieces, found_.shift_pieces()}, kind, arrays.offsets, arrays.neighbors,
-                      arrays.shifts, std::span(row_rooms_).first(workers));
+  list_image_rows({pieces, found_.shift_pieces()}, kind, arrays.offsets, arrays.neighbors,
+                  arrays.shifts, std::span(row_rooms_).first(workers));
 }
 
 template <int Dim>

@@ -1,4 +1,4 @@
-#include "api/list_neighbors.hpp"
+#include "api/image_neighbor_rows.hpp"
 
 #include "base/workers.hpp"
 
@@ -6,16 +6,6 @@
 
 namespace abut::api {
 namespace {
-
-template <class Entry>
-void for_each_entry(PairPieces pieces, NeighborListKind kind, Entry&& entry) {
-  for (const auto piece : pieces) {
-    for (const ContactPair& pair : piece) {
-      entry(pair.first, pair.second);
-      if (kind == NeighborListKind::full) entry(pair.second, pair.first);
-    }
-  }
-}
 
 constexpr ImageShift opposite(const ImageShift& shift) noexcept {
   return {-shift.x, -shift.y, -shift.z};
@@ -35,9 +25,9 @@ void for_each_entry(const ImagePieces& pieces, NeighborListKind kind, Entry&& en
 
 /// Where the rows begin: offsets[e + 1] is where the next neighbor of e goes while the rows are
 /// filled, and where they end afterwards.
-void find_offsets(PairPieces pieces, NeighborListKind kind, std::span<PairCount> offsets) {
+void find_offsets(const ImagePieces& pieces, NeighborListKind kind, std::span<PairCount> offsets) {
   std::fill(offsets.begin(), offsets.end(), PairCount{0});
-  for_each_entry(pieces, kind, [&](std::size_t e, ElementIndex) { ++offsets[e + 2]; });
+  for_each_entry(pieces, kind, [&](std::size_t e, const Partner&) { ++offsets[e + 2]; });
   for (std::size_t e = 2; e < offsets.size(); ++e) offsets[e] += offsets[e - 1];
 }
 
@@ -56,10 +46,10 @@ void sort_row(std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
 
 }  // namespace
 
-void list_neighbors(const ImagePieces& pieces, NeighborListKind kind, std::span<PairCount> offsets,
-                    std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
-                    std::span<base::Array<Partner>> rooms) {
-  find_offsets(pieces.pairs, kind, offsets);
+void list_image_rows(const ImagePieces& pieces, NeighborListKind kind, std::span<PairCount> offsets,
+                     std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
+                     std::span<base::Array<Partner>> rooms) {
+  find_offsets(pieces, kind, offsets);
   for_each_entry(pieces, kind, [&](std::size_t e, const Partner& partner) {
     const PairCount place = offsets[e + 1]++;
     neighbors[place] = partner.element;

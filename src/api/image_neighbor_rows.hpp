@@ -17,8 +17,8 @@ using RowRooms = std::vector<base::Array<Partner>>;
 /// neighbors: the opposite one where a pair is seen from its second element. `offsets` has
 /// elements + 2 numbers, of which the last is scratch; `neighbors` one for each entry. As many
 /// workers as rooms.
-void list_neighbors(const ImagePieces& pieces, NeighborListKind kind, std::span<PairCount> offsets,
-                    std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
-                    std::span<base::Array<Partner>> rooms);
+void list_image_rows(const ImagePieces& pieces, NeighborListKind kind, std::span<PairCount> offsets,
+                     std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
+                     std::span<base::Array<Partner>> rooms);
 
 }  // namespace abut::api

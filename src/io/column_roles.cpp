@@ -9,7 +9,7 @@
 namespace abut::io {
 namespace {
 
-constexpr std::size_t absent = static_cast<std::size_t>(-1);
+constexpr std::size_t absent = TableColumns::none;
 
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 20;
@@ -30,18 +30,39 @@ class Finder {
   [[nodiscard]] bool has(std::string_view name) const { return find(name) != absent; }
 
   bool assign(std::string_view name, ColumnRole role) {
-    const std::size_t column = find(name);
+    const std::size_t column = find_alone(name);
     if (column == absent) return false;
+    table_.roles[column] = role;
+    return true;
+  }
+
+  /// Any column may hold groups, also one that holds something else.
+  void find_groups(const WantedColumns& wanted) {
+    if (wanted.candidates) {
+      for (std::size_t column = 0; column < table_.roles.size(); ++column) {
+        if (table_.roles[column] == ColumnRole::other) table_.candidates.push_back(column);
+      }
+    }
+    if (wanted.groups.empty()) return;
+    table_.group = find_alone(wanted.groups);
+    if (table_.group != absent) return;
+    reader_.fail_at_line(
+        fmt::format("there is no column {} to take groups from (the columns are {}); name one "
+                    "that is there",
+                    quoted(wanted.groups), listed(table_.names)));
+  }
+
+ private:
+  /// Fails where several columns have the name.
+  [[nodiscard]] std::size_t find_alone(std::string_view name) const {
     const auto& names = table_.names;
     if (std::count(names.begin(), names.end(), name) > 1) {
       reader_.fail_at_line(
           fmt::format("column {} is there twice; rename one of them", quoted(name)));
     }
-    table_.roles[column] = role;
-    return true;
+    return find(name);
   }
 
- private:
   [[nodiscard]] std::size_t find(std::string_view name) const {
     const auto& names = table_.names;
     const auto found = std::find(names.begin(), names.end(), name);
@@ -63,6 +84,19 @@ std::size_t find_axes(const LineReader& reader, const Finder& finder, const Tabl
                   missing, listed(table.names), axes[0][0], axes[0][1]));
 }
 
+void find_radius(const LineReader& reader, Finder& finder, const TableColumns& table,
+                 RadiusColumn radius) {
+  if (radius == RadiusColumn::ignored) return;
+  if (finder.assign("radius", ColumnRole::radius) || finder.assign("r", ColumnRole::radius) ||
+      finder.assign("diameter", ColumnRole::diameter) || radius == RadiusColumn::optional) {
+    return;
+  }
+  reader.fail_at_line(
+      fmt::format("there is no column radius, r or diameter (the columns are {}); give one radius "
+                  "for all with --radius",
+                  listed(table.names)));
+}
+
 }  // namespace
 
 bool TableColumns::has(ColumnRole role) const {
@@ -70,7 +104,7 @@ bool TableColumns::has(ColumnRole role) const {
 }
 
 TableColumns find_columns(const LineReader& reader, std::vector<std::string> names,
-                          std::span<const AxisNames> axes, RadiusColumn radius) {
+                          std::span<const AxisNames> axes, const WantedColumns& wanted) {
   TableColumns table;
   table.names = std::move(names);
   table.roles.assign(table.names.size(), ColumnRole::other);
@@ -87,15 +121,9 @@ TableColumns find_columns(const LineReader& reader, std::vector<std::string> nam
                                     found[0], found[1], found[2], other[2], found[2]));
   }
   finder.assign("id", ColumnRole::id);
-  if (radius == RadiusColumn::ignored) return table;
-  if (finder.assign("radius", ColumnRole::radius) || finder.assign("r", ColumnRole::radius) ||
-      finder.assign("diameter", ColumnRole::diameter)) {
-    return table;
-  }
-  reader.fail_at_line(
-      fmt::format("there is no column radius, r or diameter (the columns are {}); give one radius "
-                  "for all with --radius",
-                  listed(table.names)));
+  find_radius(reader, finder, table, wanted.radius);
+  finder.find_groups(wanted);
+  return table;
 }
 
 bool names_boxes(std::span<const std::string> names) {
@@ -105,7 +133,8 @@ bool names_boxes(std::span<const std::string> names) {
   return !(has("x") && has("y")) && (has("xmin") || has("xmax"));
 }
 
-TableColumns find_box_columns(const LineReader& reader, std::vector<std::string> names) {
+TableColumns find_box_columns(const LineReader& reader, std::vector<std::string> names,
+                              const WantedColumns& wanted) {
   struct Corner {
     std::string_view name;
     ColumnRole role;
@@ -132,6 +161,7 @@ TableColumns find_box_columns(const LineReader& reader, std::vector<std::string>
     for (const Corner& corner : upright) require(corner);
   }
   finder.assign("id", ColumnRole::id);
+  finder.find_groups(wanted);
   return table;
 }
 

@@ -1,4 +1,5 @@
 #include "io/column_roles.hpp"
+#include "io/csv_lines.hpp"
 #include "io/number_text.hpp"
 #include "io/read_format.hpp"
 #include "io/row_parser.hpp"
@@ -6,37 +7,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace abut::io {
 namespace {
 
 constexpr AxisNames axis_names[] = {{"x", "y", "z"}};
-
-bool is_data(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t\r\f\v");
-  return first != std::string_view::npos && line[first] != '#';
-}
-
-std::optional<std::string_view> next_data_line(LineReader& reader) {
-  while (const std::optional<std::string_view> line = reader.next()) {
-    if (is_data(*line)) return line;
-  }
-  return std::nullopt;
-}
-
-/// The separator that the header holds most often; blanks if it holds none.
-Separator separator_of(std::string_view header) {
-  Separator best = Separator::blanks;
-  std::ptrdiff_t most = 0;
-  for (const Separator separator : {Separator::comma, Separator::semicolon, Separator::tab}) {
-    const auto count = std::count(header.begin(), header.end(), static_cast<char>(separator));
-    if (count <= most) continue;
-    most = count;
-    best = separator;
-  }
-  return best;
-}
 
 TableColumns read_header(LineReader& reader, std::string_view header, Separator separator,
                          const ReadOptions& options) {
@@ -47,15 +21,15 @@ TableColumns read_header(LineReader& reader, std::string_view header, Separator 
                     "x,y,z,radius",
                     quoted(names[0])));
   }
+  const WantedColumns wanted = wanted_columns(options);
   if (names_boxes(names)) {
-    if (options.radius) {
+    if (wanted.radius == RadiusColumn::ignored) {
       reader.fail_at_line(
           "has columns of boxes, to which neither a radius nor a cutoff applies; leave it out");
     }
-    return find_box_columns(reader, std::move(names));
+    return find_box_columns(reader, std::move(names), wanted);
   }
-  return find_columns(reader, std::move(names), axis_names,
-                      options.radius ? RadiusColumn::ignored : RadiusColumn::required);
+  return find_columns(reader, std::move(names), axis_names, wanted);
 }
 
 }  // namespace
@@ -68,7 +42,7 @@ Snapshot read_csv(LineReader& reader, const ReadOptions& options) {
   const Separator separator = separator_of(*header);
   const TableColumns columns = read_header(reader, *header, separator, options);
   Snapshot snapshot;
-  snapshot.frame = frame_number(reader, options.frame.value_or(-1), 1);
+  snapshot.frame = frame_number(reader, options, 1);
   RowParser rows(reader, columns, separator, options.radius, IdRule::dropped_unless_integers,
                  snapshot);
   while (const std::optional<std::string_view> line = next_data_line(reader)) rows.append(*line);

@@ -15,25 +15,26 @@ namespace {
 
 constexpr AxisNames axis_names[] = {{"x", "y", "z"}};
 
-/// Columns of the section Atoms (LAMMPS manual, read_data); image flags may follow.
+/// Columns of the section Atoms (LAMMPS manual, read_data), named as in dumps; image flags may
+/// follow.
 struct AtomStyle {
   std::string_view name;
   std::string_view columns;
 };
 constexpr AtomStyle styles[] = {
     {"sphere", "id type diameter density x y z"},
-    {"bpm/sphere", "id molecule type diameter density x y z"},
+    {"bpm/sphere", "id mol type diameter density x y z"},
     {"atomic", "id type x y z"},
     {"charge", "id type charge x y z"},
-    {"molecular", "id molecule type x y z"},
-    {"bond", "id molecule type x y z"},
-    {"angle", "id molecule type x y z"},
-    {"full", "id molecule type charge x y z"},
+    {"molecular", "id mol type x y z"},
+    {"bond", "id mol type x y z"},
+    {"angle", "id mol type x y z"},
+    {"full", "id mol type charge x y z"},
     {"dipole", "id type charge x y z mux muy muz"},
     {"dpd", "id type theta x y z"},
     {"ellipsoid", "id type ellipsoid density x y z"},
-    {"line", "id molecule type line density x y z"},
-    {"tri", "id molecule type triangle density x y z"},
+    {"line", "id mol type line density x y z"},
+    {"tri", "id mol type triangle density x y z"},
     {"body", "id type body mass x y z"},
     {"peri", "id type volume density x y z"},
 };
@@ -51,12 +52,13 @@ std::vector<std::string> columns_of_style(const LineReader& reader, const std::s
 }
 
 /// Where no style is named, positions stand in the same place in all styles of so many columns, but
-/// a diameter cannot be told from a charge.
+/// a diameter cannot be told from a charge, nor a type from a molecule.
 std::vector<std::string> columns_by_number(const LineReader& reader, std::size_t fields,
                                            const ReadOptions& options) {
   const std::size_t without_flags = fields >= 8 ? fields - 3 : fields;
   if (options.radius && without_flags >= 5 && without_flags <= 7) {
-    std::vector<std::string> names{"id", "type"};
+    std::vector<std::string> names{"id"};
+    if (without_flags == 5) names.emplace_back("type");  // else a molecule may stand there
     while (names.size() + 3 < without_flags) names.push_back(fmt::format("#{}", names.size() + 1));
     for (const std::string_view axis : axis_names[0]) names.emplace_back(axis);
     return names;
@@ -99,9 +101,8 @@ void read_atoms(LineReader& reader, const DataHeader& header, const ReadOptions&
   const std::size_t room = room_for(reader, header.count, fewest_columns);
   std::string_view line = atom_line(reader, 0, header.count);
   const std::size_t fields = split(line, Separator::blanks).size();
-  const TableColumns columns =
-      find_columns(reader, columns_of(reader, header, fields, options), axis_names,
-                   options.radius ? RadiusColumn::ignored : RadiusColumn::required);
+  const TableColumns columns = find_columns(reader, columns_of(reader, header, fields, options),
+                                            axis_names, wanted_columns(options));
   RowParser rows(reader, columns, Separator::blanks, options.radius, IdRule::must_be_integers,
                  snapshot);
   rows.reserve(room);
@@ -121,7 +122,7 @@ bool is_plane(const Snapshot& snapshot) {
 Snapshot read_lammps_data(LineReader& reader, const ReadOptions& options) {
   const DataHeader header = read_data_header(reader);
   Snapshot snapshot;
-  if (options.frame) snapshot.frame = frame_number(reader, *options.frame, 1);
+  snapshot.frame = frame_number(reader, options, 1);
   if (header.count > 0) read_atoms(reader, header, options, snapshot);
   snapshot.box = header.edges;
   snapshot.periodic = {true, true, !is_plane(snapshot)};

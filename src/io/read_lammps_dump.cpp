@@ -113,8 +113,7 @@ void unscale_last(const LineReader& reader, const DumpBox& box, Snapshot& snapsh
 void read_atoms(LineReader& reader, const FrameHeader& header, const ReadOptions& options,
                 Snapshot& snapshot) {
   const TableColumns columns =
-      find_columns(reader, header.columns, axis_names,
-                   options.radius ? RadiusColumn::ignored : RadiusColumn::required);
+      find_columns(reader, header.columns, axis_names, wanted_columns(options));
   const bool scaled = columns.axis_names >= first_scaled;
   if (scaled && header.box->kind == DumpBox::Kind::general) {
     reader.fail_at_line("scaled coordinates in a general triclinic box; dump x y z instead");
@@ -156,9 +155,9 @@ Snapshot read_frame(LineReader& reader, const ReadOptions& options) {
 }  // namespace
 
 Snapshot read_lammps_dump(LineReader& reader, const ReadOptions& options) {
-  return select_frame(
-      reader, options.frame.value_or(-1),
-      {skip_frame, [&options](LineReader& from) { return read_frame(from, options); }});
+  return select_frame(reader, options, {skip_frame, [&options](LineReader& from) {
+                                          return read_frame(from, options);
+                                        }});
 }
 
 }  // namespace abut::io

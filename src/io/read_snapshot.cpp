@@ -83,7 +83,8 @@ void validate(const ReadOptions& options) {
 
 /// An input without a line is an empty system, as a frame without atoms is.
 Snapshot read_nothing(const LineReader& reader, const ReadOptions& options) {
-  if (options.frame.value_or(-1) != -1 && *options.frame != 0) {
+  const bool any_frame = options.lone_frame == LoneFrame::always_taken;
+  if (!any_frame && options.frame.value_or(-1) != -1 && *options.frame != 0) {
     reader.fail(fmt::format("is empty; it has no frame {}", *options.frame));
   }
   return {};

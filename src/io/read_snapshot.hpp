@@ -12,11 +12,24 @@
 
 namespace abut::io {
 
+/// What one radius for all elements does where the file names radii.
+enum class RadiusUse { in_place_of_own, where_none_is_named };
+
+/// Whether a file of one frame must have the frame that is asked for.
+enum class LoneFrame { by_its_number, always_taken };
+
+/// Whether the columns that may hold groups are sought.
+enum class GroupColumns { not_sought, sought };
+
 struct ReadOptions {
   std::string format;            ///< a name of `readable_formats()`; empty: by suffix, then content
-  std::optional<double> radius;  ///< for all elements; wins over the file's own radii
+  std::optional<double> radius;  ///< for all elements
   std::optional<std::int64_t> frame;  ///< from 0, negative from the end; the last by default
   ProgressHook progress;              ///< phase "read"; bytes of the file, total 0 if unknown
+  RadiusUse radius_use = RadiusUse::in_place_of_own;
+  LoneFrame lone_frame = LoneFrame::by_its_number;
+  std::string groups = {};  ///< name of a column whose whole numbers are read; empty: none
+  GroupColumns group_columns = GroupColumns::not_sought;
 };
 
 /// Reads one frame of a file; "-" is standard input. Streams: memory follows the frame, not the

@@ -57,8 +57,7 @@ void read_elements(LineReader& reader, std::uint64_t count, const XyzComment& co
   // The columns of a plain file are those of its first element, whose line messages should name.
   if (!comment.columns) line = reader.next();
   const TableColumns columns =
-      find_columns(reader, std::move(names), axis_names,
-                   options.radius ? RadiusColumn::ignored : RadiusColumn::required);
+      find_columns(reader, std::move(names), axis_names, wanted_columns(options));
   RowParser rows(reader, columns, Separator::blanks, options.radius, IdRule::must_be_integers,
                  snapshot);
   rows.reserve(room);
@@ -84,9 +83,9 @@ Snapshot read_frame(LineReader& reader, const ReadOptions& options) {
 }  // namespace
 
 Snapshot read_xyz(LineReader& reader, const ReadOptions& options) {
-  return select_frame(
-      reader, options.frame.value_or(-1),
-      {skip_frame, [&options](LineReader& from) { return read_frame(from, options); }});
+  return select_frame(reader, options, {skip_frame, [&options](LineReader& from) {
+                                          return read_frame(from, options);
+                                        }});
 }
 
 }  // namespace abut::io

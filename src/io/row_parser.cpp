@@ -20,6 +20,22 @@ std::string_view without_blanks(std::string_view text) noexcept {
   return text;
 }
 
+/// Also written as 3.0 or 3e0, as programs do that know no whole numbers.
+std::optional<std::uint32_t> parse_group(std::string_view text) noexcept {
+  constexpr double most = 4294967295.0;
+  const auto [value, fault] = parse_number(text);
+  if (fault != NumberFault::none || !(value >= 0.0 && value <= most)) return std::nullopt;
+  const auto group = static_cast<std::uint32_t>(value);
+  if (static_cast<double>(group) != value) return std::nullopt;
+  return group;
+}
+
+/// Whether a table says how large its elements are.
+bool names_sizes(const TableColumns& columns) {
+  return columns.hold_boxes() || columns.has(ColumnRole::radius) ||
+         columns.has(ColumnRole::diameter);
+}
+
 }  // namespace
 
 FieldCursor::FieldCursor(std::string_view row, Separator separator)
@@ -82,12 +98,17 @@ RowParser::RowParser(const LineReader& reader, const TableColumns& columns, Sepa
     : reader_(reader),
       columns_(columns),
       separator_(separator),
-      common_radius_(common_radius),
+      common_radius_(names_sizes(columns) ? std::nullopt : common_radius),
       id_rule_(id_rule),
       takes_ids_(columns.has(ColumnRole::id)),
-      takes_boxes_(columns.hold_boxes()),
+      candidates_(columns.candidates),
       snapshot_(snapshot) {
   snapshot_.dimensions = columns.dimensions;
+  snapshot_.shape = columns.hold_boxes() ? Shape::box : Shape::sphere;
+  snapshot_.radius_is_common = common_radius_.has_value();
+  for (const std::size_t column : candidates_) {
+    snapshot_.group_columns.push_back(columns.names[column]);
+  }
 }
 
 void RowParser::reserve(std::size_t count) {
@@ -96,6 +117,7 @@ void RowParser::reserve(std::size_t count) {
   if (columns_.dimensions == 3) snapshot_.z.reserve(count);
   snapshot_.radius.reserve(count);
   if (takes_ids_) snapshot_.ids.reserve(count);
+  if (columns_.group != TableColumns::none) snapshot_.groups.reserve(count);
 }
 
 void RowParser::append(std::string_view row) {
@@ -103,16 +125,20 @@ void RowParser::append(std::string_view row) {
   const std::size_t columns = columns_.names.size();
   std::size_t fields = 0;
   for (; const std::optional<std::string_view> field = cursor.next(); ++fields) {
-    if (fields >= columns || columns_.roles[fields] == ColumnRole::other) continue;
-    if (columns_.roles[fields] == ColumnRole::id) {
+    if (fields >= columns) continue;
+    if (fields == columns_.group) append_group(fields, *field);
+    const ColumnRole role = columns_.roles[fields];
+    if (role == ColumnRole::id) {
       append_id(fields, *field);
-    } else {
+    } else if (role != ColumnRole::other) {
       append_number(fields, *field);
+    } else if (!candidates_.empty()) {
+      look_at_candidate(fields, *field);
     }
   }
-  if (fields != columns) fail_at_size(fields);
+  if (fields != columns) fail_at_size(reader_, fields, columns);
   if (common_radius_) snapshot_.radius.push_back(*common_radius_);
-  if (takes_boxes_) append_stand_in();
+  if (snapshot_.holds_boxes()) append_stand_in();
 }
 
 void RowParser::append_stand_in() {
@@ -184,9 +210,27 @@ void RowParser::append_id(std::size_t column, std::string_view field) {
   snapshot_.ids.clear();
 }
 
-void RowParser::fail_at_size(std::size_t fields) const {
-  const std::size_t columns = columns_.names.size();
-  reader_.fail_at_line(
+void RowParser::append_group(std::size_t column, std::string_view field) {
+  if (const std::optional<std::uint32_t> group = parse_group(field)) {
+    snapshot_.groups.push_back(*group);
+    return;
+  }
+  reader_.fail_in_column(quoted(columns_.names[column]),
+                         quoted(field) +
+                             " is no group, which is a whole number from 0 to 4294967295; correct "
+                             "it, or give elements "
+                             "of no group numbers of their own");
+}
+
+void RowParser::look_at_candidate(std::size_t column, std::string_view field) {
+  const auto found = std::find(candidates_.begin(), candidates_.end(), column);
+  if (found == candidates_.end() || parse_group(field)) return;
+  snapshot_.group_columns.erase(snapshot_.group_columns.begin() + (found - candidates_.begin()));
+  candidates_.erase(found);
+}
+
+void fail_at_size(const LineReader& reader, std::size_t fields, std::size_t columns) {
+  reader.fail_at_line(
       fmt::format("has {} field{}, but there are {} columns; write one field for "
                   "each column",
                   fields, fields == 1 ? "" : "s", columns));

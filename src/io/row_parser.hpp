@@ -44,10 +44,12 @@ class RowParser {
  private:
   void append_number(std::size_t column, std::string_view field);
   void append_id(std::size_t column, std::string_view field);
+  void append_group(std::size_t column, std::string_view field);
+  /// Columns with a field that is no group are candidates no more.
+  void look_at_candidate(std::size_t column, std::string_view field);
   /// What stands for the box of the row in pictures and summaries.
   void append_stand_in();
   [[nodiscard]] std::vector<double>& column_of(ColumnRole role) const;
-  [[noreturn]] void fail_at_size(std::size_t fields) const;
 
   const LineReader& reader_;
   const TableColumns& columns_;
@@ -55,9 +57,12 @@ class RowParser {
   std::optional<double> common_radius_;
   IdRule id_rule_;
   bool takes_ids_;
-  bool takes_boxes_;
+  std::vector<std::size_t> candidates_;
   Snapshot& snapshot_;
 };
+
+/// Throws Error{invalid_input} for a row of so many fields in a table of so many columns.
+[[noreturn]] void fail_at_size(const LineReader& reader, std::size_t fields, std::size_t columns);
 
 /// The fields of a row.
 [[nodiscard]] std::vector<std::string> split(std::string_view row, Separator separator);

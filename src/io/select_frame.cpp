@@ -7,7 +7,10 @@
 
 namespace abut::io {
 
-std::int64_t frame_number(const LineReader& reader, std::int64_t wanted, std::int64_t frame_count) {
+std::int64_t frame_number(const LineReader& reader, const ReadOptions& options,
+                          std::int64_t frame_count) {
+  const std::int64_t wanted = options.frame.value_or(-1);
+  if (frame_count == 1 && options.lone_frame == LoneFrame::always_taken) return 0;
   if (wanted >= -frame_count && wanted < frame_count) {
     return wanted < 0 ? wanted + frame_count : wanted;
   }
@@ -18,9 +21,12 @@ std::int64_t frame_number(const LineReader& reader, std::int64_t wanted, std::in
                           frame_count - 1, wanted));
 }
 
-Snapshot select_frame(LineReader& reader, std::int64_t wanted, const FrameFormat& format) {
-  const std::uint64_t from_end =
-      wanted < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(wanted) : 0;
+Snapshot select_frame(LineReader& reader, const ReadOptions& options, const FrameFormat& format) {
+  const std::int64_t wanted = options.frame.value_or(-1);
+  const bool first_may_do = options.lone_frame == LoneFrame::always_taken;
+  const std::uint64_t from_end = wanted < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(wanted)
+                                 : first_may_do ? 1
+                                                : 0;
   std::deque<TextPosition> last;  // where the last `from_end` frames start
   std::optional<Snapshot> found;
   std::int64_t frame_count = 0;
@@ -29,7 +35,7 @@ Snapshot select_frame(LineReader& reader, std::int64_t wanted, const FrameFormat
       found = format.read(reader);
       continue;
     }
-    if (wanted < 0) {
+    if (from_end > 0) {
       last.push_back(reader.position());
       if (last.size() > from_end) last.pop_front();
       reader.keep_from(last.front());
@@ -37,7 +43,7 @@ Snapshot select_frame(LineReader& reader, std::int64_t wanted, const FrameFormat
     format.skip(reader);
   }
   if (frame_count == 0) reader.fail("is empty; there is no frame in it");
-  const std::int64_t frame = frame_number(reader, wanted, frame_count);
+  const std::int64_t frame = frame_number(reader, options, frame_count);
   if (!found) {
     reader.seek(last.front());
     found = format.read(reader);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/line_reader.hpp"
+#include "io/read_snapshot.hpp"
 #include "io/snapshot.hpp"
 
 #include <cstdint>
@@ -14,14 +15,13 @@ struct FrameFormat {
   std::function<Snapshot(LineReader&)> read;
 };
 
-/// Reads one frame of a file of several, counted from 0 or, if negative, from the end, and counts
-/// them all. Only the wanted frame is parsed; of a pipe only the text of as many frames is kept as
-/// may still be wanted.
-[[nodiscard]] Snapshot select_frame(LineReader& reader, std::int64_t wanted,
+/// Reads the frame that the options want of a file of several, and counts them all. Only that frame
+/// is parsed; of a pipe only the text of as many frames is kept as may still be wanted.
+[[nodiscard]] Snapshot select_frame(LineReader& reader, const ReadOptions& options,
                                     const FrameFormat& format);
 
 /// The number from 0 of the wanted frame. Throws Error{invalid_input} if there is none.
-[[nodiscard]] std::int64_t frame_number(const LineReader& reader, std::int64_t wanted,
+[[nodiscard]] std::int64_t frame_number(const LineReader& reader, const ReadOptions& options,
                                         std::int64_t frame_count);
 
 }  // namespace abut::io

@@ -15,12 +15,18 @@ struct Snapshot {
   int dimensions = 3;
   std::vector<double> x;
   std::vector<double> y;
-  std::vector<double> z;          ///< empty in 2D
-  std::vector<double> radius;     ///< one per element
-  std::vector<std::int64_t> ids;  ///< the file's own numbers; empty if it has none
+  std::vector<double> z;                   ///< empty in 2D
+  std::vector<double> radius;              ///< one per element
+  std::vector<std::int64_t> ids;           ///< the file's own numbers; empty if it has none
+  std::vector<std::uint32_t> groups;       ///< of the column that was asked for, one per element
+  std::vector<std::string> group_columns;  ///< that may be asked for; empty unless they are sought
+  bool radius_is_common = false;           ///< the caller's, not the file's
 
-  /// Corners of boxes, by axis; empty where the elements are spheres. Then x, y, z are rounded
-  /// centers and `radius` is half the widest side, for pictures and summaries.
+  /// Of boxes x, y, z are rounded centers and `radius` is half the widest side, for pictures and
+  /// summaries.
+  Shape shape = Shape::sphere;
+
+  /// Corners of boxes, by axis; empty where the elements are spheres.
   std::array<std::vector<double>, 3> lower;
   std::array<std::vector<double>, 3> upper;
 
@@ -37,7 +43,7 @@ struct Snapshot {
 
   [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
 
-  [[nodiscard]] bool holds_boxes() const noexcept { return !lower[0].empty(); }
+  [[nodiscard]] bool holds_boxes() const noexcept { return shape == Shape::box; }
 
   [[nodiscard]] ElementView elements() const {
     if (!holds_boxes()) return dimensions == 2 ? discs(x, y, radius) : spheres(x, y, z, radius);

@@ -54,6 +54,11 @@ std::optional<KeyValue> take_pair(const LineReader& reader, std::string_view& te
   return pair;
 }
 
+/// A property of such a name is none of those that extended XYZ knows.
+bool is_axis_or_radius(std::string_view name) {
+  return name == "x" || name == "y" || name == "z" || name == "r";
+}
+
 /// The names of the columns of one property; the known ones get the names that tables have.
 void append_columns(std::string_view property, std::int64_t count,
                     std::vector<std::string>& columns) {
@@ -67,6 +72,8 @@ void append_columns(std::string_view property, std::int64_t count,
       columns.push_back(name);
     } else if (name == "ids" && count == 1) {
       columns.emplace_back("id");
+    } else if (count == 1 && !is_axis_or_radius(name)) {
+      columns.emplace_back(property);
     } else {
       columns.push_back(fmt::format("{}:{}", property, k));
     }

@@ -49,6 +49,7 @@ std::optional<Snapshot> read(const std::string& path, std::optional<std::int64_t
   abut::io::ReadOptions options;
   options.format = ABUT_FUZZED_FORMAT;
   options.frame = frame;
+  options.group_columns = abut::io::GroupColumns::sought;
   try {
     return abut::io::read_snapshot(path, options);
   } catch (const abut::Error& error) {
@@ -81,6 +82,7 @@ void require_same(const Snapshot& a, const Snapshot& b) {
   require_same(a.z, b.z);
   require_same(a.radius, b.radius);
   require(a.ids == b.ids);
+  require(a.group_columns == b.group_columns);
 }
 
 void require_sound(const Snapshot& snapshot) {

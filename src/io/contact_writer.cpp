@@ -1,26 +1,27 @@
 #include "io/contact_writer.hpp"
 
-#include <abut/detect.hpp>
 #include <abut/error.hpp>
+#include <abut/two_sets.hpp>
 
 #include <fmt/format.h>
 
 namespace abut::io {
 
-ContactWriter::ContactWriter(const ContactOutput& output, const Snapshot& snapshot,
+ContactWriter::ContactWriter(const ContactOutput& output, const ContactElements& elements,
                              std::span<const ContactPair> pairs, const ContactImages& images)
     : progress_(output.progress),
       now_{"write", 0, pairs.size()},
       file_(output.path, [this] { return is_cancelled(); }),
-      snapshot_(snapshot),
-      elements_(snapshot.elements()),
+      elements_(elements),
+      first_(elements.first.elements()),
+      second_(elements.partners().elements()),
       pairs_(pairs),
       images_(images),
       with_ids_(output.ids == IdColumns::with) {}
 
 double ContactWriter::gap(std::uint64_t k) const {
-  return is_periodic() ? abut::gap(elements_, images_.domain, pairs_[k], images_.shifts[k])
-                       : abut::gap(elements_, pairs_[k]);
+  return is_periodic() ? abut::gap(first_, second_, images_.domain, pairs_[k], images_.shifts[k])
+                       : abut::gap(first_, second_, pairs_[k]);
 }
 
 std::vector<std::string_view> ContactWriter::column_names() const {

@@ -17,12 +17,12 @@ namespace abut::io {
 /// What every format of contacts writes from, and the way out.
 class ContactWriter {
  public:
-  ContactWriter(const ContactOutput& output, const Snapshot& snapshot,
+  ContactWriter(const ContactOutput& output, const ContactElements& elements,
                 std::span<const ContactPair> pairs, const ContactImages& images);
   ContactWriter(const ContactWriter&) = delete;
   ContactWriter& operator=(const ContactWriter&) = delete;
 
-  [[nodiscard]] const Snapshot& snapshot() const noexcept { return snapshot_; }
+  [[nodiscard]] const ContactElements& elements() const noexcept { return elements_; }
   [[nodiscard]] std::span<const ContactPair> pairs() const noexcept { return pairs_; }
   [[nodiscard]] bool with_ids() const noexcept { return with_ids_; }
   [[nodiscard]] bool is_periodic() const noexcept { return images_.domain.is_periodic(); }
@@ -32,6 +32,14 @@ class ContactWriter {
     return is_periodic() ? images_.shifts[k] : ImageShift{};
   }
   [[nodiscard]] double gap(std::uint64_t k) const;
+
+  /// The files' own numbers of the elements of pair k.
+  [[nodiscard]] std::int64_t first_id(std::uint64_t k) const {
+    return elements_.first.ids[pairs_[k].first];
+  }
+  [[nodiscard]] std::int64_t second_id(std::uint64_t k) const {
+    return elements_.partners().ids[pairs_[k].second];
+  }
 
   /// Names of the columns of a table of the pairs.
   [[nodiscard]] std::vector<std::string_view> column_names() const;
@@ -55,8 +63,9 @@ class ContactWriter {
   const ProgressHook& progress_;
   Progress now_;
   OutputFile file_;
-  const Snapshot& snapshot_;
-  ElementView elements_;
+  const ContactElements& elements_;
+  ElementView first_;
+  ElementView second_;  ///< what j is one of
   std::span<const ContactPair> pairs_;
   const ContactImages& images_;
   bool with_ids_;

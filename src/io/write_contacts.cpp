@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace abut::io {
@@ -21,7 +20,21 @@ std::optional<ContactFormat> format_named(std::string_view name) {
   return std::nullopt;
 }
 
-void validate(const ContactOutput& output, const Snapshot& snapshot,
+void require_ids(const Snapshot& snapshot) {
+  if (snapshot.ids.size() == snapshot.size()) return;
+  throw Error(
+      ErrorCode::invalid_input,
+      fmt::format("{} has no ids of its own; leave out the columns of ids", snapshot.source));
+}
+
+void require_there(const ContactPair& pair, ElementIndex element, const Snapshot& snapshot) {
+  if (element < snapshot.size()) return;
+  throw Error(ErrorCode::wrong_usage,
+              fmt::format("contact pair ({}, {}) names an element beyond the {} there are",
+                          pair.first, pair.second, snapshot.size()));
+}
+
+void validate(const ContactOutput& output, const ContactElements& elements,
               std::span<const ContactPair> pairs, const ContactImages& images) {
   if (images.domain.is_periodic() && images.shifts.size() != pairs.size()) {
     throw Error(ErrorCode::wrong_usage,
@@ -29,16 +42,13 @@ void validate(const ContactOutput& output, const Snapshot& snapshot,
                             "pairs with Shifts::stored",
                             images.shifts.size(), pairs.size()));
   }
-  if (output.ids == IdColumns::with && snapshot.ids.size() != snapshot.size()) {
-    throw Error(
-        ErrorCode::invalid_input,
-        fmt::format("{} has no ids of its own; leave out the columns of ids", snapshot.source));
+  if (output.ids == IdColumns::with) {
+    require_ids(elements.first);
+    require_ids(elements.partners());
   }
   for (const ContactPair& pair : pairs) {
-    if (std::max(pair.first, pair.second) < snapshot.size()) continue;
-    throw Error(ErrorCode::wrong_usage,
-                fmt::format("contact pair ({}, {}) names an element beyond the {} there are",
-                            pair.first, pair.second, snapshot.size()));
+    require_there(pair, pair.first, elements.first);
+    require_there(pair, pair.second, elements.partners());
   }
 }
 
@@ -55,10 +65,10 @@ ContactFormat contact_format(std::string_view name, std::string_view path) {
                           quoted(name.empty() ? path : name)));
 }
 
-void write_contacts(const ContactOutput& output, const Snapshot& snapshot,
+void write_contacts(const ContactOutput& output, const ContactElements& elements,
                     std::span<const ContactPair> pairs, const ContactImages& images) {
-  validate(output, snapshot, pairs, images);
-  ContactWriter writer(output, snapshot, pairs, images);
+  validate(output, elements, pairs, images);
+  ContactWriter writer(output, elements, pairs, images);
   switch (output.format) {
     case ContactFormat::csv:
       write_contacts_csv(writer);

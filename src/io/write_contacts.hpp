@@ -7,6 +7,7 @@
 #include <abut/pair.hpp>
 #include <abut/progress.hpp>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +30,26 @@ struct ContactOutput {
   ProgressHook progress;  ///< phase "write"; pairs; asked again before each system call
 };
 
+/// The elements that pairs are of: those of one set, or of two, i of the first and j of the second.
+struct ContactElements {
+  ContactElements(const Snapshot& only) : first(only) {}
+  ContactElements(const Snapshot& first_set, const Snapshot& second_set)
+      : first(first_set), second(&second_set) {}
+
+  const Snapshot& first;
+  const Snapshot* second = nullptr;
+
+  [[nodiscard]] bool are_of_two_sets() const noexcept { return second != nullptr; }
+  /// The elements that j is one of.
+  [[nodiscard]] const Snapshot& partners() const noexcept {
+    return second != nullptr ? *second : first;
+  }
+  /// Of all sets.
+  [[nodiscard]] std::size_t size() const noexcept {
+    return first.size() + (second != nullptr ? second->size() : 0);
+  }
+};
+
 /// Which images of a periodic domain the pairs are of; of an open domain nothing need be said.
 struct ContactImages {
   std::span<const ImageShift> shifts;  ///< one a pair
@@ -38,16 +59,18 @@ struct ContactImages {
 /// Writes the pairs in the order given, with their gaps.
 ///  csv   header i,j,gap (with ids: i,j,id_i,id_j,gap), gap as %.17g; in a periodic domain nx,ny,nz
 ///        stand before the gap
-///  json  one object: elements, dimensions, contact_pairs, columns: the names as in CSV, pairs:
-///        [[i, j, gap], ...], numbers as the shortest texts that read back as the same doubles
+///  json  one object: elements, of two sets also sets: how many each has, dimensions,
+///        contact_pairs, columns: the names as in CSV, pairs: [[i, j, gap], ...], numbers as the
+///        shortest texts that read back as the same doubles
 ///  vtp   VTK PolyData: elements as points with radius and coordination number, contacts as lines
-///        with gap, ids where the snapshot has them; double precision, appended raw. In a periodic
-///        domain lines carry their shift, and the line of a pair with a shift ends in a point of
-///        its own, the image of j; `image` tells such points, which repeat j's data
+///        with gap, ids where all have them; double precision, appended raw. Elements of a second
+///        set stand behind those of the first, and `set` tells 0 from 1. In a periodic domain
+///        lines carry their shift, and the line of a pair with a shift ends in a point of its own,
+///        the image of j; `image` tells such points, which repeat j's data
 /// Throws Error{output_failed}; Error{invalid_input} if ids are asked for and not there,
 /// Error{wrong_usage} for an element or shift that is not there; Error{cancelled}. A failed write
 /// leaves no file and the old one untouched.
-void write_contacts(const ContactOutput& output, const Snapshot& snapshot,
+void write_contacts(const ContactOutput& output, const ContactElements& elements,
                     std::span<const ContactPair> pairs, const ContactImages& images = {});
 
 }  // namespace abut::io

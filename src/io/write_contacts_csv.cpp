@@ -16,15 +16,14 @@ void append_field(std::integral auto value, std::string& text) {
 
 void write_contacts_csv(ContactWriter& writer) {
   std::string& text = writer.text();
-  const std::vector<std::int64_t>& ids = writer.snapshot().ids;
   text += fmt::format("{}\n", fmt::join(writer.column_names(), ","));
   for (std::uint64_t k = 0; k < writer.pairs().size(); ++k) {
     const ContactPair& pair = writer.pairs()[k];
     append_field(pair.first, text);
     append_field(pair.second, text);
     if (writer.with_ids()) {
-      append_field(ids[pair.first], text);
-      append_field(ids[pair.second], text);
+      append_field(writer.first_id(k), text);
+      append_field(writer.second_id(k), text);
     }
     if (writer.is_periodic()) {
       const ImageShift shift = writer.shift(k);

@@ -16,20 +16,22 @@ void append_entry(std::integral auto value, std::string& text) {
 
 void write_contacts_json(ContactWriter& writer) {
   std::string& text = writer.text();
-  const std::vector<std::int64_t>& ids = writer.snapshot().ids;
+  const ContactElements& elements = writer.elements();
+  text += fmt::format("{{\n\"elements\": {},\n", elements.size());
+  if (elements.are_of_two_sets()) {
+    text += fmt::format("\"sets\": [{}, {}],\n", elements.first.size(), elements.second->size());
+  }
   text += fmt::format(
-      "{{\n\"elements\": {},\n\"dimensions\": {},\n\"contact_pairs\": {},\n\"columns\": "
-      "[\"{}\"],\n\"pairs\": [",
-      writer.snapshot().size(), writer.snapshot().dimensions, writer.pairs().size(),
-      fmt::join(writer.column_names(), "\", \""));
+      "\"dimensions\": {},\n\"contact_pairs\": {},\n\"columns\": [\"{}\"],\n\"pairs\": [",
+      elements.first.dimensions, writer.pairs().size(), fmt::join(writer.column_names(), "\", \""));
   for (std::uint64_t k = 0; k < writer.pairs().size(); ++k) {
     const ContactPair& pair = writer.pairs()[k];
     text += k == 0 ? "\n[" : ",\n[";
     append_entry(pair.first, text);
     append_entry(pair.second, text);
     if (writer.with_ids()) {
-      append_entry(ids[pair.first], text);
-      append_entry(ids[pair.second], text);
+      append_entry(writer.first_id(k), text);
+      append_entry(writer.second_id(k), text);
     }
     if (writer.is_periodic()) {
       const ImageShift shift = writer.shift(k);

@@ -1,9 +1,9 @@
+#include "io/contact_points.hpp"
 #include "io/contact_writer.hpp"
 #include "io/little_endian.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,18 +35,9 @@ class VtpHeader {
   std::uint64_t offset_ = 0;
 };
 
-/// Pairs whose line ends in an image of an element: a point of its own behind the elements.
-std::vector<std::uint64_t> pairs_with_image(const ContactWriter& writer) {
-  std::vector<std::uint64_t> numbers;
-  if (!writer.is_periodic()) return numbers;
-  for (std::uint64_t k = 0; k < writer.pairs().size(); ++k) {
-    if (writer.shift(k) != ImageShift{}) numbers.push_back(k);
-  }
-  return numbers;
-}
-
-void write_header(ContactWriter& writer, std::uint64_t points) {
+void write_header(ContactWriter& writer, const ContactPoints& points) {
   const std::uint64_t lines = writer.pairs().size();
+  const std::uint64_t size = points.size();
   writer.text() += fmt::format(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -54,16 +45,17 @@ void write_header(ContactWriter& writer, std::uint64_t points) {
       "  <PolyData>\n"
       "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" "
       "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-      points, lines);
+      size, lines);
   VtpHeader header(writer.text());
   header.open("Points");
-  header.array("Float64", "Points", 3, 3 * points);
+  header.array("Float64", "Points", 3, 3 * size);
   header.close("Points");
   header.open(R"(PointData Scalars="radius")");
-  header.array("Float64", "radius", 1, points);
-  header.array("Int32", "coordination_number", 1, points);
-  if (!writer.snapshot().ids.empty()) header.array("Int64", "id", 1, points);
-  if (writer.is_periodic()) header.array("Int32", "image", 1, points);
+  header.array("Float64", "radius", 1, size);
+  header.array("Int32", "coordination_number", 1, size);
+  if (points.have_ids()) header.array("Int64", "id", 1, size);
+  if (points.have_sets()) header.array("Int32", "set", 1, size);
+  if (writer.is_periodic()) header.array("Int32", "image", 1, size);
   header.close("PointData");
   header.open("Lines");
   header.array("Int64", "connectivity", 1, 2 * lines);
@@ -86,66 +78,49 @@ void write_array(ContactWriter& writer, std::uint64_t count, const Value& value)
   }
 }
 
-std::vector<std::int32_t> coordination_numbers(const ContactWriter& writer) {
-  std::vector<std::int32_t> numbers(writer.snapshot().size());
+std::vector<std::int32_t> coordination_numbers(const ContactWriter& writer,
+                                               const ContactPoints& points) {
+  std::vector<std::int32_t> numbers(writer.elements().size());
   for (const ContactPair& pair : writer.pairs()) {
     ++numbers[pair.first];
-    ++numbers[pair.second];
+    ++numbers[points.of_partner(pair.second)];
   }
   return numbers;
 }
 
-/// The image of a pair's second element; rounded, for pictures.
-std::array<double, 3> image_position(const ContactWriter& writer, std::uint64_t pair) {
-  const Snapshot& snapshot = writer.snapshot();
-  const ElementIndex element = writer.pairs()[pair].second;
-  std::array<double, 3> position{snapshot.x[element], snapshot.y[element],
-                                 snapshot.dimensions == 2 ? 0.0 : snapshot.z[element]};
-  const ImageShift shift = writer.shift(pair);
-  const std::array<std::int32_t, 3> numbers{shift.x, shift.y, shift.z};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (int k = 0; k < 3; ++k) {
-      const Domain::Vector& vector = writer.domain().vector(k);
-      position[axis] += numbers[static_cast<std::size_t>(k)] * vector[axis];
-    }
-  }
-  return position;
-}
-
-void write_point_arrays(ContactWriter& writer, const std::vector<std::uint64_t>& images) {
-  const Snapshot& snapshot = writer.snapshot();
-  const std::uint64_t elements = snapshot.size();
-  const std::uint64_t points = elements + images.size();
-  const bool flat = snapshot.dimensions == 2;
-  const auto element_of = [&](std::uint64_t point) -> std::uint64_t {
-    return point < elements ? point : writer.pairs()[images[point - elements]].second;
-  };
-  write_array(writer, 3 * points, [&](std::uint64_t k) {
-    const std::uint64_t point = k / 3;
-    if (point >= elements) return image_position(writer, images[point - elements])[k % 3];
-    if (k % 3 == 2) return flat ? 0.0 : snapshot.z[point];
-    return k % 3 == 0 ? snapshot.x[point] : snapshot.y[point];
+void write_point_arrays(ContactWriter& writer, const ContactPoints& points) {
+  const std::uint64_t size = points.size();
+  write_array(writer, 3 * size, [&](std::uint64_t k) { return points.position(k / 3)[k % 3]; });
+  write_array(writer, size, [&](std::uint64_t k) {
+    const auto [snapshot, number] = points.element(k);
+    return snapshot.radius[number];
   });
-  write_array(writer, points, [&](std::uint64_t k) { return snapshot.radius[element_of(k)]; });
-  const std::vector<std::int32_t> coordination = coordination_numbers(writer);
-  write_array(writer, points, [&](std::uint64_t k) { return coordination[element_of(k)]; });
-  if (!snapshot.ids.empty()) {
-    write_array(writer, points, [&](std::uint64_t k) { return snapshot.ids[element_of(k)]; });
+  const std::vector<std::int32_t> coordination = coordination_numbers(writer, points);
+  write_array(writer, size, [&](std::uint64_t k) { return coordination[points.original(k)]; });
+  if (points.have_ids()) {
+    write_array(writer, size, [&](std::uint64_t k) {
+      const auto [snapshot, number] = points.element(k);
+      return snapshot.ids[number];
+    });
+  }
+  if (points.have_sets()) {
+    write_array(writer, size, [&](std::uint64_t k) { return points.set_of(k); });
   }
   if (writer.is_periodic()) {
-    write_array(writer, points, [&](std::uint64_t k) { return std::int32_t{k >= elements}; });
+    write_array(writer, size,
+                [&](std::uint64_t k) { return std::int32_t{k >= points.first_image()}; });
   }
 }
 
-void write_line_arrays(ContactWriter& writer) {
+void write_line_arrays(ContactWriter& writer, const ContactPoints& points) {
   const std::span<const ContactPair> pairs = writer.pairs();
   const std::uint64_t lines = pairs.size();
-  std::uint64_t next_image = writer.snapshot().size();
+  std::uint64_t next_image = points.first_image();
   write_array(writer, 2 * lines, [&](std::uint64_t k) {
     const ContactPair& pair = pairs[k / 2];
     if (k % 2 == 0) return static_cast<std::int64_t>(pair.first);
     const bool to_image = writer.shift(k / 2) != ImageShift{};
-    return static_cast<std::int64_t>(to_image ? next_image++ : pair.second);
+    return static_cast<std::int64_t>(to_image ? next_image++ : points.of_partner(pair.second));
   });
   write_array(writer, lines,
               [&](std::uint64_t k) { return static_cast<std::int64_t>(2 * (k + 1)); });
@@ -163,10 +138,10 @@ void write_line_arrays(ContactWriter& writer) {
 }  // namespace
 
 void write_contacts_vtp(ContactWriter& writer) {
-  const std::vector<std::uint64_t> images = pairs_with_image(writer);
-  write_header(writer, writer.snapshot().size() + images.size());
-  write_point_arrays(writer, images);
-  write_line_arrays(writer);
+  const ContactPoints points(writer);
+  write_header(writer, points);
+  write_point_arrays(writer, points);
+  write_line_arrays(writer, points);
   writer.text() += "\n  </AppendedData>\n</VTKFile>\n";
   writer.finish();
 }

@@ -90,6 +90,39 @@ def check_periodic(path):
     assert len(points) == 4 + 4
 
 
+def check_two_sets(path):
+    """Two discs, then four of another set, then an image for each pair with a shift; box 3 by 9."""
+    data = read(path)
+    points = [data.GetPoint(k) for k in range(data.GetNumberOfPoints())]
+    arrays = data.GetPointData()
+    assert points[:6] == [(0.25, 8.5, 0), (1, 1, 0), (0, 0, 0), (1, 0, 0), (2.5, 0, 0), (9, 9, 0)]
+    radii = values(arrays.GetArray("radius"))
+    assert radii[:6] == [0.5, 0.125, 0.5, 0.75, 0.75, 0.25]
+    assert values(arrays.GetArray("id"))[:6] == [7, 8, 1, 2, 3, 4]
+    sets = values(arrays.GetArray("set"))
+    assert sets[:6] == [0, 0, 1, 1, 1, 1] and set(sets[6:]) == {1}
+    lines = lines_of(data)
+    gaps = values(data.GetCellData().GetArray("gap"))
+    shifts = values(data.GetCellData().GetArray("shift"))
+    found = []
+    for (i, end), gap, n in zip(lines, gaps, zip(shifts[0::3], shifts[1::3], shifts[2::3])):
+        moved = (points[end][0] - 3 * n[0], points[end][1] - 9 * n[1], 0)
+        found.append((i, points.index(moved), n))
+        assert abs(math.dist(points[i], points[end]) - radii[i] - radii[end] - gap) < 1e-14
+        assert (end >= 6) == (n != (0, 0, 0)) and i < 2
+    expected = []
+    for i in range(2):
+        for j in range(2, 6):
+            for nx in range(-5, 6):
+                for ny in range(-2, 3):
+                    image = (points[j][0] + 3 * nx, points[j][1] + 9 * ny, 0)
+                    if math.dist(points[i], image) <= radii[i] + radii[j]:
+                        expected.append((i, j, (nx, ny, 0)))
+    assert found == expected and len(found) > 3, (found, expected)
+    coordination = values(arrays.GetArray("coordination_number"))
+    assert coordination[:6] == [sum(k in pair[:2] for pair in found) for k in range(6)]
+
+
 def dump_rows(path):
     with open(path) as file:
         text = file.read()
@@ -113,6 +146,7 @@ def main(writer, dump):
         check(f"{folder}/discs.vtp", [(0, 0, 0), (1, 0, 0), (2.5, 0, 0), (9, 9, 0)],
               [0.5, 0.75, 0.75, 0.25], None, [(0, 1), (1, 2)])
         check_periodic(f"{folder}/periodic.vtp")
+        check_two_sets(f"{folder}/two_sets.vtp")
         check(f"{folder}/alone.vtp", [(1, 1, 1)], [1], None, [])
         check(f"{folder}/nothing.vtp", [], [], None, [])
 

@@ -81,6 +81,48 @@ TEST(WriteContacts, ImageShiftsOfPeriodicDomains) {
   EXPECT_NE(sentence.find("0 image shifts for 3 contact pairs"), std::string::npos) << sentence;
 }
 
+/// i of the first set and j of the second, whose gaps and ids are its own.
+TEST(WriteContacts, TwoSets) {
+  Snapshot other = three_in_a_row();
+  other.x = {-1.5, 3.0};
+  other.y = {0, 0};
+  other.radius = {1.0, 0.0};
+  other.ids = {40, 50};
+  const Snapshot first = three_in_a_row();
+  const std::vector<ContactPair> pairs{{0, 0}, {2, 1}};
+  const Scratch scratch;
+  const auto text = [&](ContactFormat format, IdColumns ids, const ContactImages& images = {}) {
+    write_contacts({scratch.path("out"), format, ids, {}}, {first, other}, pairs, images);
+    return text_of(scratch.path("out"));
+  };
+  EXPECT_EQ(text(ContactFormat::csv, IdColumns::without),
+            "i,j,gap\n0,0,0\n2,1,0.14999999999999991\n");
+  EXPECT_EQ(text(ContactFormat::csv, IdColumns::with),
+            "i,j,id_i,id_j,gap\n0,0,70,40,0\n2,1,9,50,0.14999999999999991\n");
+  EXPECT_EQ(text(ContactFormat::json, IdColumns::without),
+            "{\n\"elements\": 5,\n\"sets\": [3, 2],\n\"dimensions\": 2,\n\"contact_pairs\": 2,\n"
+            "\"columns\": [\"i\", \"j\", \"gap\"],\n"
+            "\"pairs\": [\n[0, 0, 0],\n[2, 1, 0.1499999999999999]\n]\n}\n");
+  const std::vector<ImageShift> shifts{{0, 0, 0}, {-1, 0, 0}};
+  EXPECT_EQ(text(ContactFormat::csv, IdColumns::without,
+                 {std::span(shifts), Domain::periodic({1.0, unbounded})}),
+            "i,j,nx,ny,nz,gap\n0,0,0,0,0,0\n2,1,-1,0,0,-0.64999999999999991\n");
+
+  const std::vector<ContactPair> beyond{{0, 2}};
+  const std::string sentence = sentence_of(ErrorCode::wrong_usage, [&] {
+    write_contacts({scratch.path("a"), ContactFormat::csv, IdColumns::without, {}}, {first, other},
+                   beyond);
+  });
+  EXPECT_NE(sentence.find("(0, 2) names an element beyond the 2 there are"), std::string::npos)
+      << sentence;
+  other.ids.clear();
+  other.source = "walls.csv";
+  EXPECT_NE(sentence_of(ErrorCode::invalid_input,
+                        [&] { static_cast<void>(text(ContactFormat::csv, IdColumns::with)); })
+                .find("walls.csv has no ids"),
+            std::string::npos);
+}
+
 TEST(WriteContacts, OrderIsKept) {
   const std::vector<ContactPair> backwards{two_pairs[1], two_pairs[0]};
   EXPECT_EQ(written(ContactFormat::csv, IdColumns::without, three_in_a_row(), backwards),

@@ -4,6 +4,7 @@
 #include "io/write_contacts.hpp"
 
 #include <abut/detect.hpp>
+#include <abut/two_sets.hpp>
 
 #include <exception>
 #include <iostream>
@@ -22,6 +23,24 @@ void write(const std::string& path, const Snapshot& snapshot,
                            snapshot, pairs.pairs(), {pairs.shifts(), domain});
 }
 
+/// Two discs with ids against those of another file, in the cell (3, 0), (0, 9).
+void write_two_sets(const std::string& folder, const Snapshot& second) {
+  Snapshot first;
+  first.dimensions = 2;
+  first.x = {0.25, 1};
+  first.y = {8.5, 1};
+  first.radius = {0.5, 0.125};
+  first.ids = {7, 8};
+  abut::Options options;
+  options.shifts = abut::Shifts::stored;
+  const abut::Domain domain = abut::Domain::periodic({3.0, 9.0});
+  const abut::PairList pairs =
+      abut::find_contact_pairs(first.elements(), second.elements(), domain, options);
+  abut::io::write_contacts(
+      {folder + "/two_sets.vtp", abut::io::ContactFormat::vtp, abut::io::IdColumns::without, {}},
+      {first, second}, pairs.pairs(), {pairs.shifts(), domain});
+}
+
 void write_all(const std::string& folder) {
   write(folder + "/spheres.vtp", abut::io::read_snapshot(ABUT_EXAMPLE_DATA "/lammps_pour.dump"));
 
@@ -32,6 +51,9 @@ void write_all(const std::string& folder) {
   discs.radius = {0.5, 0.75, 0.75, 0.25};
   write(folder + "/discs.vtp", discs);
   write(folder + "/periodic.vtp", discs, abut::Domain::lattice({3, 0}, {1, 9}));
+
+  discs.ids = {1, 2, 3, 4};
+  write_two_sets(folder, discs);
 
   Snapshot alone;
   alone.x = alone.y = alone.z = alone.radius = {1};

@@ -144,12 +144,15 @@ std::vector<Answer> answers_of(const std::vector<Measurement>& measurements) {
   return answers;
 }
 
-std::string bench_text(const io::Snapshot& snapshot, const Domain& domain,
+std::string bench_text(const ElementSets& sets, const LoadedRule& rule,
                        const std::vector<Measurement>& measurements) {
+  const io::Snapshot& snapshot = sets.first;
+  const Domain& domain = sets.domain;
   const std::vector<Answer> answers = answers_of(measurements);
   std::string head = fmt::format("{}: {}", snapshot.source, elements_text(snapshot));
   if (domain.is_periodic()) head += ", periodic in " + axes_text(domain.periodic_axes());
   if (!answers.empty()) head += ", " + counted(answers.front().contact_pairs, "contact pair");
+  if (!rule.text().empty()) head += fmt::format(" (left out: {})", rule.text());
   return head + '\n' + table_of(measurements) + legend_of(measurements) +
          refusals_of(measurements) + equality_line(answers);
 }

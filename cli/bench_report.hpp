@@ -1,8 +1,10 @@
 #pragma once
 
 #include "answer.hpp"
+#include "element_sets.hpp"
 #include "io/snapshot.hpp"
 #include "measurement.hpp"
+#include "rule_options.hpp"
 
 #include <string>
 #include <vector>
@@ -15,7 +17,7 @@ namespace abut::cli {
 [[nodiscard]] std::vector<Answer> answers_of(const std::vector<Measurement>& measurements);
 
 /// A table for people.
-[[nodiscard]] std::string bench_text(const io::Snapshot& snapshot, const Domain& domain,
+[[nodiscard]] std::string bench_text(const ElementSets& sets, const LoadedRule& rule,
                                      const std::vector<Measurement>& measurements);
 
 /// The same and more as one JSON object.

@@ -34,11 +34,12 @@ std::vector<Algorithm> algorithms_of(const BenchOptions& options, const Domain& 
 /// One after the other measures what the options ask for.
 class Bench {
  public:
-  Bench(const BenchOptions& options, const io::Snapshot& snapshot, const Domain& domain,
+  Bench(const BenchOptions& options, const ElementSets& sets, const LoadedRule& rule,
         Console& console)
       : options_(options),
-        snapshot_(snapshot),
-        domain_(domain),
+        snapshot_(sets.first),
+        domain_(sets.domain),
+        rule_(rule),
         console_(console),
         threads_(options.threads) {
     if (threads_.empty()) threads_ = {1, 0};
@@ -88,12 +89,14 @@ class Bench {
     Options detection;
     detection.margin = options_.margin;
     detection.max_bytes = options_.max_bytes;
+    detection.rule = rule_.rule();
     return measure(subject, snapshot_.elements(), domain_, detection, effort, console_);
   }
 
   const BenchOptions& options_;
   const io::Snapshot& snapshot_;
   const Domain& domain_;
+  const LoadedRule& rule_;
   Console& console_;
   std::vector<int> threads_;
   std::size_t planned_ = 1;  ///< measurements
@@ -104,13 +107,16 @@ class Bench {
 
 void run(const BenchOptions& options) {
   Console console(options.console);
-  const io::Snapshot snapshot = load_snapshot(options.source, console);
-  const Domain domain = domain_of(options.source.input.domain, snapshot);
-  const std::vector<Measurement> measurements = Bench(options, snapshot, domain, console).run();
+  require_one_standard_input({options.source.input.path, options.rule.exclude});
+  ElementSets sets;
+  sets.first = load_snapshot(options.source, console);
+  sets.domain = domain_of(options.source.input.domain, sets.first);
+  const LoadedRule rule(options.source.input, options.rule, sets, console);
+  const std::vector<Measurement> measurements = Bench(options, sets, rule, console).run();
   console.finish();
   const std::vector<Answer> answers = answers_of(measurements);
-  write_out(options.listing == Listing::json ? bench_json(snapshot, measurements)
-                                             : bench_text(snapshot, domain, measurements));
+  write_out(options.listing == Listing::json ? bench_json(sets.first, measurements)
+                                             : bench_text(sets, rule, measurements));
   require_equal(answers);
 }
 

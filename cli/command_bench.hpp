@@ -3,6 +3,7 @@
 #include "console.hpp"
 #include "file_or_scene.hpp"
 #include "listing.hpp"
+#include "rule_options.hpp"
 
 #include <abut/algorithm.hpp>
 
@@ -14,6 +15,7 @@ namespace abut::cli {
 
 struct BenchOptions {
   FileOrScene source;
+  RuleOptions rule;
   std::vector<Algorithm> algorithms;       ///< empty: rows, and those that are fast enough
   std::vector<int> threads;                ///< empty: one, and what OpenMP takes
   std::optional<std::size_t> repetitions;  ///< as many as a few seconds allow

@@ -2,6 +2,7 @@
 
 #include "console.hpp"
 #include "load_snapshot.hpp"
+#include "rule_options.hpp"
 
 #include <abut/options.hpp>
 
@@ -14,6 +15,8 @@ enum class Report { summary, count, digest, json };
 
 struct ContactsOptions {
   InputOptions input;
+  std::string against;  ///< the file of a second set; empty: one set
+  RuleOptions rule;
   Options detection;
   ConsoleOptions console;
   std::string output;         ///< empty: pairs are not written; "-" is standard output

@@ -6,6 +6,7 @@
 #include "text_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -77,6 +78,17 @@ std::string box_text(const io::Snapshot& snapshot) {
   return (upright ? lengths : vectors) + ", ";
 }
 
+/// Columns that --groups may name.
+std::string groups_text(const io::Snapshot& snapshot) {
+  constexpr std::size_t most = 8;
+  const std::vector<std::string>& names = snapshot.group_columns;
+  const std::size_t shown = std::min(names.size(), most);
+  std::string text = fmt::format(
+      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  return text;
+}
+
 std::string next_command(const InfoOptions& options) {
   std::string command = "abut contacts " + shell_quoted(options.input.path);
   if (options.input.frame.has_value()) command += fmt::format(" --frame {}", *options.input.frame);
@@ -109,6 +121,9 @@ std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot) {
   table.add_row(
       {"box", box_text(snapshot) + (axes.empty() ? "not periodic" : "periodic in " + axes)});
   table.add_row({"ids", ids_text(snapshot)});
+  if (!snapshot.group_columns.empty() && snapshot.size() > 0) {
+    table.add_row({"groups", "can be " + groups_text(snapshot)});
+  }
   table.add_row({"next", next_command(options)});
   return snapshot.source + '\n' + table.text("  ");
 }
@@ -136,20 +151,26 @@ std::string json_of(const io::Snapshot& snapshot) {
     }
     box += "]";
   }
+  std::string groups;
+  for (const std::string& name : snapshot.group_columns) {
+    groups += (groups.empty() ? "" : ", ") + json_string(name);
+  }
   return fmt::format(
       "{{\"file\": {}, \"format\": {}, \"frame\": {}, \"frames\": {}, \"elements\": {}, "
       "\"dimensions\": {}, \"center\": {{\"min\": [{}], \"max\": [{}]}}, \"radius\": {}, "
-      "\"periodic\": [{}, {}, {}], \"box\": {}, \"ids\": {}}}\n",
+      "\"periodic\": [{}, {}, {}], \"box\": {}, \"ids\": {}, \"group_columns\": [{}]}}\n",
       json_string(snapshot.source), json_string(snapshot.format), snapshot.frame,
       snapshot.frame_count, snapshot.size(), snapshot.dimensions, least, most, radii, periodic[0],
-      periodic[1], periodic[2], box, !snapshot.ids.empty());
+      periodic[1], periodic[2], box, !snapshot.ids.empty(), groups);
 }
 
 }  // namespace
 
 void run(const InfoOptions& options) {
   Console console(options.console);
-  const io::Snapshot snapshot = load_snapshot(options.input, console);
+  InputOptions input = options.input;
+  input.group_columns = io::GroupColumns::sought;
+  const io::Snapshot snapshot = load_snapshot(input, console);
   console.finish();
   write_out(options.listing == Listing::json ? json_of(snapshot) : text_of(options, snapshot));
 }

@@ -1,5 +1,6 @@
 #include "command_neighbors.hpp"
 
+#include "element_sets.hpp"
 #include "human_text.hpp"
 #include "io/output_file.hpp"
 #include "io/text_output.hpp"
@@ -7,6 +8,7 @@
 
 #include <abut/error.hpp>
 #include <abut/points.hpp>
+#include <abut/two_sets.hpp>
 
 #include <fmt/format.h>
 
@@ -56,48 +58,70 @@ void write(const NeighborList& list, const Domain& domain, const std::string& pa
   file.commit();
 }
 
-std::string summary(const NeighborsOptions& options, const io::Snapshot& snapshot,
-                    const NeighborList& list) {
+std::string summary(const NeighborsOptions& options, const ElementSets& sets,
+                    const LoadedRule& rule, const NeighborList& list) {
   std::size_t most = 0;
   std::size_t alone = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     most = std::max(most, list[i].size());
     alone += list[i].empty() ? 1 : 0;
   }
-  const bool full = options.kind == NeighborListKind::full;
+  std::string text = fmt::format("{}: {}, cutoff {}\n", sets.first.source,
+                                 elements_text(sets.first), options.cutoff);
+  const char* kind = options.kind == NeighborListKind::full ? "full " : "half ";
+  if (sets.are_two()) {
+    text += fmt::format("against {}: {}\n", sets.second->source, elements_text(*sets.second));
+    kind = "";
+  }
   const double size = static_cast<double>(std::max<std::size_t>(list.size(), 1));
-  return fmt::format(
-      "{}: {}, cutoff {}\n"
-      "  neighbors        {} in a {} list of {} pairs\n"
-      "  of an element    mean {:.4g}, at most {}; {} of {} have none\n"
-      "  algorithm        {}\n",
-      snapshot.source, elements_text(snapshot), options.cutoff, list.neighbors().size(),
-      full ? "full" : "half", list.statistics().contact_pairs,
-      static_cast<double>(list.neighbors().size()) / size, most, alone, list.size(),
-      name_of(list.statistics().algorithm));
+  text += fmt::format("  neighbors        {} in a {}list of {} pairs\n", list.neighbors().size(),
+                      kind, list.statistics().contact_pairs);
+  if (!rule.text().empty()) text += fmt::format("  left out         {}\n", rule.text());
+  return text + fmt::format(
+                    "  of an element    mean {:.4g}, at most {}; {} of {} have none\n"
+                    "  algorithm        {}\n",
+                    static_cast<double>(list.neighbors().size()) / size, most, alone, list.size(),
+                    name_of(list.statistics().algorithm));
+}
+
+ElementSets read(const NeighborsOptions& options, Console& console) {
+  require_one_standard_input({options.input.path, options.against, options.rule.exclude});
+  for (const std::string& path : {options.input.path, options.against, options.rule.exclude}) {
+    require_other_file(path, options.output);
+  }
+  InputOptions input = options.input;
+  if (!input.radius) input.radius = 0.0;  // points need none, whatever the files say
+  return load_sets(input, options.against, console);
+}
+
+NeighborList detect(const NeighborsOptions& options, const ElementSets& sets,
+                    const LoadedRule& rule, Console& console) {
+  Options detection = options.detection;
+  detection.progress = console.progress();
+  detection.rule = rule.rule();
+  if (!options.output.empty()) {
+    detection.neighbor_data = NeighborData::distances;
+    detection.shifts = sets.domain.is_periodic() ? Shifts::stored : Shifts::none;
+  }
+  const ElementView first = centers_of(sets.first);
+  if (!sets.are_two()) {
+    return neighbors(first, options.cutoff, sets.domain, options.kind, detection);
+  }
+  detection.margin = options.cutoff;
+  return build_neighbor_list(first, centers_of(*sets.second), sets.domain, detection);
 }
 
 }  // namespace
 
 void run(const NeighborsOptions& options) {
   Console console(options.console);
-  require_other_file(options.input.path, options.output);
-  InputOptions input = options.input;
-  if (!input.radius) input.radius = 0.0;  // points need none, whatever the file says
-  const io::Snapshot snapshot = load_snapshot(input, console);
-  const Domain domain = domain_of(options.input.domain, snapshot);
-  Options detection = options.detection;
-  detection.progress = console.progress();
-  if (!options.output.empty()) {
-    detection.neighbor_data = NeighborData::distances;
-    detection.shifts = domain.is_periodic() ? Shifts::stored : Shifts::none;
-  }
-  const NeighborList list =
-      neighbors(centers_of(snapshot), options.cutoff, domain, options.kind, detection);
-  if (!options.output.empty()) write(list, domain, options.output);
+  const ElementSets sets = read(options, console);
+  const LoadedRule rule(options.input, options.rule, sets, console);
+  const NeighborList list = detect(options, sets, rule, console);
+  if (!options.output.empty()) write(list, sets.domain, options.output);
   console.finish();
   if (console.is_quiet()) return;
-  report_beside(options.output, summary(options, snapshot, list));
+  report_beside(options.output, summary(options, sets, rule, list));
 }
 
 }  // namespace abut::cli

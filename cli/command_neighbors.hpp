@@ -2,6 +2,7 @@
 
 #include "console.hpp"
 #include "load_snapshot.hpp"
+#include "rule_options.hpp"
 
 #include <abut/neighbor_list.hpp>
 #include <abut/options.hpp>
@@ -12,6 +13,8 @@ namespace abut::cli {
 
 struct NeighborsOptions {
   InputOptions input;
+  std::string against;  ///< the file of a second set; empty: one set
+  RuleOptions rule;
   double cutoff = 0.0;
   NeighborListKind kind = NeighborListKind::half;
   Options detection;

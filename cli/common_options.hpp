@@ -5,6 +5,7 @@
 #include "argument.hpp"
 #include "io/read_snapshot.hpp"
 #include "parse.hpp"
+#include "rule_options.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -57,6 +58,42 @@ inline void add_console(CLI::App& app, ConsoleOptions& console) {
 
 inline void add_json(CLI::App& app, Listing& listing) {
   add_switch(app, "--json", "one JSON object", listing, Listing::json);
+}
+
+/// An option whose value is a name, which cannot be empty.
+inline CLI::Option* add_name(CLI::App& app, const std::string& name, const std::string& type,
+                             const std::string& description, std::string& target) {
+  return add_value(app, name, type, description, [name, &target](const std::string& text) {
+    if (text.empty()) reject(name, "''", "a name");
+    target = text;
+  });
+}
+
+/// The file of a second set of elements.
+inline CLI::Option* add_against(CLI::App& app, std::string& against) {
+  return add_name(
+      app, "--against", "FILE2",
+      "a second set: pairs are those of i in FILE and j in FILE2. --frame is then for files of "
+      "several frames, --radius for files without radii; the box of one file holds for both",
+      against);
+}
+
+/// Who may pair.
+inline void add_rule(CLI::App& app, InputOptions& input, RuleOptions& rule) {
+  CLI::Option* groups = add_name(
+      app, "--groups", "NAME",
+      "a column of whole numbers, such as mol; elements of one group do not pair", input.groups);
+  app.add_option_function<std::vector<std::string>>(
+         "--deny",
+         [&rule](const std::vector<std::string>& pairs) {
+           for (const std::string& pair : pairs) rule.denied.push_back(groups_denied(pair));
+         },
+         "instead, groups A and B do not pair, A,A for one with itself; may be repeated")
+      ->type_name("A,B")
+      ->allow_extra_args(false)
+      ->needs(groups);
+  add_name(app, "--exclude", "PAIRS",
+           "a CSV file with columns i and j, as -o writes them: these do not pair", rule.exclude);
 }
 
 inline void add_frame_and_radius(CLI::App& app, InputOptions& input) {

@@ -1,11 +1,10 @@
 #include "contact_summary.hpp"
 
+#include "contact_findings.hpp"
 #include "human_text.hpp"
-#include "interrupt.hpp"
 #include "text_table.hpp"
 
 #include <abut/algorithm.hpp>
-#include <abut/detect.hpp>
 
 #include <fmt/format.h>
 
@@ -13,60 +12,21 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <tuple>
-#include <vector>
+#include <string>
 
 namespace abut::cli {
 namespace {
 
-/// What one pass over the pairs tells.
-struct Findings {
-  std::uint64_t elements_without_pair = 0;
-  std::uint32_t highest_coordination = 0;
-  double smallest_gap = std::numeric_limits<double>::infinity();
-  ContactPair closest;
-  ImageShift shift;  ///< of the closest
-};
-
-Findings findings(const Contacts& contacts) {
-  constexpr std::uint64_t pairs_between_looks = 1 << 20;
-  Findings found;
-  std::vector<std::uint32_t> coordination(contacts.snapshot.size(), 0);
-  const ElementView elements = contacts.snapshot.elements();
-  for (std::size_t k = 0; k < contacts.pairs.size(); ++k) {
-    if ((k + 1) % pairs_between_looks == 0) stop_if_interrupted();
-    const ContactPair& pair = contacts.pairs[k];
-    const ImageShift shift = contacts.shift(k);
-    ++coordination[pair.first];
-    ++coordination[pair.second];
-    const double gap_here = gap(elements, contacts.domain, pair, shift);
-    // Of equal gaps the first in canonical order, whatever the order of the list.
-    if (gap_here < found.smallest_gap ||
-        (gap_here == found.smallest_gap &&
-         std::tie(pair, shift) < std::tie(found.closest, found.shift))) {
-      found.smallest_gap = gap_here;
-      found.closest = pair;
-      found.shift = shift;
-    }
+std::string domain_text(const ElementSets& sets) {
+  if (sets.domain.is_periodic()) {
+    return ", periodic in " + axes_text(sets.domain.periodic_axes());
   }
-  for (const std::uint32_t neighbors : coordination) {
-    found.highest_coordination = std::max(found.highest_coordination, neighbors);
-    if (neighbors == 0) ++found.elements_without_pair;
-  }
-  return found;
-}
-
-std::string domain_text(const Contacts& contacts) {
-  if (contacts.domain.is_periodic()) {
-    return ", periodic in " + axes_text(contacts.domain.periodic_axes());
-  }
-  const std::string axes = axes_text(periodic_axes(contacts.snapshot));
+  std::string axes = axes_text(periodic_axes(sets.first));
+  if (axes.empty()) axes = axes_text(periodic_axes(sets.partners()));
   return axes.empty() ? ", open space" : fmt::format(", periodic in {} but taken as open", axes);
 }
 
-std::string file_line(const Contacts& contacts) {
-  const io::Snapshot& snapshot = contacts.snapshot;
+std::string file_text(const io::Snapshot& snapshot) {
   std::string line = fmt::format("{}: {}", snapshot.source, snapshot.format);
   if (snapshot.frame_count > 1) line += ", " + frame_text(snapshot);
   line += ", " + elements_text(snapshot);
@@ -76,37 +36,58 @@ std::string file_line(const Contacts& contacts) {
     line += *least == *most ? fmt::format(" of {} {}", size, measure(*least))
                             : fmt::format(" of {} {} to {}", size, measure(*least), measure(*most));
   }
-  return line + domain_text(contacts);
+  return line;
 }
 
-std::string share_text(std::uint64_t part, std::uint64_t whole) {
-  const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-  return fmt::format("{} of {} ({:.1f} %)", grouped(part), counted(whole, "element"), percent);
+std::string files_text(const ElementSets& sets) {
+  std::string text = wrapped(file_text(sets.first) + domain_text(sets), 100, 2) + '\n';
+  if (sets.are_two()) text += wrapped("against " + file_text(*sets.second), 100, 2) + '\n';
+  return text;
 }
 
-std::string coordination_text(const PairList& pairs, const Findings& found) {
-  const Statistics& statistics = pairs.statistics();
-  const double mean =
-      2.0 * static_cast<double>(pairs.size()) / static_cast<double>(statistics.elements);
-  return fmt::format("mean {:.3f}, at most {}", mean, found.highest_coordination);
+/// Of both sets what `text_of(set, its number)` says of one.
+template <class Text>
+std::string of_each_set(const ElementSets& sets, const Text& text_of) {
+  std::string text = text_of(sets.first, std::size_t{0});
+  if (sets.are_two()) text += "; of the second file " + text_of(*sets.second, std::size_t{1});
+  return text;
 }
 
-std::string closest_text(const io::Snapshot& snapshot, const Findings& found) {
+std::string coordination_text(const ElementSets& sets, const PairList& pairs,
+                              const Findings& found) {
+  const double ends = sets.are_two() ? 1.0 : 2.0;  // of a pair in one set
+  return of_each_set(sets, [&](const io::Snapshot& snapshot, std::size_t set) {
+    const double mean =
+        ends * static_cast<double>(pairs.size()) / static_cast<double>(snapshot.size());
+    return fmt::format("mean {:.3f}, at most {}", mean, found.coordination[set].highest);
+  });
+}
+
+std::string alone_text(const ElementSets& sets, const Findings& found) {
+  return of_each_set(sets, [&](const io::Snapshot& snapshot, std::size_t set) {
+    const std::uint64_t alone = found.coordination[set].elements_without_pair;
+    return fmt::format("{} of {} ({:.1f} %)", grouped(alone), counted(snapshot.size(), "element"),
+                       100.0 * static_cast<double>(alone) / static_cast<double>(snapshot.size()));
+  });
+}
+
+std::string closest_text(const ElementSets& sets, const Findings& found) {
   std::string text = fmt::format("{:.4g}", std::abs(found.smallest_gap));
-  const double smaller =
-      std::min(snapshot.radius[found.closest.first], snapshot.radius[found.closest.second]);
+  const double smaller = std::min(sets.first.radius[found.closest.first],
+                                  sets.partners().radius[found.closest.second]);
   if (found.smallest_gap < 0.0 && smaller > 0.0) {
     text += fmt::format(", {:.2f} % of the smaller {}", -100.0 * found.smallest_gap / smaller,
-                        snapshot.holds_boxes() ? "half width" : "radius");
+                        sets.first.holds_boxes() ? "half width" : "radius");
   }
   return text;
 }
 
-std::string closest_elements(const io::Snapshot& snapshot, const Findings& found) {
+std::string closest_elements(const ElementSets& sets, const Findings& found) {
   const auto [i, j] = found.closest;
-  std::string text = fmt::format("elements {} and {}", i, j);
-  if (!snapshot.ids.empty()) {
-    text += fmt::format(", ids {} and {}", snapshot.ids[i], snapshot.ids[j]);
+  std::string text = sets.are_two() ? fmt::format("element {} and {} of the second file", i, j)
+                                    : fmt::format("elements {} and {}", i, j);
+  if (!sets.first.ids.empty() && !sets.partners().ids.empty()) {
+    text += fmt::format(", ids {} and {}", sets.first.ids[i], sets.partners().ids[j]);
   }
   if (found.shift != ImageShift{}) {
     text += fmt::format(", image ({}, {}, {}) of the second", found.shift.x, found.shift.y,
@@ -132,11 +113,12 @@ bool is_vtp(const ContactsOptions& options) {
 std::string next_command(const ContactsOptions& options) {
   if (is_vtp(options) && options.output != "-") return "paraview " + shell_quoted(options.output);
   std::string command = "abut contacts " + shell_quoted(options.input.path);
+  if (!options.against.empty()) command += " --against " + shell_quoted(options.against);
   if (options.input.frame.has_value()) command += fmt::format(" --frame {}", *options.input.frame);
   if (options.input.radius.has_value()) {
     command += fmt::format(" --radius {}", *options.input.radius);
   }
-  command += options.input.domain.as_given;
+  command += options.input.domain.as_given + as_given(options.input, options.rule);
   if (options.detection.margin > 0.0) {
     command += fmt::format(" --margin {}", options.detection.margin);
   }
@@ -147,24 +129,25 @@ std::string next_command(const ContactsOptions& options) {
 
 std::string contact_summary(const ContactsOptions& options, const Contacts& contacts,
                             const PhaseSeconds& seconds) {
-  const io::Snapshot& snapshot = contacts.snapshot;
+  const ElementSets& sets = contacts.sets;
   const PairList& pairs = contacts.pairs;
   const Statistics& statistics = pairs.statistics();
+  const bool with_margin = options.detection.margin > 0.0;
   TextTable table({Align::left, Align::left});
   std::string count = grouped(pairs.size());
-  if (options.detection.margin > 0.0) {
+  if (with_margin) {
     count += fmt::format(", touching or at most {} apart", measure(options.detection.margin));
   }
   table.add_row({"contact pairs", count});
-  if (!snapshot.x.empty()) {
-    const Findings found = findings(contacts);
-    table.add_row({"coordination", coordination_text(pairs, found)});
-    table.add_row({options.detection.margin > 0.0 ? "without a pair" : "touch nothing",
-                   share_text(found.elements_without_pair, statistics.elements)});
+  if (!contacts.rule.text().empty()) table.add_row({"left out", contacts.rule.text()});
+  if (sets.first.size() > 0 && sets.partners().size() > 0) {
+    const Findings found = findings(sets, pairs);
+    table.add_row({"coordination", coordination_text(sets, pairs, found)});
+    table.add_row({with_margin ? "without a pair" : "touch nothing", alone_text(sets, found)});
     if (!pairs.empty()) {
       table.add_row({found.smallest_gap <= 0.0 ? "deepest overlap" : "smallest gap",
-                     closest_text(snapshot, found)});
-      table.add_row({"  between", closest_elements(snapshot, found)});
+                     closest_text(sets, found)});
+      table.add_row({"  between", closest_elements(sets, found)});
     }
   }
   table.add_row(
@@ -179,7 +162,7 @@ std::string contact_summary(const ContactsOptions& options, const Contacts& cont
     table.add_row({"written to", options.output});
   }
   table.add_row({"next", next_command(options)});
-  return wrapped(file_line(contacts), 100, 2) + '\n' + table.text("  ");
+  return files_text(sets) + table.text("  ");
 }
 
 }  // namespace abut::cli

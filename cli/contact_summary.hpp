@@ -1,7 +1,9 @@
 #pragma once
 
 #include "command_contacts.hpp"
+#include "element_sets.hpp"
 #include "phase_seconds.hpp"
+#include "rule_options.hpp"
 
 #include <abut/pair_list.hpp>
 
@@ -9,15 +11,11 @@
 
 namespace abut::cli {
 
-/// Elements, where they live, and their contacts.
+/// Elements, who of them may pair, and their contacts.
 struct Contacts {
-  const io::Snapshot& snapshot;
-  const Domain& domain;
+  const ElementSets& sets;
+  const LoadedRule& rule;
   const PairList& pairs;  ///< with their shifts where the domain is periodic
-
-  [[nodiscard]] ImageShift shift(std::size_t k) const {
-    return pairs.shifts().empty() ? ImageShift{} : pairs.shifts()[k];
-  }
 };
 
 /// What people want to know about a packing at first sight.

@@ -78,6 +78,17 @@ Domain domain_of_file(const DomainOptions& options, const io::Snapshot& snapshot
   return domain_of_vectors(snapshot, *snapshot.box, axes);
 }
 
+/// "open", or "periodic along (9, 0, 0)", with all digits.
+std::string domain_words(const Domain& domain) {
+  std::string vectors;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!domain.is_periodic(axis)) continue;
+    const auto& [x, y, z] = domain.vector(axis);
+    vectors += fmt::format("{}({}, {}, {})", vectors.empty() ? "" : " and ", x, y, z);
+  }
+  return vectors.empty() ? "open" : "periodic along " + vectors;
+}
+
 }  // namespace
 
 Axes axes_named(const std::string& text) {
@@ -118,6 +129,20 @@ Domain domain_of(const DomainOptions& options, const io::Snapshot& snapshot) {
         ErrorCode::wrong_usage,
         fmt::format("{}: {}", options.lattice.empty() ? "--box" : "--lattice", error.what()));
   }
+}
+
+Domain domain_of(const DomainOptions& options, const io::Snapshot& first,
+                 const io::Snapshot& second) {
+  const bool of_files = options.box.empty() && options.lattice.empty();
+  if (!of_files || !second.box.has_value()) return domain_of(options, first);
+  if (!first.box.has_value()) return domain_of(options, second);
+  const Domain domain = domain_of(options, first);
+  const Domain other = domain_of(options, second);
+  if (domain == other) return domain;
+  throw Error(ErrorCode::wrong_usage,
+              fmt::format("{} is {} and {} is {}; say what holds for both with --box, --lattice "
+                          "or --periodic",
+                          first.source, domain_words(domain), second.source, domain_words(other)));
 }
 
 void require_open(const DomainOptions& options, const io::Snapshot& snapshot,

@@ -28,6 +28,11 @@ struct DomainOptions {
 /// names no box for its periodic axes; Error{invalid_input} where the box of the file makes none.
 [[nodiscard]] Domain domain_of(const DomainOptions& options, const io::Snapshot& snapshot);
 
+/// The domain of two sets of elements: that of the options, else of the file that names a box.
+/// Throws Error{wrong_usage} where the boxes of both make different domains.
+[[nodiscard]] Domain domain_of(const DomainOptions& options, const io::Snapshot& first,
+                               const io::Snapshot& second);
+
 /// Throws Error{wrong_usage} unless the domain is open; `what` completes "... takes open space".
 void require_open(const DomainOptions& options, const io::Snapshot& snapshot,
                   const std::string& what);

@@ -1,7 +1,6 @@
 #include "load_snapshot.hpp"
 
 #include "human_text.hpp"
-#include "io/read_snapshot.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +9,9 @@
 namespace abut::cli {
 
 io::Snapshot load_snapshot(const InputOptions& input, Console& console) {
-  io::Snapshot snapshot =
-      io::read_snapshot(input.path, {input.format, input.radius, input.frame, console.progress()});
+  io::Snapshot snapshot = io::read_snapshot(
+      input.path, {input.format, input.radius, input.frame, console.progress(), input.radius_use,
+                   input.lone_frame, input.groups, input.group_columns});
   if (snapshot.frame_count > 1 || input.frame.has_value()) {
     console.note(fmt::format("{}: {}", snapshot.source, frame_text(snapshot)));
   }

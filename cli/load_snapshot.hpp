@@ -2,6 +2,7 @@
 
 #include "console.hpp"
 #include "domain_options.hpp"
+#include "io/read_snapshot.hpp"
 #include "io/snapshot.hpp"
 
 #include <cstdint>
@@ -15,7 +16,13 @@ struct InputOptions {
   std::string format;  ///< empty: by suffix, then content
   std::optional<double> radius;
   std::optional<std::int64_t> frame;
+  std::string groups;  ///< name of the column of groups; empty: none
   DomainOptions domain;
+
+  /// Set by commands, not by the command line.
+  io::RadiusUse radius_use = io::RadiusUse::in_place_of_own;
+  io::LoneFrame lone_frame = io::LoneFrame::by_its_number;
+  io::GroupColumns group_columns = io::GroupColumns::not_sought;
 };
 
 /// Reads the elements; says which frame was taken where a file has several.

@@ -84,10 +84,13 @@ void add_contacts(CLI::App& app, Command& command) {
   sub.footer(
       "abut contacts packing.csv\n"
       "abut contacts pour.dump --frame 0 -o contacts.vtp\n"
-      "abut contacts packing.csv -o - | head");
+      "abut contacts packing.csv -o - | head\n"
+      "abut contacts probes.csv --against packing.csv --radius 0\n"
+      "abut contacts chains.data --groups mol --exclude bonds.csv");
   auto options = hand_over<ContactsOptions>(sub, command);
   auto format = std::make_shared<std::string>();
   sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_against(sub, options->against);
   add_value(
       sub, "-o,--output", "OUT",
       "write the pairs to a file .csv, .json or .vtp, CSV without a suffix; - is standard output",
@@ -100,6 +103,7 @@ void add_contacts(CLI::App& app, Command& command) {
   ids->needs(sub.get_option("--output"));
   add_report(sub, options->report);
   add_detection(sub, options->detection);
+  add_rule(sub, options->input, options->rule);
   add_frame_and_radius(sub, options->input);
   add_domain(sub, options->input.domain);
   add_console(sub, options->console);
@@ -114,21 +118,26 @@ void add_neighbors(CLI::App& app, Command& command) {
   CLI::App& sub = *app.add_subcommand("neighbors", "finds the centers within a cutoff of each");
   sub.footer(
       "abut neighbors atoms.xyz --cutoff 3.5\n"
-      "abut neighbors pour.dump --cutoff 2.5 --full -o neighbors.csv");
+      "abut neighbors pour.dump --cutoff 2.5 --full -o neighbors.csv\n"
+      "abut neighbors probes.csv --against atoms.xyz --cutoff 3.5");
   auto options = hand_over<NeighborsOptions>(sub, command);
   sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
   add_value(sub, "--cutoff", "C", "neighbors are centers at most C apart",
             [options](const std::string& text) { options->cutoff = length("--cutoff", text); })
       ->required();
+  CLI::Option* against = add_against(sub, options->against);
   CLI::Option* full =
       add_switch(sub, "--full", "each pair from both sides", options->kind, NeighborListKind::full);
   add_switch(sub, "--half", "each pair once, at its smaller number: the default", options->kind,
              NeighborListKind::half)
-      ->excludes(full);
+      ->excludes(full)
+      ->excludes(against);
+  full->excludes(against);
   add_value(sub, "-o,--output", "OUT", "write the neighbors as CSV; - is standard output",
             [options](const std::string& text) { options->output = text; });
   add_search(sub, options->detection);
   add_limits(sub, options->detection);
+  add_rule(sub, options->input, options->rule);
   add_input(sub, options->input);
   add_console(sub, options->console);
 }
@@ -221,6 +230,7 @@ void add_bench(CLI::App& app, Command& command) {
   add_json(sub, options->listing);
   add_margin(sub, options->margin);
   add_max_memory(sub, options->max_bytes);
+  add_rule(sub, options->source.input, options->rule);
   add_input(sub, options->source.input);
   add_console(sub, options->console);
 }

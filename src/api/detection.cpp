@@ -87,21 +87,29 @@ class ResultRoom {
   std::uint64_t bytes_;
 };
 
-/// All the room of a list whose pairs are found where they are to stand. Empty if that fails.
+/// All the room of a list whose pairs, with their shifts, are found where they are to stand. Empty
+/// if that fails.
 class FilledInPlace {
  public:
-  explicit FilledInPlace(PairArray& pairs) : pairs_(pairs) { pairs.resize(pairs.capacity()); }
+  FilledInPlace(PairArray& pairs, ShiftArray& shifts) : pairs_(pairs), shifts_(shifts) {
+    pairs.resize(pairs.capacity());
+    shifts.resize(shifts.capacity());
+  }
   ~FilledInPlace() {
-    if (!is_filled_) pairs_.clear();
+    if (is_filled_) return;
+    pairs_.clear();
+    shifts_.clear();
   }
 
   FilledInPlace(const FilledInPlace&) = delete;
   FilledInPlace& operator=(const FilledInPlace&) = delete;
 
+  [[nodiscard]] LentRoom room() const noexcept { return {pairs_, shifts_}; }
   void set_filled() noexcept { is_filled_ = true; }
 
  private:
   PairArray& pairs_;
+  ShiftArray& shifts_;
   bool is_filled_ = false;
 };
 
@@ -256,8 +264,7 @@ bool is_measured(const Request& request) {
 }  // namespace
 
 template <class Arrange>
-Statistics Detection::find_and_arrange(const Request& request, std::span<ContactPair> lent,
-                                       Arrange&& arrange) {
+Statistics Detection::find_and_arrange(const Request& request, LentRoom lent, Arrange&& arrange) {
   return guarded(request, [&](DetectionContext& context) {
     found_.start_anew(request.options.max_pairs, shifts_to_find(request), lent);
     Statistics statistics = run(request, found_, context);
@@ -271,22 +278,22 @@ Statistics Detection::find_and_arrange(const Request& request, std::span<Contact
 }
 
 Statistics Detection::list_pairs(const Request& request, PairArray& pairs, ShiftArray& shifts) {
-  shifts.clear();
-  FilledInPlace in_place(pairs);
-  const auto lent =
-      request.options.order == Order::as_found ? std::span(pairs) : std::span<ContactPair>();
+  FilledInPlace in_place(pairs, shifts);
+  const LentRoom lent = request.options.order == Order::as_found ? in_place.room() : LentRoom{};
   Statistics statistics =
       find_and_arrange(request, lent, [&](PairPieces pieces, std::size_t workers) {
-        const ResultRoom room(pairs, found_.size(), memory_, found_.lent_filled());
-        const ResultRoom room_for_shifts(shifts, shift_count(request, found_.size()), memory_);
+        const std::size_t kept = found_.lent_filled();
+        const ResultRoom room(pairs, found_.size(), memory_, kept);
+        const ResultRoom room_for_shifts(shifts, shift_count(request, found_.size()), memory_,
+                                         std::min(kept, shifts.size()));
         const bool canonical = request.options.order == Order::canonical && !found_in_order_;
         if (shifts_to_find(request) == Shifts::stored) {
           const ImagePieces images{pieces, found_.shift_pieces()};
           return canonical ? order_.sort(images, request.elements.size(), pairs, shifts, workers)
-                           : order_.join(images, pairs, shifts, workers);
+                           : order_.join(images, pairs, shifts, workers, kept);
         }
         std::fill(shifts.begin(), shifts.end(), ImageShift{});
-        if (!canonical) return order_.join(pieces, pairs, workers, found_.lent_filled());
+        if (!canonical) return order_.join(pieces, pairs, workers, kept);
         order_.sort(pieces, request.elements.size(), pairs, workers);
       });
   in_place.set_filled();

@@ -125,8 +125,7 @@ class Detection {
   /// Finds the pairs, the first ones in `lent` if that can be, then has `arrange(pieces, workers)`
   /// lay them into the caller's arrays.
   template <class Arrange>
-  Statistics find_and_arrange(const Request& request, std::span<ContactPair> lent,
-                              Arrange&& arrange);
+  Statistics find_and_arrange(const Request& request, LentRoom lent, Arrange&& arrange);
 
   base::MemoryMeter memory_;
   Arrays<2> in_2d_{memory_};

@@ -23,10 +23,13 @@ FoundPairs::~FoundPairs() {
   }
 }
 
-void FoundPairs::start_anew(PairCount limit, Shifts shifts, std::span<ContactPair> lent) {
+void FoundPairs::start_anew(PairCount limit, Shifts shifts, LentRoom lent) {
   limit_ = limit;
   shifts_ = shifts;
-  lent_ = shifts == Shifts::none ? lent : std::span<ContactPair>();
+  lent_ = lent;
+  if (shifts == Shifts::stored) {
+    lent_.pairs = lent.pairs.first(std::min(lent.pairs.size(), lent.shifts.size()));
+  }
   lent_filled_ = 0;
   total_ = 0;
   for (const auto& worker : workers_) {
@@ -42,7 +45,7 @@ void FoundPairs::expect_workers(std::size_t count) {
 }
 
 std::span<ContactPair> FoundPairs::room(std::size_t number) {
-  if (is_lent_next()) return lent_.subspan(lent_filled_);
+  if (is_lent_next()) return lent_.pairs.subspan(lent_filled_);
   Worker& worker = *workers_[number];
   const auto free_in = [&](std::size_t k) {
     return worker.chunks[k].pairs.size() - worker.chunks[k].filled;
@@ -57,6 +60,7 @@ std::span<ContactPair> FoundPairs::room(std::size_t number) {
 
 std::span<ImageShift> FoundPairs::shift_room(std::size_t number) {
   if (shifts_ == Shifts::none) return {};
+  if (is_lent_next()) return lent_.shifts.subspan(lent_filled_);
   Worker& worker = *workers_[number];
   Chunk& chunk = worker.chunks[worker.current];
   if (chunk.shifts.empty()) make_room_for_shifts(chunk);
@@ -89,12 +93,15 @@ void FoundPairs::add_chunk(Worker& worker) {
 
 std::pair<std::span<const ContactPair>, const ImageShift*> FoundPairs::take(Worker& worker,
                                                                             std::size_t count) {
-  if (is_lent_next())
-    return {lent_.subspan(std::exchange(lent_filled_, lent_filled_ + count), count), nullptr};
+  const bool with_shifts = shifts_ == Shifts::stored;
+  if (is_lent_next()) {
+    const std::size_t begin = std::exchange(lent_filled_, lent_filled_ + count);
+    return {lent_.pairs.subspan(begin, count), with_shifts ? &lent_.shifts[begin] : nullptr};
+  }
   Chunk& chunk = worker.chunks[worker.current];
   const std::size_t begin = std::exchange(chunk.filled, chunk.filled + count);
   return {std::span<const ContactPair>(chunk.pairs).subspan(begin, count),
-          shifts_ == Shifts::stored ? chunk.shifts.data() + begin : nullptr};
+          with_shifts ? chunk.shifts.data() + begin : nullptr};
 }
 
 void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
@@ -109,7 +116,7 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   if (!worker.segments.empty()) {
     Segment& last = worker.segments.back();
     // What follows the room that was lent does not belong to it.
-    const bool is_elsewhere = added.data() == lent_.data() + lent_.size();
+    const bool is_elsewhere = added.data() == lent_.pairs.data() + lent_.pairs.size();
     if (last.unit == origin.unit && last.pairs.data() + last.pairs.size() == added.data() &&
         !is_elsewhere) {
       last.pairs = {last.pairs.data(), last.pairs.size() + count};

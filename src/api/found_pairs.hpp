@@ -17,6 +17,12 @@
 
 namespace abut::api {
 
+/// Room for pairs where they are to stand in the end, and for as many shifts if these are wanted.
+struct LentRoom {
+  std::span<ContactPair> pairs;
+  std::span<ImageShift> shifts;
+};
+
 /// Stores pairs as they are found, up to the limit and the memory bound: each worker in chunks of
 /// its own, which stay where they are. Their order is known when all are found. A worker that is
 /// alone finds them in order, and writes the first ones to where the caller wants them.
@@ -26,8 +32,8 @@ class FoundPairs final : public base::PairSink {
   ~FoundPairs() override;
 
   /// Forgets the pairs and keeps the memory. `lent` is room for the first pairs, if one worker
-  /// finds them all and no shifts are wanted.
-  void start_anew(PairCount limit, Shifts shifts = Shifts::none, std::span<ContactPair> lent = {});
+  /// finds them all.
+  void start_anew(PairCount limit, Shifts shifts = Shifts::none, LentRoom lent = {});
 
   void expect_workers(std::size_t count) override;
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
@@ -70,7 +76,7 @@ class FoundPairs final : public base::PairSink {
 
   /// Whether the next pairs go to the room that was lent: as long as there is enough of it.
   [[nodiscard]] bool is_lent_next() const noexcept {
-    return lent_.size() - lent_filled_ >= smallest_room;
+    return lent_.pairs.size() - lent_filled_ >= smallest_room;
   }
   /// The next `count` pairs of a worker, and their shifts.
   [[nodiscard]] std::pair<std::span<const ContactPair>, const ImageShift*> take(Worker& worker,
@@ -81,7 +87,7 @@ class FoundPairs final : public base::PairSink {
   base::MemoryMeter& memory_;
   PairCount limit_ = unlimited_pairs;
   Shifts shifts_ = Shifts::none;
-  std::span<ContactPair> lent_;
+  LentRoom lent_;
   std::size_t lent_filled_ = 0;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::atomic<PairCount> total_ = 0;

@@ -56,9 +56,10 @@ void PairOrder::join(PairPieces pieces, std::span<ContactPair> target, std::size
 }
 
 void PairOrder::join(const ImagePieces& pieces, std::span<ContactPair> target,
-                     std::span<ImageShift> shifts, std::size_t workers) {
+                     std::span<ImageShift> shifts, std::size_t workers, std::size_t in_place) {
   find_begins(pieces.pairs);
   base::for_each_index(workers, pieces.pairs.size(), [&](std::size_t, std::size_t k) {
+    if (begin_[k] < in_place) return;
     copy_to(pieces.pairs[k], target, begin_[k]);
     copy_to(pieces.shifts[k], shifts, begin_[k]);
   });

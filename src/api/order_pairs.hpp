@@ -44,7 +44,7 @@ class PairOrder {
 
   /// Both with image shifts, which are in the order of the pairs.
   void join(const ImagePieces& pieces, std::span<ContactPair> target, std::span<ImageShift> shifts,
-            std::size_t workers);
+            std::size_t workers, std::size_t in_place = 0);
   void sort(const ImagePieces& pieces, std::size_t element_count, std::span<ContactPair> target,
             std::span<ImageShift> shifts, std::size_t workers);
 

@@ -7,22 +7,30 @@
 
 namespace abut::engine {
 
-/// Numbers of elements; without a list, 0, 1, 2, ...
+/// Numbers of elements: a list, or so many from a first one on.
 class Numbers {
  public:
   Numbers() = default;
   explicit Numbers(std::size_t first_ones) : size_(first_ones) {}
   Numbers(const std::uint32_t* list, std::size_t size) : list_(list), size_(size) {}
 
+  [[nodiscard]] static Numbers from(std::uint32_t first, std::size_t size) {
+    Numbers numbers(nullptr, size);
+    numbers.first_ = first;
+    return numbers;
+  }
+
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-  [[nodiscard]] bool are_the_first() const noexcept { return list_ == nullptr; }
+  /// 0, 1, 2, ...
+  [[nodiscard]] bool are_the_first() const noexcept { return list_ == nullptr && first_ == 0; }
   [[nodiscard]] std::uint32_t operator[](std::size_t k) const noexcept {
-    return list_ == nullptr ? static_cast<std::uint32_t>(k) : list_[k];
+    return list_ == nullptr ? first_ + static_cast<std::uint32_t>(k) : list_[k];
   }
 
  private:
   const std::uint32_t* list_ = nullptr;
+  std::uint32_t first_ = 0;
   std::size_t size_ = 0;
 };
 
@@ -32,9 +40,9 @@ enum class Wanted {
 };
 
 /// What is searched together. *Natives* belong to the group. *Foreigns* are copies of the elements
-/// around it, smaller or as large as its natives; they pair with natives only, each such pair being
-/// found in the native's group. *Visitors* are larger elements that pair with natives without being
-/// sorted into their cells. A foreign lies outside the natives' box.
+/// around it, smaller or as large as its natives, or periodic images; they pair with natives only,
+/// each such pair being found in the native's group. *Visitors* are larger elements that pair with
+/// natives without being sorted into their cells. A foreign lies outside the natives' box.
 template <int Dim>
 struct Group {
   Numbers natives;

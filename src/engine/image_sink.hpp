@@ -2,6 +2,7 @@
 
 #include "base/pair_sink.hpp"
 #include "engine/images.hpp"
+#include "kernels/image_kernels.hpp"
 
 #include <cstddef>
 #include <span>
@@ -15,8 +16,9 @@ namespace abut::engine {
 template <int Dim>
 class ImageSink final : public base::PairSink {
  public:
-  /// Both must live until the last pairs are committed.
-  void start_anew(base::PairSink& next, const Images<Dim>& images);
+  /// Sink and images must live until the last pairs are committed.
+  void start_anew(base::PairSink& next, const Images<Dim>& images,
+                  const kernels::ImageKernels& kernels);
 
   void expect_workers(std::size_t count) override;
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
@@ -32,12 +34,13 @@ class ImageSink final : public base::PairSink {
   /// Pairs of two ghosts are dropped: they are found elsewhere, as pairs of a native. Returns how
   /// many pairs are left.
   std::size_t name(const Room& room, std::size_t count) const;
-  std::size_t name_natives(const Room& room, std::size_t begin, std::size_t end,
-                           std::size_t kept) const;
+  [[nodiscard]] std::size_t first_with_ghost(std::span<const ContactPair> pairs) const;
+  void name_natives(const Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
   void name_ghost(const Room& room, std::size_t from, std::size_t to) const;
 
   base::PairSink* next_ = nullptr;
   const Images<Dim>* images_ = nullptr;
+  kernels::ImageKernels kernels_{};
   std::vector<Room> rooms_;
 };
 

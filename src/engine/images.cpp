@@ -100,6 +100,8 @@ void Images<Dim>::start_anew(std::span<const base::Sphere<Dim>> elements,
   native_count_ = elements.size();
   ghosts_ = {};
   bounds_ = bounds;
+  places_ = {};
+  steps_ = {};
   unit_ = largest_number(bounds, lattice, settings.margin) > largest_unscaled ? scale_down : 1.0;
   slack_ = 0.0;
   moved_any_ = false;
@@ -238,14 +240,17 @@ void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& p
     Part& part = parts_[worker];
     part.bounds = {};
     part.ghosts.clear();
-    for (std::size_t begin = first; begin < last; begin += ghost_block) {
-      const std::size_t count = std::min(last - begin, ghost_block);
+    for (std::size_t begin = first; begin < last; begin += kernels::OuterList::room) {
+      const std::size_t count = std::min(last - begin, kernels::OuterList::room);
       const auto natives = std::span(home).subspan(begin, count);
+      kernels::OuterList outer;
       if (moves) {
         move_quickly<Dim>(plan.to_move.subspan(begin, count), map, settings.kernels, natives,
-                          cells_moved_, begin, part.bounds);
+                          cells_moved_, begin, part.bounds, outer);
+      } else {
+        list_outer<Dim>(natives, map, settings.kernels, outer);
       }
-      list_ghosts<Dim>(natives, begin, map, plan.window, settings.kernels, part.ghosts);
+      list_ghosts<Dim>(natives, outer, begin, plan.window, part.ghosts);
     }
   });
   if (moves) join_boxes(workers);
@@ -287,21 +292,14 @@ void Images<Dim>::append_ghosts(base::Array<base::Sphere<Dim>>& home, std::size_
   natives_and_ghosts_ = home;
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, ghosts_.size());
-    grid::Bounds<Dim>& bounds = parts_[worker].bounds;
-    bounds = {};
-    for (std::size_t g = first; g < last; ++g) {
-      base::Sphere<Dim> sphere = home[ghosts_[g].element];
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        for (std::size_t k = 0; k < lattice_->count; ++k) {
-          sphere.center[axis] += ghosts_[g].image[k] * steps_[k][axis];
-        }
-      }
-      home[native_count_ + g] = sphere;
-      bounds.include_center(sphere);
-      bounds.include_radius(sphere.radius);
-    }
+    parts_[worker].places = place_ghosts<Dim>(
+        ghosts_.subspan(first, last - first), std::span(home).first(native_count_), steps_, bounds_,
+        std::span(home).subspan(native_count_ + first, last - first));
   });
-  for (std::size_t worker = 0; worker < workers; ++worker) bounds_.include(parts_[worker].bounds);
+  for (std::size_t worker = 0; worker < workers; ++worker) {
+    places_.bounds.include(parts_[worker].places.bounds);
+    places_.all_outside = places_.all_outside && parts_[worker].places.all_outside;
+  }
 }
 
 /// What rounding is relative to. Where no vector leads along an axis, nothing is added to
@@ -360,21 +358,15 @@ void Images<Dim>::packed_shifts_between(std::span<const ContactPair> pairs,
   const std::uint32_t* const words = cells_moved_.words();
   const auto [x, y, z] = *side_of_axis_;
   const int bits[3] = {MovedCells::bits_of(x), MovedCells::bits_of(y), MovedCells::bits_of(z)};
+  constexpr std::size_t fetched_ahead = 64;  // enough to hide the way to memory
   for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const ContactPair& later = pairs[std::min(k + fetched_ahead, pairs.size() - 1)];
+    __builtin_prefetch(words + later.first);
+    __builtin_prefetch(words + later.second);
     const std::uint32_t word =
         MovedCells::difference(words[pairs[k].first], words[pairs[k].second]);
     shifts[k] = {MovedCells::along(word, bits[0]), MovedCells::along(word, bits[1]),
                  MovedCells::along(word, bits[2])};
-  }
-}
-
-template <int Dim>
-void Images<Dim>::fetch_shifts(std::span<const ContactPair> pairs) const noexcept {
-  if (!moved_any_ || !cells_moved_.is_packed()) return;
-  const std::uint32_t* const words = cells_moved_.words();
-  for (const ContactPair& pair : pairs) {
-    __builtin_prefetch(words + pair.first);
-    __builtin_prefetch(words + pair.second);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "base/sphere_predicate.hpp"
 #include "engine/list_ghosts.hpp"
 #include "engine/moved_cells.hpp"
+#include "engine/place_ghosts.hpp"
 #include "engine/place_natives.hpp"
 #include "grid/bounds.hpp"
 #include "grid/cell_extent.hpp"
@@ -62,8 +63,13 @@ class Images {
     return natives_and_ghosts_;
   }
 
-  /// Of the natives and ghosts.
-  [[nodiscard]] const grid::Bounds<Dim>& bounds() const noexcept { return bounds_; }
+  /// Of the natives.
+  [[nodiscard]] const grid::Bounds<Dim>& native_bounds() const noexcept { return bounds_; }
+  [[nodiscard]] const grid::Bounds<Dim>& ghost_bounds() const noexcept { return places_.bounds; }
+
+  /// Whether each ghost lies strictly outside of the natives' box: not so where vectors are oblique
+  /// to the axes, or natives lie on both of two opposite faces of the cell.
+  [[nodiscard]] bool ghosts_are_outside() const noexcept { return places_.all_outside; }
 
   /// Ordered by element, then by image.
   [[nodiscard]] std::span<const Ghost> ghosts() const noexcept { return ghosts_; }
@@ -90,8 +96,6 @@ class Images {
   [[nodiscard]] base::ImageShift shift_between(std::size_t i, const Ghost& ghost) const {
     return shift_between(i, ghost.element, ghost.image);
   }
-  /// Asks for what the shifts of these pairs will need, ahead of them.
-  void fetch_shifts(std::span<const ContactPair> pairs) const noexcept;
   /// Of many pairs of two natives.
   void shifts_between(std::span<const ContactPair> pairs, std::span<base::ImageShift> shifts) const;
 
@@ -107,6 +111,7 @@ class Images {
     grid::Bounds<Dim> bounds;
     grid::CellsMoved farthest{};  ///< most cells that an element was moved, by its amount
     base::Array<Ghost> ghosts;
+    GhostPlaces<Dim> places;
   };
 
   using Window = grid::GhostWindow<Dim>;
@@ -154,7 +159,8 @@ class Images {
   double slack_ = 0.0;
   grid::CellExtent<Dim> extent_;  ///< of the natives, at least
   std::array<double, Dim> cells_moved_at_most_{};
-  grid::Bounds<Dim> bounds_;
+  grid::Bounds<Dim> bounds_;  ///< of the natives
+  GhostPlaces<Dim> places_;   ///< of the ghosts
   bool moved_any_ = false;
   bool shifts_always_fit_ = false;
   /// Where these are shifts themselves: the side of each axis.

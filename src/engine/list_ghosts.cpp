@@ -11,23 +11,6 @@ namespace {
               "vectors longer, or elements and margin smaller");
 }
 
-/// The numbers of those natives, counted from 0, that may have ghosts; returns how many.
-template <int Dim>
-std::size_t list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
-                       const kernels::ImageKernels& kernels, std::uint32_t* numbers) {
-  std::size_t found = 0;
-  std::size_t i = kernels.list_outer(natives[0].center, natives.size(), Dim, map, numbers, found);
-  for (; i < natives.size(); ++i) {
-    bool outer = false;
-    for (std::size_t k = 0; k < map.sides; ++k) {
-      outer = outer || kernels::coordinate<Dim>(map, k, natives[i].center) <= map.outer_below[k];
-    }
-    numbers[found] = static_cast<std::uint32_t>(i);
-    found += outer ? 1 : 0;
-  }
-  return found;
-}
-
 }  // namespace
 
 /// A bound from the widest window; where it is too large, the exact number.
@@ -48,14 +31,21 @@ void require_countable(std::span<const base::Sphere<Dim>> natives,
 }
 
 template <int Dim>
-void list_ghosts(std::span<const base::Sphere<Dim>> natives, std::size_t first_number,
-                 const kernels::BrickMap& map, const grid::GhostWindow<Dim>& window,
-                 const kernels::ImageKernels& kernels, base::Array<Ghost>& ghosts) {
-  std::array<std::uint32_t, ghost_block + kernels::most_lanes> outer;
-  const std::size_t count = list_outer(natives, map, kernels, outer.data());
-  for (std::size_t k = 0; k < count; ++k) {
-    Ghost ghost{static_cast<std::uint32_t>(first_number + outer[k]), {}};
-    window.for_each_row(natives[outer[k]],
+void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
+                const kernels::ImageKernels& kernels, kernels::OuterList& outer) {
+  std::size_t k = kernels.list_outer(natives[0].center, natives.size(), Dim, map, outer);
+  for (; k < natives.size(); ++k) {
+    if (kernels::is_outer<Dim>(map, natives[k].center)) outer.push(k);
+  }
+}
+
+template <int Dim>
+void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::OuterList& outer,
+                 std::size_t first_number, const grid::GhostWindow<Dim>& window,
+                 base::Array<Ghost>& ghosts) {
+  for (const std::uint32_t k : std::span(outer.number, outer.count)) {
+    Ghost ghost{static_cast<std::uint32_t>(first_number + k), {}};
+    window.for_each_row(natives[k],
                         [&](std::int64_t first, std::int64_t last, const grid::ImageNumbers& row) {
                           for (std::size_t side = 0; side < 3; ++side) {
                             ghost.image[side] = static_cast<std::int32_t>(row[side]);
@@ -70,11 +60,13 @@ void list_ghosts(std::span<const base::Sphere<Dim>> natives, std::size_t first_n
 
 template void require_countable(std::span<const base::Sphere<2>>, const grid::GhostWindow<2>&);
 template void require_countable(std::span<const base::Sphere<3>>, const grid::GhostWindow<3>&);
-template void list_ghosts(std::span<const base::Sphere<2>>, std::size_t, const kernels::BrickMap&,
-                          const grid::GhostWindow<2>&, const kernels::ImageKernels&,
-                          base::Array<Ghost>&);
-template void list_ghosts(std::span<const base::Sphere<3>>, std::size_t, const kernels::BrickMap&,
-                          const grid::GhostWindow<3>&, const kernels::ImageKernels&,
-                          base::Array<Ghost>&);
+template void list_outer(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
+                         const kernels::ImageKernels&, kernels::OuterList&);
+template void list_outer(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
+                         const kernels::ImageKernels&, kernels::OuterList&);
+template void list_ghosts(std::span<const base::Sphere<2>>, const kernels::OuterList&, std::size_t,
+                          const grid::GhostWindow<2>&, base::Array<Ghost>&);
+template void list_ghosts(std::span<const base::Sphere<3>>, const kernels::OuterList&, std::size_t,
+                          const grid::GhostWindow<3>&, base::Array<Ghost>&);
 
 }  // namespace abut::engine

@@ -27,13 +27,16 @@ template <int Dim>
 void require_countable(std::span<const base::Sphere<Dim>> natives,
                        const grid::GhostWindow<Dim>& window);
 
-/// Elements that are moved and looked at together, so that they stay in the nearest cache.
-inline constexpr std::size_t ghost_block = 512;
-
-/// Appends the ghosts of at most ghost_block natives, which are numbered from `first_number` on.
+/// Lists those of a block of natives that may have ghosts.
 template <int Dim>
-void list_ghosts(std::span<const base::Sphere<Dim>> natives, std::size_t first_number,
-                 const kernels::BrickMap& map, const grid::GhostWindow<Dim>& window,
-                 const kernels::ImageKernels& kernels, base::Array<Ghost>& ghosts);
+void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
+                const kernels::ImageKernels& kernels, kernels::OuterList& outer);
+
+/// Appends the ghosts of the outer ones of a block of natives, which are numbered from
+/// `first_number` on.
+template <int Dim>
+void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::OuterList& outer,
+                 std::size_t first_number, const grid::GhostWindow<Dim>& window,
+                 base::Array<Ghost>& ghosts);
 
 }  // namespace abut::engine

@@ -26,6 +26,26 @@ void turn_downwards(grid::ReducedLattice<Dim>& lattice) {
   }
 }
 
+/// Where ghosts lie around the box of the natives, as foreigns do, they are no more than copies in
+/// its outer tiles. Elsewhere the search takes all alike, and pairs of ghosts are dropped.
+template <int Dim>
+Group<Dim> group_of(const Images<Dim>& images) {
+  const std::size_t natives = images.natives().size();
+  const std::size_t ghosts = images.ghosts().size();
+  Group<Dim> group;
+  group.bounds = images.native_bounds();
+  group.bounds.include(images.ghost_bounds());
+  if (!images.ghosts_are_outside()) {
+    group.natives = Numbers(natives + ghosts);
+    return group;
+  }
+  group.natives = Numbers(natives);
+  group.foreigns = Numbers::from(static_cast<std::uint32_t>(natives), ghosts);
+  group.bounds.lower = images.native_bounds().lower;
+  group.bounds.upper = images.native_bounds().upper;
+  return group;
+}
+
 /// Every native against the natives behind it and every ghost, each decided on the caller's
 /// numbers.
 template <int Dim>
@@ -70,12 +90,13 @@ void periodic_rows(base::Array<base::Sphere<Dim>>& spheres, std::span<const base
   grid::ReducedLattice<Dim> reduced(lattice);
   if (!boxes.empty()) turn_downwards(reduced);
   Images<Dim>& images = workspace.images;
-  images.find(spheres, bounds, reduced,
-              {settings.margin, settings.workers, kernels::image_kernels(settings.simd),
-               boxes.empty() ? Shape::sphere : Shape::box});
+  const kernels::ImageKernels kernels = kernels::image_kernels(settings.simd);
+  images.find(
+      spheres, bounds, reduced,
+      {settings.margin, settings.workers, kernels, boxes.empty() ? Shape::sphere : Shape::box});
 
   ImageSink<Dim>& image_sink = workspace.image_sink;
-  image_sink.start_anew(sink, images);
+  image_sink.start_anew(sink, images, kernels);
   image_sink.expect_workers(settings.workers);
   const base::Elements<Dim> originals{std::span(spheres).first(natives), boxes};
   const PeriodicArbiter<Dim> arbiter(originals, lattice, images, settings.margin);
@@ -93,10 +114,8 @@ void periodic_rows(base::Array<base::Sphere<Dim>>& spheres, std::span<const base
                        image_sink,
                        context.progress};
   if (long_reach) return check_all(task, natives, context);
-  Group<Dim> group;
-  group.bounds = images.bounds();
+  Group<Dim> group = group_of(images);
   if (!boxes.empty()) group.bounds.count_largest_twice();
-  group.natives = Numbers(images.natives_and_ghosts().size());
   GroupSearch<Dim>(task, workspace, settings.workers, context).search(group);
 }
 

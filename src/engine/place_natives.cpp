@@ -78,15 +78,16 @@ Journey<Dim>::Journey(const grid::ReducedLattice<Dim>& lattice, const grid::Bric
 template <int Dim>
 void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::BrickMap& map,
                   const kernels::ImageKernels& kernels, std::span<base::Sphere<Dim>> natives,
-                  MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds) {
+                  MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds,
+                  kernels::OuterList& outer) {
   static_assert(sizeof(grid::CellsMoved) == 3 * sizeof(std::int32_t));
   kernels::CenterBounds box{};
   std::copy(bounds.lower.begin(), bounds.lower.end(), box.lower);
   std::copy(bounds.upper.begin(), bounds.upper.end(), box.upper);
   void* const out = map.pack ? static_cast<void*>(cells.words() + first)
                              : static_cast<void*>(cells.triples() + first);
-  std::size_t i =
-      kernels.wrap(elements[0].center, elements.size(), Dim, map, natives[0].center, out, box);
+  std::size_t i = kernels.wrap(elements[0].center, elements.size(), Dim, map, natives[0].center,
+                               out, box, outer);
   std::copy_n(box.lower, Dim, bounds.lower.begin());
   std::copy_n(box.upper, Dim, bounds.upper.begin());
   for (; i < elements.size(); ++i) {
@@ -98,6 +99,7 @@ void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::Br
       cells.triples()[first + i] = moved;
     }
     bounds.include_center(natives[i]);
+    if (kernels::is_outer<Dim>(map, natives[i].center)) outer.push(i);
   }
 }
 
@@ -109,9 +111,9 @@ template struct Journey<2>;
 template struct Journey<3>;
 template void move_quickly(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
                            const kernels::ImageKernels&, std::span<base::Sphere<2>>, MovedCells&,
-                           std::size_t, grid::Bounds<2>&);
+                           std::size_t, grid::Bounds<2>&, kernels::OuterList&);
 template void move_quickly(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
                            const kernels::ImageKernels&, std::span<base::Sphere<3>>, MovedCells&,
-                           std::size_t, grid::Bounds<3>&);
+                           std::size_t, grid::Bounds<3>&, kernels::OuterList&);
 
 }  // namespace abut::engine

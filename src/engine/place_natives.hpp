@@ -36,11 +36,12 @@ struct Journey {
 };
 
 /// Moves elements as grid::Wrapper does, but in plain doubles, each product and sum rounded: off by
-/// less than 7 u (|x| + moved distance) on an axis. For short journeys. `first` is the number of
-/// the first of them.
+/// less than 7 u (|x| + moved distance) on an axis. For short journeys, and a block of elements,
+/// the first of which has the number `first`. Lists those that may have ghosts then.
 template <int Dim>
 void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::BrickMap& map,
                   const kernels::ImageKernels& kernels, std::span<base::Sphere<Dim>> natives,
-                  MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds);
+                  MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds,
+                  kernels::OuterList& outer);
 
 }  // namespace abut::engine

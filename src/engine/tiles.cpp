@@ -25,17 +25,6 @@ constexpr std::uint32_t faces_of(std::uint32_t place) {
   return place & ((1u << face_bits) - 1);
 }
 
-/// Rows of the table of cursors: own elements and copies of one worker.
-struct Cursors {
-  std::uint64_t* own;
-  std::uint64_t* copies;
-};
-
-Cursors cursors_of(base::Array<std::uint64_t>& table, std::size_t worker, std::size_t tile_count) {
-  std::uint64_t* const own = table.data() + 2 * worker * tile_count;
-  return {own, own + tile_count};
-}
-
 /// The elements of a block that lie near faces, one in three: collected first, since a branch for
 /// each element could not be foreseen.
 template <std::size_t block_size>
@@ -107,48 +96,61 @@ template <int Dim>
 void Tiles<Dim>::count(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                        std::size_t workers) {
-  const std::size_t natives = group.natives.size();
-  base::make_room(places_, natives + group.foreigns.size());
-  base::make_room(cursors_, 2 * (workers + 1) * grid.tile_count);
+  base::make_room(places_, group.natives.size() + group.foreigns.size());
+  base::make_room(cursors_, 3 * workers * grid.tile_count);
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const Share share{worker, workers};
+    std::fill_n(cursors_of(worker, grid.tile_count).own, 3 * grid.tile_count, std::uint64_t{0});
+    count_natives(elements, group, grid, kernels, share);
+    count_foreigns(elements, group, grid, share);
+  });
+}
+
+template <int Dim>
+void Tiles<Dim>::count_natives(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                               const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+                               const Share& share) {
+  const Cursors counts = cursors_of(share.worker, grid.tile_count);
+  const auto [first, last] = base::share_of(share.worker, share.workers, group.natives.size());
+  if (one_tile_) {
+    counts.own[grid.first_tile()] = last - first;
+    return;
+  }
+  place(elements, group, grid, kernels, first, last);
   const TileNeighbors<Dim> neighbors(grid);
   // Where pairs among natives are not wanted, no face is near.
   const std::uint32_t copied =
       group.wanted == Wanted::all_pairs ? ~std::uint32_t{0} : packed(~std::uint32_t{0}, 0);
-
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    const Cursors counts = cursors_of(cursors_, worker, grid.tile_count);
-    std::fill_n(counts.own, 2 * grid.tile_count, std::uint64_t{0});
-    const auto [first, last] = base::share_of(worker, workers, natives);
-    if (one_tile_) {
-      counts.own[grid.first_tile()] = last - first;
-      return;
+  NearFaces<SphereBlock<Dim>::size> near;
+  SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
+    near.clear();
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t place = places_[k] & copied;
+      places_[k] = place;
+      ++counts.own[tile_of(place)];
+      near.add_if_near(k, place);
     }
-    place(elements, group, grid, kernels, first, last);
-    NearFaces<SphereBlock<Dim>::size> near;
-    SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
-      near.clear();
-      for (std::size_t k = begin; k < end; ++k) {
-        const std::uint32_t place = places_[k] & copied;
-        places_[k] = place;
-        ++counts.own[tile_of(place)];
-        near.add_if_near(k, place);
+    for (const std::uint32_t k : near.list()) {
+      for (const std::uint8_t neighbor : neighbors.of_native(faces_of(places_[k]))) {
+        ++counts.copies[neighbors.from(tile_of(places_[k]), neighbor)];
       }
-      for (const std::uint32_t k : near.list()) {
-        for (const std::uint8_t neighbor : neighbors.of_native(faces_of(places_[k]))) {
-          ++counts.copies[neighbors.from(tile_of(places_[k]), neighbor)];
-        }
-      }
-    });
+    }
   });
+}
 
-  const Cursors counts = cursors_of(cursors_, workers, grid.tile_count);
-  std::fill_n(counts.own, 2 * grid.tile_count, std::uint64_t{0});
-  for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
+template <int Dim>
+void Tiles<Dim>::count_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                                const TileGrid<Dim>& grid, const Share& share) {
+  const TileNeighbors<Dim> neighbors(grid);
+  std::uint64_t* const counts = cursors_of(share.worker, grid.tile_count).foreigns;
+  std::uint32_t* const places = places_.data() + group.natives.size();
+  const auto [first, last] = base::share_of(share.worker, share.workers, group.foreigns.size());
+  for (std::size_t k = first; k < last; ++k) {
     const auto [tile, near_faces] =
         grid.place_of_foreign(elements[group.foreigns[k]], group.bounds);
-    places_[natives + k] = packed(tile, near_faces);
+    places[k] = packed(tile, near_faces);
     for (const std::uint8_t neighbor : neighbors.of_foreign(near_faces)) {
-      ++counts.copies[neighbors.from(tile, neighbor)];
+      ++counts[neighbors.from(tile, neighbor)];
     }
   }
 }
@@ -184,12 +186,11 @@ void Tiles<Dim>::lay_out(std::size_t tile_count, std::size_t workers) {
   };
   for (std::size_t tile = 0; tile < tile_count; ++tile) {
     begin_[tile] = filled;
-    for (std::size_t w = 0; w < workers; ++w) take(cursors_of(cursors_, w, tile_count).own[tile]);
+    for (std::size_t w = 0; w < workers; ++w) take(cursors_of(w, tile_count).own[tile]);
     own_[tile] = static_cast<std::uint32_t>(filled - begin_[tile]);
     if (own_[tile] == 0) continue;
-    for (std::size_t w = 0; w <= workers; ++w) {
-      take(cursors_of(cursors_, w, tile_count).copies[tile]);
-    }
+    for (std::size_t w = 0; w < workers; ++w) take(cursors_of(w, tile_count).copies[tile]);
+    for (std::size_t w = 0; w < workers; ++w) take(cursors_of(w, tile_count).foreigns[tile]);
   }
   begin_[tile_count] = filled;
   base::make_room(records_, filled + 1);  // readable a little beyond
@@ -204,49 +205,54 @@ void Tiles<Dim>::scatter(const base::Elements<Dim>& elements, const Group<Dim>& 
   for (std::size_t tile = 0; tile < grid.tile_count; ++tile)
     coordinates_[tile] = grid.coordinates(tile);
 
-  const Numbers& natives = group.natives;
-  const TileNeighbors<Dim> neighbors(grid);
   const Recorder<Dim> recorder(grid);
   unit_ = recorder.unit();
-  const bool sized = size_columns_ > 0;
   base::for_each_worker(workers, [&](std::size_t worker) {
-    const Cursors cursors = cursors_of(cursors_, worker, grid.tile_count);
-    const auto [first, last] = base::share_of(worker, workers, natives.size());
-    if (one_tile_) {
-      const std::uint64_t own = cursors.own[grid.first_tile()];
-      return record_one_tile(elements, group, recorder, kernels, first, last, own);
-    }
-    SphereBlock<Dim> block;
-    std::array<Record<Dim>, SphereBlock<Dim>::size> records;
-    NearFaces<SphereBlock<Dim>::size> near;
-    SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
-      const auto spheres = block.of(elements.spheres, natives, begin, end);
-      const auto tile_of_native = [&](std::size_t k) -> const std::array<double, Dim>& {
-        return coordinates_[tile_of(places_[k])];
-      };
-      record_natives<Dim>(recorder, kernels, spheres, natives, begin, tile_of_native,
-                          records.data());
-      near.clear();
-      for (std::size_t k = begin; k < end; ++k) {
-        const std::uint64_t target = cursors.own[tile_of(places_[k])]++;
-        records_[target] = records[k - begin];
-        if (sized) note_sizes(elements, natives[k], spheres[k - begin], recorder, target);
-        near.add_if_near(k, places_[k]);
-      }
-      for (const std::uint32_t k : near.list()) {
-        const base::Sphere<Dim>& sphere = spheres[k - begin];
-        for (const std::uint8_t neighbor : neighbors.of_native(faces_of(places_[k]))) {
-          const std::size_t tile = neighbors.from(tile_of(places_[k]), neighbor);
-          if (own_[tile] == 0) continue;
-          const std::uint64_t target = cursors.copies[tile]++;
-          records_[target] = recorder.record(sphere, natives[k], coordinates_[tile]);
-          if (sized) note_sizes(elements, natives[k], sphere, recorder, target);
-        }
-      }
-    });
+    scatter_natives(elements, group, grid, recorder, kernels, {worker, workers});
+    scatter_foreigns(elements, group, grid, recorder, {worker, workers});
   });
-  scatter_foreigns(elements, group, grid, recorder,
-                   cursors_of(cursors_, workers, grid.tile_count).copies);
+}
+
+template <int Dim>
+void Tiles<Dim>::scatter_natives(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                                 const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
+                                 const kernels::ElementKernels& kernels, const Share& share) {
+  const Numbers& natives = group.natives;
+  const Cursors cursors = cursors_of(share.worker, grid.tile_count);
+  const auto [first, last] = base::share_of(share.worker, share.workers, natives.size());
+  if (one_tile_) {
+    const std::uint64_t own = cursors.own[grid.first_tile()];
+    return record_one_tile(elements, group, recorder, kernels, first, last, own);
+  }
+  const TileNeighbors<Dim> neighbors(grid);
+  const bool sized = size_columns_ > 0;
+  SphereBlock<Dim> block;
+  std::array<Record<Dim>, SphereBlock<Dim>::size> records;
+  NearFaces<SphereBlock<Dim>::size> near;
+  SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
+    const auto spheres = block.of(elements.spheres, natives, begin, end);
+    const auto tile_of_native = [&](std::size_t k) -> const std::array<double, Dim>& {
+      return coordinates_[tile_of(places_[k])];
+    };
+    record_natives<Dim>(recorder, kernels, spheres, natives, begin, tile_of_native, records.data());
+    near.clear();
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint64_t target = cursors.own[tile_of(places_[k])]++;
+      records_[target] = records[k - begin];
+      if (sized) note_sizes(elements, natives[k], spheres[k - begin], recorder, target);
+      near.add_if_near(k, places_[k]);
+    }
+    for (const std::uint32_t k : near.list()) {
+      const base::Sphere<Dim>& sphere = spheres[k - begin];
+      for (const std::uint8_t neighbor : neighbors.of_native(faces_of(places_[k]))) {
+        const std::size_t tile = neighbors.from(tile_of(places_[k]), neighbor);
+        if (own_[tile] == 0) continue;
+        const std::uint64_t target = cursors.copies[tile]++;
+        records_[target] = recorder.record(sphere, natives[k], coordinates_[tile]);
+        if (sized) note_sizes(elements, natives[k], sphere, recorder, target);
+      }
+    }
+  });
 }
 
 /// The natives [first, last) of a box that is one tile, from record `own` on: no place to find, no
@@ -289,9 +295,11 @@ void Tiles<Dim>::note_sizes(const base::Elements<Dim>& elements, std::uint32_t n
 template <int Dim>
 void Tiles<Dim>::scatter_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
                                   const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
-                                  std::uint64_t* cursors) {
+                                  const Share& share) {
   const TileNeighbors<Dim> neighbors(grid);
-  for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
+  std::uint64_t* const cursors = cursors_of(share.worker, grid.tile_count).foreigns;
+  const auto [first, last] = base::share_of(share.worker, share.workers, group.foreigns.size());
+  for (std::size_t k = first; k < last; ++k) {
     const std::uint32_t place = places_[group.natives.size() + k];
     const std::uint32_t number = group.foreigns[k];
     for (const std::uint8_t neighbor : neighbors.of_foreign(faces_of(place))) {

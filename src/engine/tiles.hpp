@@ -27,7 +27,7 @@ class Tiles {
  public:
   explicit Tiles(base::MemoryMeter& memory);
 
-  /// Counts, then scatters: two passes over the natives, each shared by the workers.
+  /// Counts, then scatters: two passes over natives and foreigns, each shared by the workers.
   void partition(const base::Elements<Dim>& elements, const Group<Dim>& group,
                  const TileGrid<Dim>& grid, double margin, const kernels::ElementKernels& kernels,
                  std::size_t workers);
@@ -51,9 +51,32 @@ class Tiles {
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
  private:
+  /// What one of the workers does.
+  struct Share {
+    std::size_t worker;
+    std::size_t workers;
+  };
+
+  /// Of one worker, each by tile.
+  struct Cursors {
+    std::uint64_t* own;
+    std::uint64_t* copies;
+    std::uint64_t* foreigns;
+  };
+
+  [[nodiscard]] Cursors cursors_of(std::size_t worker, std::size_t tile_count) noexcept {
+    std::uint64_t* const own = cursors_.data() + 3 * worker * tile_count;
+    return {own, own + tile_count, own + 2 * tile_count};
+  }
+
   void count(const base::Elements<Dim>& elements, const Group<Dim>& group,
              const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
              std::size_t workers);
+  void count_natives(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                     const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+                     const Share& share);
+  void count_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                      const TileGrid<Dim>& grid, const Share& share);
   void place(const base::Elements<Dim>& elements, const Group<Dim>& group,
              const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels, std::size_t first,
              std::size_t last);
@@ -61,6 +84,9 @@ class Tiles {
   void scatter(const base::Elements<Dim>& elements, const Group<Dim>& group,
                const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                std::size_t workers);
+  void scatter_natives(const base::Elements<Dim>& elements, const Group<Dim>& group,
+                       const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
+                       const kernels::ElementKernels& kernels, const Share& share);
   void record_one_tile(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const Recorder<Dim>& recorder, const kernels::ElementKernels& kernels,
                        std::size_t first, std::size_t last, std::uint64_t own);
@@ -69,13 +95,13 @@ class Tiles {
                   std::uint64_t record);
   void scatter_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
                         const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
-                        std::uint64_t* cursors);
+                        const Share& share);
   void list_visitors(const base::Elements<Dim>& elements, const Group<Dim>& group,
                      const TileGrid<Dim>& grid, double margin);
 
   base::Array<std::uint32_t> places_;  ///< of the natives, then of the foreigns
-  /// For each worker, and one more for the foreigns, and each tile: how many own elements and how
-  /// many copies it finds; then where it writes the next one.
+  /// For each worker and tile: how many own elements, copies of natives, and copies of foreigns it
+  /// finds; then where it writes the next one.
   base::Array<std::uint64_t> cursors_;
   base::Array<std::uint32_t> own_;
   base::Array<std::uint64_t> begin_;                  ///< tile_count + 1

@@ -27,8 +27,26 @@ template <int Dim>
   return sum;
 }
 
-/// list_outer writes so many numbers beyond those that it found.
-inline constexpr std::size_t most_lanes = 8;
+/// Whether a coordinate is at most outer_below.
+template <int Dim>
+[[nodiscard]] inline bool is_outer(const BrickMap& map, const double* center) {
+  bool outer = false;
+  for (std::size_t k = 0; k < map.sides; ++k) {
+    outer = outer || coordinate<Dim>(map, k, center) <= map.outer_below[k];
+  }
+  return outer;
+}
+
+/// Those of a block of elements that are outer, counted from its first one.
+struct OuterList {
+  /// Elements in a block: so few that they stay in the nearest cache.
+  static constexpr std::size_t room = 512;
+
+  std::uint32_t number[room + 8];  ///< and the lanes of the widest vector
+  std::size_t count = 0;
+
+  void push(std::size_t k) { number[count++] = static_cast<std::uint32_t>(k); }
+};
 
 /// The box of some centers.
 struct CenterBounds {
@@ -41,14 +59,17 @@ struct CenterBounds {
 /// in plain C++ (so the level `scalar` treats none).
 struct ImageKernels {
   /// natives[k] = record k moved into the brick, and by how many vectors: one word or three of
-  /// `cells`. Widens the bounds. Presupposes less than 2^31 cells.
+  /// `cells`. Widens the bounds, and lists those that are outer then. Presupposes less than 2^31
+  /// cells.
   std::size_t (*wrap)(const double* records, std::size_t count, int dimensions, const BrickMap& map,
-                      double* natives, void* cells, CenterBounds& bounds);
+                      double* natives, void* cells, CenterBounds& bounds, OuterList& outer);
 
-  /// Appends to `numbers` the number of each record that has a coordinate of at most outer_below;
-  /// `found` counts them.
   std::size_t (*list_outer)(const double* records, std::size_t count, int dimensions,
-                            const BrickMap& map, std::uint32_t* numbers, std::size_t& found);
+                            const BrickMap& map, OuterList& outer);
+
+  /// How many numbers, counted from the front, are seen to be below the limit: those before the
+  /// first few vectors one of whose numbers is not, or which are not whole.
+  std::size_t (*count_below)(const std::uint32_t* numbers, std::size_t count, std::uint32_t limit);
 };
 
 /// `level` must be available.

@@ -18,7 +18,7 @@ using DoubleTag = hn::ScalableTag<double>;
 using Doubles = hn::Vec<DoubleTag>;
 constexpr DoubleTag doubles{};
 constexpr std::size_t lanes = hn::MaxLanes(DoubleTag());
-static_assert(lanes <= most_lanes);
+static_assert(OuterList::room + lanes <= sizeof(OuterList::number) / sizeof(std::uint32_t));
 
 template <int Dim>
 HWY_INLINE void load(const double* records, Doubles* center, Doubles& radius) {
@@ -39,10 +39,32 @@ HWY_INLINE Doubles coordinate(const double* coefficients, const Doubles* center)
   return sum;
 }
 
+/// Appends the numbers of the outer ones of a vector of records, the first of which is `first`, to
+/// those that end before `end`; returns their new end. Most vectors have none.
+template <int Dim, std::size_t Sides>
+HWY_INLINE std::uint32_t* list_outer_of(const BrickMap& map, const Doubles* center,
+                                        std::size_t first, std::uint32_t* end) {
+  auto outer =
+      hn::Le(coordinate<Dim>(map.coefficients[0], center), hn::Set(doubles, map.outer_below[0]));
+  for (std::size_t k = 1; k < Sides; ++k) {
+    outer = hn::Or(outer, hn::Le(coordinate<Dim>(map.coefficients[k], center),
+                                 hn::Set(doubles, map.outer_below[k])));
+  }
+  if (HWY_LIKELY(hn::AllFalse(doubles, outer))) return end;
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(doubles, outer, bits);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    *end = static_cast<std::uint32_t>(first + lane);
+    end += bits[lane / 8] >> (lane % 8) & 1u;
+  }
+  return end;
+}
+
 template <int Dim, std::size_t Sides>
 std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& given,
-                    double* natives, void* cells_moved, CenterBounds& bounds) {
+                    double* natives, void* cells_moved, CenterBounds& bounds, OuterList& outer) {
   const BrickMap map = given;  // a copy that nothing can change
+  std::uint32_t* end_of_outer = outer.number + outer.count;
   const hn::Rebind<std::int32_t, DoubleTag> integers;
   auto* const out = static_cast<std::int32_t*>(cells_moved);
   Doubles lower[Dim];
@@ -73,6 +95,7 @@ std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& gi
       lower[axis] = hn::Min(lower[axis], center[axis]);
       upper[axis] = hn::Max(upper[axis], center[axis]);
     }
+    end_of_outer = list_outer_of<Dim, Sides>(map, center, i, end_of_outer);
     if constexpr (Dim == 2) {
       hn::StoreInterleaved3(center[0], center[1], radius, doubles, natives + i * 3);
     } else {
@@ -94,41 +117,30 @@ std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& gi
     bounds.lower[axis] = hn::GetLane(hn::MinOfLanes(doubles, lower[axis]));
     bounds.upper[axis] = hn::GetLane(hn::MaxOfLanes(doubles, upper[axis]));
   }
+  outer.count = static_cast<std::size_t>(end_of_outer - outer.number);
   return i;
 }
 
 template <int Dim, std::size_t Sides>
 std::size_t list_outer_in(const double* records, std::size_t count, const BrickMap& given,
-                          std::uint32_t* numbers, std::size_t& found) {
+                          OuterList& outer) {
   const BrickMap map = given;  // a copy that nothing can change
-  std::size_t end = found;
+  std::uint32_t* end = outer.number + outer.count;
   std::size_t i = 0;
   for (; i + lanes <= count; i += lanes) {
     Doubles center[Dim];
     Doubles radius;
     load<Dim>(records + i * (Dim + 1), center, radius);
-    auto outer =
-        hn::Le(coordinate<Dim>(map.coefficients[0], center), hn::Set(doubles, map.outer_below[0]));
-    for (std::size_t k = 1; k < Sides; ++k) {
-      outer = hn::Or(outer, hn::Le(coordinate<Dim>(map.coefficients[k], center),
-                                   hn::Set(doubles, map.outer_below[k])));
-    }
-    if (HWY_LIKELY(hn::AllFalse(doubles, outer))) continue;
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(doubles, outer, bits);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      numbers[end] = static_cast<std::uint32_t>(i + lane);
-      end += bits[lane / 8] >> (lane % 8) & 1u;
-    }
+    end = list_outer_of<Dim, Sides>(map, center, i, end);
   }
-  found = end;
+  outer.count = static_cast<std::size_t>(end - outer.number);
   return i;
 }
 
 std::size_t wrap(const double* records, std::size_t count, int dimensions, const BrickMap& map,
-                 double* natives, void* cells, CenterBounds& bounds) {
+                 double* natives, void* cells, CenterBounds& bounds, OuterList& outer) {
   const auto run = [&](auto wrapped) {
-    return wrapped(records, count, map, natives, cells, bounds);
+    return wrapped(records, count, map, natives, cells, bounds, outer);
   };
   if (dimensions == 2) return map.sides == 1 ? run(wrap_in<2, 1>) : run(wrap_in<2, 2>);
   if (map.sides == 3) return run(wrap_in<3, 3>);
@@ -136,11 +148,27 @@ std::size_t wrap(const double* records, std::size_t count, int dimensions, const
 }
 
 std::size_t list_outer(const double* records, std::size_t count, int dimensions,
-                       const BrickMap& map, std::uint32_t* numbers, std::size_t& found) {
-  const auto run = [&](auto listed) { return listed(records, count, map, numbers, found); };
+                       const BrickMap& map, OuterList& outer) {
+  const auto run = [&](auto listed) { return listed(records, count, map, outer); };
   if (dimensions == 2) return map.sides == 1 ? run(list_outer_in<2, 1>) : run(list_outer_in<2, 2>);
   if (map.sides == 3) return run(list_outer_in<3, 3>);
   return map.sides == 1 ? run(list_outer_in<3, 1>) : run(list_outer_in<3, 2>);
+}
+
+std::size_t count_below(const std::uint32_t* numbers, std::size_t count, std::uint32_t limit) {
+  const hn::CappedTag<std::uint32_t, 8> words;
+  constexpr std::size_t width = hn::MaxLanes(words);
+  constexpr std::size_t step = 4 * width;  // one question for so many
+  const auto limits = hn::Set(words, limit);
+  std::size_t k = 0;
+  for (; k + step <= count; k += step) {
+    auto highest = hn::LoadU(words, numbers + k);
+    for (std::size_t v = 1; v < 4; ++v) {
+      highest = hn::Max(highest, hn::LoadU(words, numbers + k + v * width));
+    }
+    if (HWY_UNLIKELY(!hn::AllTrue(words, hn::Lt(highest, limits)))) break;
+  }
+  return k;
 }
 
 }  // namespace abut::kernels::HWY_NAMESPACE
@@ -151,12 +179,14 @@ namespace abut::kernels {
 
 HWY_EXPORT(wrap);
 HWY_EXPORT(list_outer);
+HWY_EXPORT(count_below);
 
 ImageKernels simd_image_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(wrap)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(list_outer)[chosen.GetIndex()]};
+          HWY_DISPATCH_TABLE(list_outer)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(count_below)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

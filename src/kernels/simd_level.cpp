@@ -151,12 +151,11 @@ ImageKernels image_kernels(Simd level) {
   if (level != Simd::scalar) return simd_image_kernels(row_of(level).target);
 #endif
   static_cast<void>(level);
-  return {[](const double*, std::size_t, int, const BrickMap&, double*, void*, CenterBounds&) {
-            return std::size_t{0};
-          },
-          [](const double*, std::size_t, int, const BrickMap&, std::uint32_t*, std::size_t&) {
-            return std::size_t{0};
-          }};
+  return {
+      [](const double*, std::size_t, int, const BrickMap&, double*, void*, CenterBounds&,
+         OuterList&) { return std::size_t{0}; },
+      [](const double*, std::size_t, int, const BrickMap&, OuterList&) { return std::size_t{0}; },
+      [](const std::uint32_t*, std::size_t, std::uint32_t) { return std::size_t{0}; }};
 }
 
 TieKernels tie_kernels(Simd level) {

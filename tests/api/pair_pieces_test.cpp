@@ -23,6 +23,11 @@ using testing::PairVector;
 
 constexpr std::size_t elements = 5000;
 
+/// Any shift that tells the pair.
+ImageShift shift_of(const ContactPair& pair) {
+  return {static_cast<std::int32_t>(pair.first), -static_cast<std::int32_t>(pair.second), 7};
+}
+
 /// Units of pairs, found by workers in any order; each unit's pairs in one worker, in several
 /// commits.
 struct Units {
@@ -77,7 +82,13 @@ struct Units {
       ASSERT_GE(room.size(), base::PairSink::smallest_room);
       const std::size_t count =
           std::min({room.size(), pairs[unit].size() - done, 1 + random.below(5000)});
-      std::copy_n(pairs[unit].begin() + static_cast<std::ptrdiff_t>(done), count, room.begin());
+      const std::span piece = std::span(pairs[unit]).subspan(done, count);
+      std::copy(piece.begin(), piece.end(), room.begin());
+      const auto shifts = found.shift_room(worker);
+      if (!shifts.empty()) {
+        ASSERT_GE(shifts.size(), count);
+        std::transform(piece.begin(), piece.end(), shifts.begin(), shift_of);
+      }
       found.commit(count, {worker, unit});
       done += count;
     }
@@ -131,7 +142,7 @@ TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
     base::MemoryMeter memory;
     FoundPairs found(memory);
     PairVector target(std::max(room, expected.size()));
-    found.start_anew(unlimited_pairs, Shifts::none, std::span(target).first(room));
+    found.start_anew(unlimited_pairs, Shifts::none, {std::span(target).first(room), {}});
     units.deliver_in_order(found);
     const std::size_t in_place = found.lent_filled();
     EXPECT_LE(in_place, room);
@@ -142,12 +153,39 @@ TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
   }
 }
 
+/// Shifts too, as far as there is room for both.
+TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
+  const Units units(1);
+  const PairVector expected = units.together();
+  const std::size_t all = expected.size();
+  std::vector<ImageShift> expected_shifts(all);
+  std::transform(expected.begin(), expected.end(), expected_shifts.begin(), shift_of);
+  for (const auto& [room, room_for_shifts] :
+       {std::pair{all, all}, {all, std::size_t{5000}}, {std::size_t{5000}, all}, {all, {}}}) {
+    base::MemoryMeter memory;
+    FoundPairs found(memory);
+    PairVector target(all);
+    std::vector<ImageShift> shifts(all);
+    found.start_anew(unlimited_pairs, Shifts::stored,
+                     {std::span(target).first(room), std::span(shifts).first(room_for_shifts)});
+    units.deliver_in_order(found);
+    const std::size_t in_place = found.lent_filled();
+    const std::size_t lent = std::min(room, room_for_shifts);
+    EXPECT_LE(in_place, lent);
+    EXPECT_GE(in_place + base::PairSink::smallest_room, lent);
+    const auto pieces = found.pieces();
+    PairOrder(memory).join({pieces, found.shift_pieces()}, target, shifts, 1, in_place);
+    EXPECT_EQ(target, expected) << "room for " << room << " and " << room_for_shifts;
+    EXPECT_EQ(shifts, expected_shifts) << "room for " << room << " and " << room_for_shifts;
+  }
+}
+
 TEST(FoundPairs, OfSeveralWorkersDoNot) {
   const Units units(1);
   base::MemoryMeter memory;
   FoundPairs found(memory);
   PairVector target(units.together().size());
-  found.start_anew(unlimited_pairs, Shifts::none, target);
+  found.start_anew(unlimited_pairs, Shifts::none, {target, {}});
   units.deliver(found, 2, 3);
   EXPECT_EQ(found.lent_filled(), 0U);
   EXPECT_EQ(joined(found, 2), units.together());

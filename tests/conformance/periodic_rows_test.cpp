@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace abut::testing {
@@ -142,6 +145,75 @@ TEST(PeriodicRows, DoublingTheBoxDoublesThePairs) {
   EXPECT_NEAR(static_cast<double>(rounded), static_cast<double>(once), 2.0);
   const Domain doubled = Domain::periodic({1.0, 2.0, 1.0});
   EXPECT_EQ(count_contact_pairs(view_of(scene), doubled).contact_pairs, 2 * rounded);
+}
+
+/// Elements of a cube of side 1 and those of their images that lie around it: pairs of a search in
+/// open space, by an algorithm of the book. Positions are multiples of 2^-40, so that moving them
+/// rounds nothing.
+PairList pairs_of_copies(const Scene& scene, double reach) {
+  Scene copies = scene;
+  const std::size_t count = scene.radius.size();
+  std::vector<std::uint32_t> element(count);
+  std::iota(element.begin(), element.end(), 0U);
+  std::vector<ImageShift> moved(count);
+  for (std::int32_t n = 1; n < 27; ++n) {
+    const ImageShift shift{(n + 1) % 3 - 1, (n / 3 + 1) % 3 - 1, (n / 9 + 1) % 3 - 1};
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const double at[] = {scene.x[k] + shift.x, scene.y[k] + shift.y, scene.z[k] + shift.z};
+      if (std::any_of(at, at + 3, [&](double x) { return x < -reach || x > 1.0 + reach; }))
+        continue;
+      copies.x.push_back(at[0]);
+      copies.y.push_back(at[1]);
+      copies.z.push_back(at[2]);
+      copies.radius.push_back(scene.radius[k]);
+      element.push_back(k);
+      moved.push_back(shift);
+    }
+  }
+  std::vector<std::pair<ContactPair, ImageShift>> found;
+  for (const auto [i, c] : find_contact_pairs(view_of(copies), Domain::open(),
+                                              {.algorithm = Algorithm::sorting_array})) {
+    if (i >= count) continue;
+    const ContactPair pair{i, element[c]};
+    // The others are found from their second element, too.
+    if (pair.first < pair.second || (pair.first == pair.second && ImageShift{} < moved[c])) {
+      found.emplace_back(pair, moved[c]);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  PairArray pairs;
+  ShiftArray shifts;
+  for (const auto& [pair, shift] : found) {
+    pairs.push_back(pair);
+    shifts.push_back(shift);
+  }
+  return {std::move(pairs), std::move(shifts), Statistics{}};
+}
+
+/// Many tiles, and large elements that visit the small. Ghosts lie around the box of the natives,
+/// unless natives lie on two opposite faces.
+TEST(PeriodicRows, ManyTilesWithAndWithoutElementsOnBothFaces) {
+  const Domain cube = Domain::periodic({1.0, 1.0, 1.0});
+  for (const double size_ratio : {1.0, 20.0}) {
+    for (const bool on_both_faces : {false, true}) {
+      Scene scene =
+          random_scene(cube, 3, 20000, size_ratio == 1.0 ? 0.012 : 0.05, size_ratio, 0, 21);
+      std::size_t first = 0;  // others on each axis
+      for (auto* column : {&scene.x, &scene.y, &scene.z}) {
+        for (double& x : *column) x = std::floor(x * 0x1p40) * 0x1p-40;
+        for (std::size_t k = ++first; k < 20000; k += 50) (*column)[k] = 0.0;
+        if (!on_both_faces) continue;
+        for (std::size_t k = first + 3; k < 20000; k += 50) (*column)[k] = 1.0;
+      }
+      const PairList expected = pairs_of_copies(scene, 0.1);
+      ASSERT_GT(expected.size(), 1000U);
+      for (const int threads : {1, 2, 7}) {
+        const Options options{
+            .algorithm = Algorithm::rows, .shifts = Shifts::stored, .threads = threads};
+        expect_same(expected, find_contact_pairs(view_of(scene), cube, options));
+      }
+    }
+  }
 }
 
 /// Far smaller than the rounding of a moved position allows cells to be.

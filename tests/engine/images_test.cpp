@@ -235,7 +235,9 @@ TYPED_TEST(Images, DoNotDependOnWorkersAndVectors) {
         }
       }
       ASSERT_EQ(several.slack(), one.slack());
-      expect_same(several.bounds(), one.bounds());
+      expect_same(several.native_bounds(), one.native_bounds());
+      expect_same(several.ghost_bounds(), one.ghost_bounds());
+      ASSERT_EQ(several.ghosts_are_outside(), one.ghosts_are_outside());
     }
   }
 }

@@ -104,6 +104,17 @@ template <int Dim>
   return distance <= (a.radius + b.radius + margin) * (1.0 + 0x1p-49) + slack;
 }
 
+/// Whether each has a coordinate beyond the box.
+template <int Dim>
+[[nodiscard]] bool are_outside(std::span<const base::Sphere<Dim>> spheres,
+                               const grid::Bounds<Dim>& box) {
+  return std::all_of(spheres.begin(), spheres.end(), [&](const base::Sphere<Dim>& sphere) {
+    grid::Bounds<Dim> wider = box;
+    wider.include_center(sphere);
+    return wider.lower != box.lower || wider.upper != box.upper;
+  });
+}
+
 /// All that a search over natives and ghosts finds, in canonical order; a pair found twice stands
 /// there twice.
 template <int Dim>
@@ -117,7 +128,11 @@ template <int Dim>
   images.find(elements, bounds_of<Dim>(system.spheres), reduced,
               {system.margin, workers, kernels::image_kernels(simd)});
   const double margin = system.margin * images.unit();
-  expect_same(images.bounds(), bounds_of<Dim>(images.natives_and_ghosts()));
+  const auto natives = images.natives();
+  const auto ghosts = images.natives_and_ghosts().subspan(natives.size());
+  expect_same(images.native_bounds(), bounds_of<Dim>(natives));
+  expect_same(images.ghost_bounds(), bounds_of<Dim>(ghosts));
+  EXPECT_EQ(images.ghosts_are_outside(), are_outside<Dim>(ghosts, bounds_of<Dim>(natives)));
   std::vector<FoundPair> pairs;
   std::uint64_t exact_decisions = 0;
   const auto decide = [&](std::size_t i, std::size_t j, const ImageShift& shift) {
@@ -126,7 +141,6 @@ template <int Dim>
       pairs.push_back(canonical(i, j, shift));
     }
   };
-  const auto natives = images.natives();
   for (std::size_t i = 0; i < natives.size(); ++i) {
     for (std::size_t j = i + 1; j < natives.size(); ++j) {
       if (!may_pair(natives[i], natives[j], margin, images.slack())) continue;

@@ -9,10 +9,12 @@
 #include <abut/abut.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace abut::testing {
 namespace {
@@ -60,6 +62,86 @@ void compare_the_rest(Detector& detector, const ElementView& elements, Options o
   insist(visited == pairs, "the number of pairs visited");
 }
 
+void insist_equal(const PairList& expected, const PairList& found, const std::string& what) {
+  insist(std::ranges::equal(expected.pairs(), found.pairs()), what);
+  insist(std::ranges::equal(expected.shifts(), found.shifts()), "shifts of " + what);
+}
+
+/// Elements at home and up to a cell outside, with ghosts around the cell or in it; neighbors with
+/// all that is told of them.
+void stress_domains(Scene scene) {
+  const double side = *std::ranges::max_element(scene.x) + scene.radius[0];
+  const Domain block = Domain::periodic({side, side, side});
+  const Domain oblique =
+      Domain::lattice({side, 0.1 * side, 0}, {0, side, 0.2 * side}, {0.3 * side, 0, side});
+  for (const double farther : {0.0, side}) {
+    for (std::size_t k = 0; k < scene.x.size(); k += 3) scene.x[k] += farther;
+    for (const Domain& domain : {block, oblique}) {
+      Options options{.algorithm = Algorithm::rows, .shifts = Shifts::stored, .threads = 1};
+      for (const Order order : {Order::canonical, Order::as_found}) {
+        options.order = order;
+        const PairList expected = find_contact_pairs(view_of(scene), domain, options);
+        Options several = options;
+        several.threads = workers;
+        insist_equal(expected, find_contact_pairs(view_of(scene), domain, several),
+                     "the periodic list");
+      }
+      options.neighbor_data = NeighborData::distances_and_vectors;
+      const NeighborList expected =
+          build_neighbor_list(view_of(scene), domain, NeighborListKind::full, options);
+      options.threads = workers;
+      const NeighborList found =
+          build_neighbor_list(view_of(scene), domain, NeighborListKind::full, options);
+      insist(std::ranges::equal(expected.neighbors(), found.neighbors()), "periodic neighbors");
+      insist(std::ranges::equal(expected.shifts(), found.shifts()), "shifts of neighbors");
+      insist(std::ranges::equal(expected.distances(), found.distances()), "distances");
+    }
+  }
+}
+
+/// Steps with a skin: detections and reuses.
+void stress_skin(Scene scene) {
+  Detector one({.threads = 1});
+  Detector several({.threads = workers});
+  one.set_skin(Skin::fixed(0.2 * scene.radius[0]));
+  several.set_skin(one.skin());
+  for (int step = 0; step < 6; ++step) {
+    insist_equal(one.find_contact_pairs(view_of(scene)), several.find_contact_pairs(view_of(scene)),
+                 "the list of a step");
+    for (std::size_t k = 0; k < scene.x.size(); k += 2) scene.x[k] += 0.03 * scene.radius[0];
+  }
+  insist(several.skin_statistics().reuses > 0, "the number of reuses");
+}
+
+/// One set against another, boxes, walls of boxes and of triangles.
+void stress_sets(const Scene& scene) {
+  const ElementView spheres = view_of(scene);
+  std::vector<std::array<double, 3>> lower;
+  std::vector<std::array<double, 3>> upper;
+  std::vector<std::array<int, 3>> triangles;
+  for (std::size_t k = 0; k < scene.x.size(); ++k) {
+    const double r = scene.radius[k];
+    lower.push_back({scene.x[k] - r, scene.y[k] - r, scene.z[k]});
+    upper.push_back({scene.x[k] + r, scene.y[k], scene.z[k] + r});
+    const int first = static_cast<int>(k);
+    if (k % 3 == 0 && k + 2 < scene.x.size()) triangles.push_back({first, first + 1, first + 2});
+  }
+  const ElementView boxes = abut::boxes(lower, upper);
+  const TriangleMesh mesh(lower, triangles);
+  Options one{.threads = 1};
+  Options several{.threads = workers};
+  insist_equal(find_contact_pairs(spheres, spheres, Domain::open(), one),
+               find_contact_pairs(spheres, spheres, Domain::open(), several), "two sets");
+  insist_equal(find_contact_pairs(boxes, Domain::open(), one),
+               find_contact_pairs(boxes, Domain::open(), several), "boxes");
+  insist(std::ranges::equal(find_box_contacts(spheres, boxes, one).contacts(),
+                            find_box_contacts(spheres, boxes, several).contacts()),
+         "the contacts with boxes");
+  insist(std::ranges::equal(find_mesh_contacts(spheres, mesh, one).contacts(),
+                            find_mesh_contacts(spheres, mesh, several).contacts()),
+         "the contacts with a mesh");
+}
+
 void stop_half_way(const ElementView& elements, Options options) {
   options.threads = workers;
   bool stopped = false;
@@ -93,6 +175,9 @@ void run() {
   }
   // Groups that wait until all workers are free.
   stress(scenes::scene_named("two_far_clusters").make(70000, 1), 0.0);
+  stress_domains(scenes::scene_named("dense").make(20000, 1));
+  stress_skin(scenes::scene_named("dense").make(20000, 1));
+  stress_sets(scenes::scene_named("log_uniform").make(3000, 1));
   const Scene gas = scenes::scene_named("gas").make(60000, 1);
   for (int k = 0; k < 3; ++k) stop_half_way(view_of(gas), {.algorithm = Algorithm::rows});
 }

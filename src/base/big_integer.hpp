@@ -9,10 +9,11 @@ namespace abut::base {
 /// A whole number with sign and magnitude, exact: sums, differences and products of doubles over a
 /// common power of two, up to six factors in a term. It allocates nothing.
 ///
-/// Room: a double is below 2^2098 in units of the smallest one, a difference of two below 2^2099.
-/// The largest polynomial of the geometric predicates is the square of a sum of three products of
-/// such a difference and of a component of the vector product of two (below 2^4199): below 2^12600,
-/// which is 197 words. A product is given as many words as both factors have together: 198.
+/// Room: a double is below 2^2098 in units of the smallest one, a difference of two below 2^2099,
+/// one of doubles and of three times 31-bit numbers of a lattice below 2^2131. The largest
+/// polynomial of the geometric predicates is the square of a sum of three products of the latter
+/// and of a component of the vector product of two of the former (below 2^4199): below 2^12664,
+/// which is 198 words. A product is given as many words as both factors have together: 198.
 class BigInteger {
  public:
   BigInteger() noexcept = default;

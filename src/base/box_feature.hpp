@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/box.hpp"
+#include "base/lattice.hpp"
 #include "base/sphere_predicate.hpp"
 
 #include <algorithm>
@@ -35,5 +36,13 @@ template <int Dim>
   if (!within_reach(sphere, nearest, margin, exact_decisions)) return std::nullopt;
   return sides;
 }
+
+/// The same with the box moved by the shift n of a lattice A. On each axis it is decided exactly on
+/// which side of the bounds + n A the center lies; the distance is that to the bounds of those axes
+/// where it does not lie between them, by the contract of two spheres with a lattice.
+template <int Dim>
+[[nodiscard]] std::optional<BoxSides<Dim>> sides_within_reach(
+    const Sphere<Dim>& sphere, const Box<Dim>& box, const ImageShift& shift, const Lattice& lattice,
+    double margin, std::uint64_t& exact_decisions) noexcept;
 
 }  // namespace abut::base

@@ -1,6 +1,7 @@
 // The slow path of the triangles: all numbers of one decision become whole numbers over a common
 // power of two, and the signs of the polynomials are those of whole numbers. Nothing is divided:
-// comparisons are multiplied by the squared length of a side or of the normal.
+// comparisons are multiplied by the squared length of a side or of the normal. A triangle that is
+// moved by n A is seen from x - n A instead of x.
 //
 // Short numbers, such as those of a grid, fit into 128 bits with all that is made of them, and are
 // decided several times as fast as others.
@@ -8,6 +9,7 @@
 #include "base/big_integer.hpp"
 #include "base/bit_range.hpp"
 #include "base/bits.hpp"
+#include "base/image_difference.hpp"
 #include "base/nearest_part.hpp"
 #include "base/triangle_predicate.hpp"
 
@@ -77,11 +79,10 @@ Vector<Integer> cross(const Vector<Integer>& a, const Vector<Integer>& b) noexce
 template <class Integer>
 class ExactSigns {
  public:
-  ExactSigns(const Sphere<3>& sphere, const Triangle& triangle, int exponent) noexcept
-      : center_(sphere.center, exponent),
-        corners_{Vector<Integer>(triangle.corner[0], exponent) - center_,
-                 Vector<Integer>(triangle.corner[1], exponent) - center_,
-                 Vector<Integer>(triangle.corner[2], exponent) - center_},
+  ExactSigns(const Vector<Integer>& center, const Triangle& triangle, int exponent) noexcept
+      : corners_{Vector<Integer>(triangle.corner[0], exponent) - center,
+                 Vector<Integer>(triangle.corner[1], exponent) - center,
+                 Vector<Integer>(triangle.corner[2], exponent) - center},
         normal_(cross(corners_[1] - corners_[0], corners_[2] - corners_[0])) {}
 
   [[nodiscard]] int along(std::size_t from, std::size_t to) const noexcept {
@@ -109,18 +110,56 @@ class ExactSigns {
   }
 
  private:
-  Vector<Integer> center_;
   Vector<Integer> corners_[3];
   Vector<Integer> normal_;
 };
 
+/// The radius and the margin are those of the sphere; where it is, `center` says.
 template <class Integer>
-std::optional<TrianglePart> decide(const Sphere<3>& sphere, const Triangle& triangle, double margin,
-                                   int exponent) noexcept {
-  const ExactSigns<Integer> signs(sphere, triangle, exponent);
+std::optional<TrianglePart> decide(const Vector<Integer>& center, const Sphere<3>& sphere,
+                                   const Triangle& triangle, double margin, int exponent) noexcept {
+  const ExactSigns<Integer> signs(center, triangle, exponent);
   const auto nearest = nearest_part(signs);
   const Integer reach = Integer(sphere.radius, exponent) + Integer(margin, exponent);
   return nearest && signs.is_within(reach, *nearest) ? nearest : std::nullopt;
+}
+
+void include(BitRange& range, const double (&point)[3]) noexcept {
+  for (const double x : point) range.include(x);
+}
+
+BitRange range_of(const Sphere<3>& sphere, const Triangle& triangle, double margin) noexcept {
+  BitRange range;
+  for (const auto& corner : triangle.corner) include(range, corner);
+  include(range, sphere.center);
+  range.include(sphere.radius);
+  range.include(margin);
+  return range;
+}
+
+/// x - n A, if it is three doubles and no step towards them rounds.
+std::optional<Sphere<3>> moved_back(const Sphere<3>& sphere,
+                                    const LatticeSteps<3>& steps) noexcept {
+  const Sphere<3> origin{};
+  Sphere<3> moved{{}, sphere.radius};
+  for (int axis = 0; axis < 3; ++axis) {
+    const CompensatedSum sum = image_difference(sphere, origin, steps, axis);
+    if (sum.rounded()) return std::nullopt;
+    moved.center[axis] = sum.value().high;
+  }
+  return moved;
+}
+
+Vector<BigInteger> moved_back(const Sphere<3>& sphere, const LatticeSteps<3>& steps,
+                              int exponent) noexcept {
+  Vector<BigInteger> center(sphere.center, exponent);
+  for (const auto& step : steps) {
+    const auto product = [&](int axis) {
+      return BigInteger(step.number, 0) * BigInteger(step.vector[axis], exponent);
+    };
+    center = center - Vector<BigInteger>(product(0), product(1), product(2));
+  }
+  return center;
 }
 
 }  // namespace
@@ -128,17 +167,29 @@ std::optional<TrianglePart> decide(const Sphere<3>& sphere, const Triangle& tria
 std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                                                       const Triangle& triangle,
                                                       double margin) noexcept {
-  BitRange range;
-  const auto include_point = [&](const double(&point)[3]) {
-    for (const double x : point) range.include(x);
-  };
-  for (const auto& corner : triangle.corner) include_point(corner);
-  include_point(sphere.center);
-  range.include(sphere.radius);
-  range.include(margin);
-  return range.bits() <= SmallInteger::most_bits
-             ? decide<SmallInteger>(sphere, triangle, margin, range.lowest())
-             : decide<BigInteger>(sphere, triangle, margin, range.lowest());
+  const BitRange range = range_of(sphere, triangle, margin);
+  const int exponent = range.lowest();
+  if (range.bits() <= SmallInteger::most_bits) {
+    return decide(Vector<SmallInteger>(sphere.center, exponent), sphere, triangle, margin,
+                  exponent);
+  }
+  return decide(Vector<BigInteger>(sphere.center, exponent), sphere, triangle, margin, exponent);
+}
+
+/// Where it is three doubles from which the triangle is seen: the question without a lattice.
+std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
+                                                      const Triangle& triangle,
+                                                      const LatticeSteps<3>& steps,
+                                                      double margin) noexcept {
+  if (const auto moved = moved_back(sphere, steps)) {
+    return part_within_reach_exactly(*moved, triangle, margin);
+  }
+  BitRange range = range_of(sphere, triangle, margin);
+  for (const auto& step : steps) {
+    for (int axis = 0; axis < 3; ++axis) range.include(step.vector[axis]);
+  }
+  const int exponent = range.lowest();
+  return decide(moved_back(sphere, steps, exponent), sphere, triangle, margin, exponent);
 }
 
 }  // namespace abut::base

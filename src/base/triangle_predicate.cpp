@@ -3,6 +3,7 @@
 #include "base/triangle_predicate.hpp"
 
 #include "base/nearest_part.hpp"
+#include "base/periodic_predicate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,19 +68,43 @@ struct Side {
   Enclosed back;   ///< from the second end
 };
 
+/// Where a triangle is seen from. Each coordinate is off by less than 4.1 u `blur`.
+struct Viewpoint {
+  double center[3];
+  double blur;
+};
+
+/// x - n A: what sees the triangle as x sees it when it is moved by n A. A product or a sum that
+/// overflows leaves an infinite blur.
+Viewpoint moved_back(const Sphere<3>& sphere, const LatticeSteps<3>& steps) noexcept {
+  Viewpoint view{};
+  for (int axis = 0; axis < 3; ++axis) {
+    double x = sphere.center[axis];
+    double magnitude = std::fabs(x);
+    for (const auto& step : steps) {
+      const double product = step.number * step.vector[axis];
+      x -= product;
+      magnitude += std::fabs(product);
+    }
+    view.center[axis] = x;
+    view.blur = std::max(view.blur, magnitude);
+  }
+  return view;
+}
+
 /// Decides with certainty or not at all. Vectors to corners begin at the center.
 class Filter {
  public:
-  Filter(const Sphere<3>& sphere, const Triangle& triangle, double margin) noexcept
-      : corners_{between(sphere.center, triangle.corner[0]),
-                 between(sphere.center, triangle.corner[1]),
-                 between(sphere.center, triangle.corner[2])},
+  Filter(const Viewpoint& view, const Triangle& triangle, double reach) noexcept
+      : corners_{between(view.center, triangle.corner[0]), between(view.center, triangle.corner[1]),
+                 between(view.center, triangle.corner[2])},
         farthest_(std::max({largest_component(corners_[0]), largest_component(corners_[1]),
-                            largest_component(corners_[2])})),
+                            largest_component(corners_[2])}) +
+                  view.blur),
         sides_{side(triangle, 0, 1), side(triangle, 0, 2), side(triangle, 1, 2)},
         longest_(std::max({sides_[0].size, sides_[1].size, sides_[2].size})),
         normal_(cross(sides_[0].edge, sides_[1].edge)),
-        reach_(sphere.radius + margin) {}
+        reach_(reach) {}
 
   /// Whether the bands hold here, and the signs along the sides are certain.
   [[nodiscard]] bool applies() const noexcept {
@@ -137,7 +162,7 @@ class Filter {
   }
 
   std::array<Vector, 3> corners_;
-  double farthest_;            ///< the largest component of the corners
+  double farthest_;            ///< the largest component of the corners, and the blur
   std::array<Side, 3> sides_;  ///< 01, 02, 12
   double longest_;             ///< the largest component of the sides
   Vector normal_;
@@ -152,22 +177,53 @@ Sphere<3> point_at(const double (&corner)[3]) noexcept {
   return {{corner[0], corner[1], corner[2]}, 0.0};
 }
 
+/// The part if the filter knows it and that it is within reach, nothing if it knows that it is not.
+/// `is_corner_within(corner)` and `decide_exactly()` are asked where need be.
+template <class CornerTest, class ExactTest>
+std::optional<TrianglePart> decide(const Filter& filter, const Triangle& triangle,
+                                   CornerTest&& is_corner_within, ExactTest&& decide_exactly) {
+  const auto nearest = filter.applies() ? nearest_part(filter) : std::nullopt;
+  if (nearest && is_corner(*nearest)) {
+    const Sphere<3> corner = point_at(triangle.corner[static_cast<std::size_t>(*nearest)]);
+    return is_corner_within(corner) ? nearest : std::nullopt;
+  }
+  const auto within = nearest ? filter.is_within_reach(*nearest) : std::nullopt;
+  if (within) return *within ? nearest : std::nullopt;
+  return decide_exactly();
+}
+
 }  // namespace
 
 std::optional<TrianglePart> part_within_reach(const Sphere<3>& sphere, const Triangle& triangle,
                                               double margin,
                                               std::uint64_t& exact_decisions) noexcept {
-  const Filter filter(sphere, triangle, margin);
-  const auto nearest = filter.applies() ? nearest_part(filter) : std::nullopt;
-  if (nearest && is_corner(*nearest)) {
-    const Sphere<3> corner = point_at(triangle.corner[static_cast<std::size_t>(*nearest)]);
-    const bool within = within_reach(sphere, corner, margin, exact_decisions);
-    return within ? nearest : std::nullopt;
-  }
-  const auto within = nearest ? filter.is_within_reach(*nearest) : std::nullopt;
-  if (within) return *within ? nearest : std::nullopt;
-  ++exact_decisions;
-  return part_within_reach_exactly(sphere, triangle, margin);
+  const auto& [x, y, z] = sphere.center;
+  return decide(
+      Filter({{x, y, z}, 0.0}, triangle, sphere.radius + margin), triangle,
+      [&](const Sphere<3>& corner) {
+        return within_reach(sphere, corner, margin, exact_decisions);
+      },
+      [&] {
+        ++exact_decisions;
+        return part_within_reach_exactly(sphere, triangle, margin);
+      });
+}
+
+std::optional<TrianglePart> part_within_reach(const Sphere<3>& sphere, const Triangle& triangle,
+                                              const ImageShift& shift, const Lattice& lattice,
+                                              double margin,
+                                              std::uint64_t& exact_decisions) noexcept {
+  const LatticeSteps<3> steps(shift, lattice);
+  if (steps.empty()) return part_within_reach(sphere, triangle, margin, exact_decisions);
+  return decide(
+      Filter(moved_back(sphere, steps), triangle, sphere.radius + margin), triangle,
+      [&](const Sphere<3>& corner) {
+        return within_reach(sphere, corner, shift, lattice, margin, exact_decisions);
+      },
+      [&] {
+        ++exact_decisions;
+        return part_within_reach_exactly(sphere, triangle, steps, margin);
+      });
 }
 
 }  // namespace abut::base

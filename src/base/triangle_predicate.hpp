@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/lattice.hpp"
 #include "base/sphere_predicate.hpp"
 
 #include <cstdint>
@@ -31,9 +32,18 @@ enum class TrianglePart : std::uint8_t {
     const Sphere<3>& sphere, const Triangle& triangle, double margin,
     std::uint64_t& exact_decisions) noexcept;
 
+/// The same with the triangle moved by the shift n of a lattice A, that is, of the corners + n A.
+[[nodiscard]] std::optional<TrianglePart> part_within_reach(
+    const Sphere<3>& sphere, const Triangle& triangle, const ImageShift& shift,
+    const Lattice& lattice, double margin, std::uint64_t& exact_decisions) noexcept;
+
 /// The same by long integers alone. Needs the default floating-point environment, as all here.
 [[nodiscard]] std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                                                                     const Triangle& triangle,
+                                                                    double margin) noexcept;
+[[nodiscard]] std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
+                                                                    const Triangle& triangle,
+                                                                    const LatticeSteps<3>& steps,
                                                                     double margin) noexcept;
 
 }  // namespace abut::base

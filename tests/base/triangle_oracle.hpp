@@ -25,13 +25,8 @@ using RationalPoint = std::array<mpq_class, 3>;
   return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
 }
 
-/// A corner seen from the center.
-[[nodiscard]] inline RationalPoint seen_from(const double (&center)[3], const double (&point)[3]) {
-  RationalPoint result;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    result[axis] = mpq_class(point[axis]) - mpq_class(center[axis]);
-  }
-  return result;
+[[nodiscard]] inline RationalPoint rational(const double (&point)[3]) {
+  return {mpq_class(point[0]), mpq_class(point[1]), mpq_class(point[2])};
 }
 
 struct NearestPart {
@@ -41,9 +36,11 @@ struct NearestPart {
 
 class NearestPartFinder {
  public:
-  NearestPartFinder(const double (&center)[3], const base::Triangle& triangle)
-      : corner_{seen_from(center, triangle.corner[0]), seen_from(center, triangle.corner[1]),
-                seen_from(center, triangle.corner[2])} {}
+  /// Corners are seen from the center.
+  NearestPartFinder(const RationalPoint& center, const base::Triangle& triangle)
+      : corner_{moved(rational(triangle.corner[0]), -1, center),
+                moved(rational(triangle.corner[1]), -1, center),
+                moved(rational(triangle.corner[2]), -1, center)} {}
 
   [[nodiscard]] NearestPart find() {
     using base::TrianglePart;
@@ -90,17 +87,41 @@ class NearestPartFinder {
   NearestPart nearest_;
 };
 
-[[nodiscard]] inline NearestPart nearest_part_by_rationals(const double (&center)[3],
+[[nodiscard]] inline NearestPart nearest_part_by_rationals(const RationalPoint& center,
                                                            const base::Triangle& triangle) {
   return NearestPartFinder(center, triangle).find();
 }
 
 [[nodiscard]] inline std::optional<base::TrianglePart> part_within_reach_by_rationals(
-    const base::Sphere<3>& sphere, const base::Triangle& triangle, double margin) {
-  const NearestPart nearest = nearest_part_by_rationals(sphere.center, triangle);
-  const mpq_class reach = mpq_class(sphere.radius) + mpq_class(margin);
+    const RationalPoint& center, double radius, const base::Triangle& triangle, double margin) {
+  const NearestPart nearest = nearest_part_by_rationals(center, triangle);
+  const mpq_class reach = mpq_class(radius) + mpq_class(margin);
   if (nearest.distance_squared > reach * reach) return std::nullopt;
   return nearest.part;
+}
+
+[[nodiscard]] inline NearestPart nearest_part_by_rationals(const double (&center)[3],
+                                                           const base::Triangle& triangle) {
+  return nearest_part_by_rationals(rational(center), triangle);
+}
+
+[[nodiscard]] inline std::optional<base::TrianglePart> part_within_reach_by_rationals(
+    const base::Sphere<3>& sphere, const base::Triangle& triangle, double margin) {
+  return part_within_reach_by_rationals(rational(sphere.center), sphere.radius, triangle, margin);
+}
+
+/// Where a triangle moved by n A is seen from: x - n A.
+[[nodiscard]] inline RationalPoint moved_back(const double (&center)[3],
+                                              const base::ImageShift& shift,
+                                              const base::Lattice& lattice) {
+  RationalPoint result = rational(center);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!lattice.periodic[k]) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      result[axis] -= base::numbers(shift)[k] * mpq_class(lattice.vectors[k][axis]);
+    }
+  }
+  return result;
 }
 
 }  // namespace abut::test

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <abut/contact_list.hpp>
+#include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/export.hpp>
 #include <abut/options.hpp>
@@ -21,7 +22,7 @@ struct MeshContact {
 
 using MeshContactList = ContactList<MeshContact>;
 
-/// Spheres against a mesh (walls), in open space. Sphere i has a contact with a feature F if
+/// Spheres against a mesh (walls). Sphere i has a contact with a feature F if
 ///
 ///  * the distance of its center to F is at most r_i + margin, and
 ///  * each triangle that has F is nearest to the center at a point of F (on an edge but not at its
@@ -34,10 +35,28 @@ using MeshContactList = ContactList<MeshContact>;
 ///
 /// Where a triangle has no area its nearest point may be in several features of as few dimensions;
 /// then that of the smallest number counts as the one. A sphere within reach of a mesh always has
-/// a contact. Ascending by (sphere, kind, number), whatever order the options say.
+/// a contact.
 ///
-/// Throws as find_contact_pairs does; Error{wrong_usage} for elements that are not spheres and for
-/// a rule of who may pair, which is not carried.
+/// In a periodic domain the sphere has a contact (F, n) if it has one with F of the mesh moved by
+/// n A; the lattice vectors A. Images of a mesh know nothing of each other: where the border of one
+/// lies on that of the next, a sphere over it touches both.
+///
+/// A rule says which triangles are there for a sphere: `rule.elements` are the spheres,
+/// `rule.others` the triangles, exclusions are of (sphere, triangle). Those that it denies do not
+/// count, neither as what is touched nor as what has F, as if the mesh were without them;
+/// features keep their numbers.
+///
+/// Ascending by (sphere, kind, number, n), whatever order the options say; `shifts()` has the n if
+/// Options::shifts asks for them.
+///
+/// Throws as find_contact_pairs of two sets does; Error{wrong_usage} for elements that are not
+/// spheres.
+[[nodiscard]] ABUT_API MeshContactList find_mesh_contacts(const ElementView& spheres,
+                                                          const TriangleMesh& mesh,
+                                                          const Domain& domain,
+                                                          const Options& options = {});
+
+/// In open space.
 [[nodiscard]] ABUT_API MeshContactList find_mesh_contacts(const ElementView& spheres,
                                                           const TriangleMesh& mesh,
                                                           const Options& options = {});

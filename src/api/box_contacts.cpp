@@ -2,12 +2,14 @@
 
 #include "api/feature_search.hpp"
 #include "api/gathered_elements.hpp"
+#include "api/lattice_of.hpp"
 #include "base/box_feature.hpp"
 #include "base/float_environment.hpp"
 
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace abut {
@@ -38,30 +40,39 @@ FeatureKind kind_of(const base::BoxSides<Dim>& sides) {
 }
 
 template <int Dim>
-BoxContactList find(const ElementView& spheres, const ElementView& boxes, const Options& options) {
-  api::FeatureSearch<Dim> search(spheres, boxes, options);
-  return search.template contacts<BoxContact>([&](const api::Candidates<Dim>& candidates,
-                                                  api::FoundContacts<BoxContact>& found) {
-    for (const ContactPair& pair : candidates.pairs) {
-      const base::Box<Dim> box = api::box_at<Dim>(boxes, pair.second);
-      const auto sides =
-          base::sides_within_reach(candidates.sphere, box, options.margin, found.exact_decisions);
-      if (!sides) continue;
-      BoxContact contact{candidates.number, pair.second, {kind_of<Dim>(*sides), {}}};
-      std::copy(sides->begin(), sides->end(), contact.feature.side.begin());
-      found.contacts.push_back(contact);
-    }
-  });
+BoxContactList find(const ElementView& spheres, const ElementView& boxes, const Domain& domain,
+                    const Options& options) {
+  const base::Lattice lattice = api::lattice_of(domain);
+  api::FeatureSearch<Dim> search(spheres, boxes, domain, options);
+  return search.template contacts<BoxContact>(
+      [&](const api::Candidates<Dim>& candidates, api::FoundContacts<BoxContact>& found) {
+        for (std::size_t k = 0; k < candidates.pairs.size(); ++k) {
+          const ElementIndex number = candidates.pairs[k].second;
+          const ImageShift shift = candidates.shift(k);
+          const auto sides =
+              base::sides_within_reach(candidates.sphere, api::box_at<Dim>(boxes, number), shift,
+                                       lattice, options.margin, found.exact_decisions);
+          if (!sides) continue;
+          BoxContact contact{candidates.number, number, {kind_of<Dim>(*sides), {}}};
+          std::copy(sides->begin(), sides->end(), contact.feature.side.begin());
+          found.contacts.push_back({contact, shift});
+        }
+      });
 }
 
 }  // namespace
 
 BoxContactList find_box_contacts(const ElementView& spheres, const ElementView& boxes,
-                                 const Options& options) {
+                                 const Domain& domain, const Options& options) {
   const base::FloatEnvironment environment;
   require_shapes(spheres, boxes);
-  return spheres.dimensions() == 2 ? find<2>(spheres, boxes, options)
-                                   : find<3>(spheres, boxes, options);
+  return spheres.dimensions() == 2 ? find<2>(spheres, boxes, domain, options)
+                                   : find<3>(spheres, boxes, domain, options);
+}
+
+BoxContactList find_box_contacts(const ElementView& spheres, const ElementView& boxes,
+                                 const Options& options) {
+  return find_box_contacts(spheres, boxes, Domain::open(), options);
 }
 
 }  // namespace abut

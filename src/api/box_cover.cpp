@@ -4,6 +4,7 @@
 #include "base/workers.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace abut::api {
 
@@ -22,6 +23,14 @@ BoxCover<Dim>::BoxCover(const ElementView& boxes, std::size_t workers)
     }
     around_[run] = around;
   });
+}
+
+template <int Dim>
+void BoxCover<Dim>::extend(int axis) noexcept {
+  for (std::size_t k = 0; k < count_; ++k) {
+    around_[k].lower[axis] = -std::numeric_limits<double>::max();
+    around_[k].upper[axis] = std::numeric_limits<double>::max();
+  }
 }
 
 template class BoxCover<2>;

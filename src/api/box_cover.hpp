@@ -18,6 +18,9 @@ class BoxCover {
   /// Boxes that are none make a cover that is none.
   BoxCover(const ElementView& boxes, std::size_t workers);
 
+  /// From now on all boxes meet on that axis.
+  void extend(int axis) noexcept;
+
   /// Whether the box meets one of the cover, as it does if it meets one that is covered.
   [[nodiscard]] bool meets(const base::Box<Dim>& box) const noexcept {
     std::uint64_t exact_decisions = 0;

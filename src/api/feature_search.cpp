@@ -2,11 +2,13 @@
 
 #include "api/box_cover.hpp"
 #include "api/gathered_elements.hpp"
+#include "api/lattice_of.hpp"
 #include "api/validate_options.hpp"
 #include "base/detection_context.hpp"
+#include "grid/check_range.hpp"
+#include "grid/reduced_lattice.hpp"
 #include "kernels/simd_level.hpp"
 
-#include <abut/domain.hpp>
 #include <abut/error.hpp>
 #include <abut/two_sets.hpp>
 
@@ -39,6 +41,14 @@ ElementView view_of(const base::Array<base::Box<Dim>>& boxes) {
   return ElementView(lower, upper);
 }
 
+/// Whether images are moved on that axis.
+bool leads_along(const Domain& domain, int axis) noexcept {
+  for (int k = 0; k < 3; ++k) {
+    if (domain.vector(k)[static_cast<std::size_t>(axis)] != 0.0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -61,27 +71,43 @@ void require_allowed(PairCount contacts, const Options& options) {
 
 template <int Dim>
 FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView& boxes,
-                                  const Options& options)
+                                  const Domain& domain, const Options& options)
     : options_(options),
       elements_(spheres.size() + boxes.size()),
       workers_(base::worker_count(options.threads, elements_)),
       memory_(memory_bound(options)),
       spheres_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory_, 0)),
       near_(base::make_array_for_overwrite<ElementIndex>(memory_, 0)) {
-  validate(options, spheres, Domain::open());
-  {
-    const auto around = reporting_lack_of_memory(memory_, [&] {
-      gather(spheres);
-      leave_out_far(boxes);
-      return boxes_around();
-    });
-    // What the caller's hook throws is none of ours: not in reporting_lack_of_memory.
-    candidates_ =
-        find_contact_pairs(view_of<Dim>(around), boxes, Domain::open(), options_of_search());
-    peak_of_search_ = memory_.held() + candidates_.statistics().peak_bytes;
+  validate(options, spheres, domain);
+  reporting_lack_of_memory(memory_, [&] {
+    gather(spheres);
+    leave_out_far(boxes, domain);
+  });
+  try {
+    candidates_ = find_candidates(boxes, domain);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::invalid_input || !domain.is_periodic()) throw;
+    // Too far out: said of the sphere rather than of the box around it, and by the caller's
+    // numbers.
+    const grid::ReducedLattice<Dim> reduced(lattice_of(domain));
+    grid::check_range<Dim>(spheres_, reduced, options.margin, Shape::sphere);
+    if (near_.size() == spheres_.size()) throw;
+    keep_all();
+    candidates_ = find_candidates(boxes, domain);
   }
   // As long as the meter lives.
-  memory_.take_for_pairs(candidates_.size() * sizeof(ContactPair));
+  memory_.take_for_pairs(candidates_.size() * sizeof(ContactPair) +
+                         candidates_.shifts().size() * sizeof(ImageShift));
+}
+
+template <int Dim>
+PairList FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Domain& domain) {
+  const auto around = reporting_lack_of_memory(memory_, [&] { return boxes_around(); });
+  // What the caller's hook throws is none of ours: not in reporting_lack_of_memory.
+  PairList found =
+      find_contact_pairs(view_of<Dim>(around), boxes, domain, options_of_search(domain));
+  peak_of_search_ = memory_.held() + found.statistics().peak_bytes;
+  return found;
 }
 
 template <int Dim>
@@ -92,13 +118,23 @@ void FeatureSearch<Dim>::gather(const ElementView& spheres) {
   spheres_ = std::move(gathered.spheres);
 }
 
-/// A search of two sets of boxes meets all pairs within each set, too: spheres far from all others
-/// had better not be in it. A rule knows the elements by their places, and then all stay.
 template <int Dim>
-void FeatureSearch<Dim>::leave_out_far(const ElementView& boxes) {
+void FeatureSearch<Dim>::keep_all() {
   near_.resize(spheres_.size());
-  if (!options_.rule.is_empty()) return std::iota(near_.begin(), near_.end(), ElementIndex{0});
-  const BoxCover<Dim> cover(boxes, workers_);
+  std::iota(near_.begin(), near_.end(), ElementIndex{0});
+}
+
+/// A search of two sets of boxes meets all pairs within each set, too: spheres far from all others
+/// had better not be in it. A rule knows the elements by their places, and then all stay. With a
+/// lattice only those axes tell along which no vector leads: there images are where the boxes are.
+template <int Dim>
+void FeatureSearch<Dim>::leave_out_far(const ElementView& boxes, const Domain& domain) {
+  if (!options_.rule.is_empty()) return keep_all();
+  near_.resize(spheres_.size());
+  BoxCover<Dim> cover(boxes, workers_);
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (leads_along(domain, axis)) cover.extend(axis);
+  }
   std::vector<std::size_t> counts(workers_);
   base::for_each_worker(workers_, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers_, spheres_.size());
@@ -133,8 +169,9 @@ base::Array<base::Box<Dim>> FeatureSearch<Dim>::boxes_around() {
 
 /// The margin is in the boxes; what is held already is taken off the bound, where there is one.
 template <int Dim>
-Options FeatureSearch<Dim>::options_of_search() const {
+Options FeatureSearch<Dim>::options_of_search(const Domain& domain) const {
   Options search{.algorithm = options_.algorithm,
+                 .shifts = domain.is_periodic() ? Shifts::stored : Shifts::none,
                  .rule = options_.rule,
                  .threads = options_.threads,
                  .simd = options_.simd};
@@ -148,25 +185,22 @@ Options FeatureSearch<Dim>::options_of_search() const {
 }
 
 template <int Dim>
-std::size_t FeatureSearch<Dim>::end_of_sphere(std::span<const ContactPair> pairs,
-                                              std::size_t place) {
+std::size_t FeatureSearch<Dim>::end_of_sphere(std::size_t place) const {
+  const std::span<const ContactPair> pairs = candidates_.pairs();
   const ElementIndex sphere = pairs[place].first;
-  const auto rest = pairs.subspan(place);
-  const auto end = std::find_if(rest.begin(), rest.end(),
-                                [&](const ContactPair& pair) { return pair.first != sphere; });
-  return place + static_cast<std::size_t>(end - rest.begin());
+  while (place < pairs.size() && pairs[place].first == sphere) ++place;
+  return place;
 }
 
 template <int Dim>
-std::span<const ContactPair> FeatureSearch<Dim>::share_of(std::size_t worker) const {
-  const std::span<const ContactPair> pairs = candidates_.pairs();
+std::pair<std::size_t, std::size_t> FeatureSearch<Dim>::share_of(std::size_t worker) const {
+  const std::size_t size = candidates_.size();
   // A sphere is the worker's in whose share its first candidate lies.
   const auto moved = [&](std::size_t place) {
-    return place == 0 || place == pairs.size() ? place : end_of_sphere(pairs, place - 1);
+    return place == 0 || place == size ? place : end_of_sphere(place - 1);
   };
-  const auto [first, last] = base::share_of(worker, workers_, pairs.size());
-  const std::size_t begin = moved(first);
-  return pairs.subspan(begin, moved(last) - begin);
+  const auto share = base::share_of(worker, workers_, size);
+  return {moved(share.first), moved(share.second)};
 }
 
 template base::Box<2> box_around(const base::Sphere<2>&, double) noexcept;

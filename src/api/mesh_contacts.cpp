@@ -1,6 +1,7 @@
 #include <abut/mesh_contacts.hpp>
 
 #include "api/feature_search.hpp"
+#include "api/lattice_of.hpp"
 #include "base/float_environment.hpp"
 #include "base/triangle_predicate.hpp"
 
@@ -8,23 +9,20 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace abut {
 namespace {
 
 using base::TrianglePart;
 using Found = api::FoundContacts<MeshContact>;
+using Contact = api::ImageContact<MeshContact>;
 
-void validate(const ElementView& spheres, const Options& options) {
-  if (spheres.shape() != Shape::sphere || spheres.dimensions() != 3) {
-    throw Error(ErrorCode::wrong_usage,
-                "contacts with a mesh are those of spheres in three dimensions; give "
-                "spheres(x, y, z, radius)");
-  }
-  if (options.rule.is_empty()) return;
+void require_spheres(const ElementView& spheres) {
+  if (spheres.shape() == Shape::sphere && spheres.dimensions() == 3) return;
   throw Error(ErrorCode::wrong_usage,
-              "rules of who may pair are not carried against a mesh; leave out the rule, and give "
-              "only the spheres that may touch it");
+              "contacts with a mesh are those of spheres in three dimensions; give "
+              "spheres(x, y, z, radius)");
 }
 
 base::Triangle triangle_at(const TriangleMesh& mesh, ElementIndex number) {
@@ -45,38 +43,96 @@ MeshFeature feature_of(const TriangleMesh& mesh, ElementIndex triangle, Triangle
   return {FeatureKind::edge, mesh.edges_of_triangles()[triangle][k - 3]};
 }
 
-/// Of the nearest features of all triangles, those that are the nearest of each triangle that has
-/// them. A feature within reach has only triangles within reach, so that all of them were asked.
-void keep_minima(const TriangleMesh& mesh, std::size_t first, base::Array<MeshContact>& contacts) {
+/// Calls act(feature) once for each feature of a triangle. One that it names twice has neighboring
+/// places, whatever corners coincide.
+template <class Act>
+void for_each_feature(const TriangleMesh& mesh, ElementIndex triangle, Act&& act) {
+  act(MeshFeature{FeatureKind::face, mesh.faces()[triangle]});
+  const auto once = [&](FeatureKind kind, const TriangleMesh::Corners& numbers) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (numbers[k] == TriangleMesh::no_edge && kind == FeatureKind::edge) continue;
+      if (k == 0 || numbers[k] != numbers[k - 1]) act(MeshFeature{kind, numbers[k]});
+    }
+  };
+  once(FeatureKind::edge, mesh.edges_of_triangles()[triangle]);
+  once(FeatureKind::vertex, mesh.triangles()[triangle]);
+}
+
+/// From the contact `first` on are the nearest features of triangles; keeps those that as many
+/// triangles name as `triangles_with(contact)` have them. A feature within reach has only triangles
+/// within reach, so that all that count were asked.
+template <class TriangleCount>
+void keep_minima(std::size_t first, base::Array<Contact>& contacts,
+                 TriangleCount&& triangles_with) {
   const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(first);
   std::sort(begin, contacts.end());
   auto kept = begin;
   for (auto run = begin; run != contacts.end();) {
     const auto next = std::upper_bound(run, contacts.end(), *run);
-    const bool of_all = next - run == mesh.triangle_count(run->feature);
-    if (of_all) *kept++ = *run;
+    const Contact contact = *run;
+    if (std::cmp_equal(next - run, triangles_with(contact))) *kept++ = contact;
     run = next;
   }
   contacts.erase(kept, contacts.end());
 }
 
+/// What spheres touch of a mesh and its images.
+class MeshToucher {
+ public:
+  MeshToucher(const TriangleMesh& mesh, const Domain& domain, const Options& options)
+      : mesh_(mesh),
+        lattice_(api::lattice_of(domain)),
+        margin_(options.margin),
+        all_count_(options.rule.is_empty()) {}
+
+  /// Appends the contacts of one sphere. The candidates are the triangles that a rule allows.
+  void operator()(const api::Candidates<3>& candidates, Found& found) const {
+    const std::size_t first = found.contacts.size();
+    found.room.clear();
+    for (std::size_t k = 0; k < candidates.pairs.size(); ++k) {
+      const ElementIndex triangle = candidates.pairs[k].second;
+      const ImageShift shift = candidates.shift(k);
+      const auto part = base::part_within_reach(candidates.sphere, triangle_at(mesh_, triangle),
+                                                shift, lattice_, margin_, found.exact_decisions);
+      if (!part) continue;
+      found.contacts.push_back({{candidates.number, feature_of(mesh_, triangle, *part)}, shift});
+      if (all_count_) continue;
+      for_each_feature(mesh_, triangle, [&](const MeshFeature& feature) {
+        found.room.push_back({{candidates.number, feature}, shift});
+      });
+    }
+    if (all_count_) {
+      return keep_minima(first, found.contacts, [&](const Contact& one) {
+        return mesh_.triangle_count(one.contact.feature);
+      });
+    }
+    std::sort(found.room.begin(), found.room.end());
+    keep_minima(first, found.contacts, [&](const Contact& one) {
+      const auto [begin, end] = std::equal_range(found.room.begin(), found.room.end(), one);
+      return end - begin;
+    });
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  base::Lattice lattice_;
+  double margin_;
+  bool all_count_;  ///< whether every sphere may touch every triangle
+};
+
 }  // namespace
 
 MeshContactList find_mesh_contacts(const ElementView& spheres, const TriangleMesh& mesh,
-                                   const Options& options) {
+                                   const Domain& domain, const Options& options) {
   const base::FloatEnvironment environment;
-  validate(spheres, options);
-  api::FeatureSearch<3> search(spheres, mesh.boxes().view(), options);
-  return search.contacts<MeshContact>([&](const api::Candidates<3>& candidates, Found& found) {
-    const std::size_t first = found.contacts.size();
-    for (const ContactPair& pair : candidates.pairs) {
-      const auto part = base::part_within_reach(candidates.sphere, triangle_at(mesh, pair.second),
-                                                options.margin, found.exact_decisions);
-      if (!part) continue;
-      found.contacts.push_back({candidates.number, feature_of(mesh, pair.second, *part)});
-    }
-    keep_minima(mesh, first, found.contacts);
-  });
+  require_spheres(spheres);
+  api::FeatureSearch<3> search(spheres, mesh.boxes().view(), domain, options);
+  return search.contacts<MeshContact>(MeshToucher(mesh, domain, options));
+}
+
+MeshContactList find_mesh_contacts(const ElementView& spheres, const TriangleMesh& mesh,
+                                   const Options& options) {
+  return find_mesh_contacts(spheres, mesh, Domain::open(), options);
 }
 
 }  // namespace abut

@@ -32,12 +32,18 @@ class FeatureMemory : public ::testing::Test {
   const std::vector<std::array<int, 3>> triangles_{{0, 1, 2}, {1, 2, 3}};
   const TriangleMesh mesh_{vertices_, triangles_};
   const ElementView spheres_ = spheres(centers_, 0.5);
+  const std::vector<std::uint32_t> of_spheres_ = std::vector<std::uint32_t>(300, 0);
+  const std::vector<std::uint32_t> of_triangles_{1, 2};
+  const PairRule rule_{.elements = {.groups = of_spheres_}, .others = {.groups = of_triangles_}};
 };
 
 TEST_F(FeatureMemory, EveryAllocationThatFailsIsAnError) {
-  for (const int threads : {1, 2}) {
-    const Options options{.threads = threads};
-    const PairCount expected = find_mesh_contacts(spheres_, mesh_, options).size();
+  const Domain periodic = Domain::periodic({4.0, unbounded, 3.0});
+  for (const bool plain : {true, false}) {
+    const Domain domain = plain ? Domain::open() : periodic;
+    Options options{.shifts = plain ? Shifts::none : Shifts::stored, .threads = plain ? 1 : 2};
+    if (!plain) options.rule = rule_;
+    const PairCount expected = find_mesh_contacts(spheres_, mesh_, domain, options).size();
     ASSERT_GT(expected, 20U);
     const std::int64_t before = live_blocks();
     std::uint64_t refused = 0;
@@ -45,7 +51,7 @@ TEST_F(FeatureMemory, EveryAllocationThatFailsIsAnError) {
       ASSERT_LT(refused, 1000U) << "never went through";
       AllocationFault fault(refused);
       try {
-        const PairCount found = find_mesh_contacts(spheres_, mesh_, options).size();
+        const PairCount found = find_mesh_contacts(spheres_, mesh_, domain, options).size();
         fault.disarm();
         done = true;
         EXPECT_EQ(found, expected);
@@ -61,13 +67,18 @@ TEST_F(FeatureMemory, EveryAllocationThatFailsIsAnError) {
 }
 
 TEST_F(FeatureMemory, TheBoundIsKept) {
-  Options options{.threads = 1};
-  const MeshContactList free_run = find_mesh_contacts(spheres_, mesh_, options);
-  options.max_bytes = free_run.statistics().peak_bytes;
-  EXPECT_EQ(find_mesh_contacts(spheres_, mesh_, options).size(), free_run.size());
-  --options.max_bytes;
-  expect_error(ErrorCode::limit_exceeded, {"bytes", "memory bound"},
-               [&] { static_cast<void>(find_mesh_contacts(spheres_, mesh_, options)); });
+  for (const Domain& domain : {Domain::open(), Domain::periodic({4.0, unbounded, 3.0})}) {
+    for (const Shifts shifts : {Shifts::none, Shifts::stored}) {
+      Options options{.shifts = shifts, .threads = 1};
+      const MeshContactList free_run = find_mesh_contacts(spheres_, mesh_, domain, options);
+      options.max_bytes = free_run.statistics().peak_bytes;
+      EXPECT_EQ(find_mesh_contacts(spheres_, mesh_, domain, options).size(), free_run.size());
+      --options.max_bytes;
+      expect_error(ErrorCode::limit_exceeded, {"bytes", "memory bound"}, [&] {
+        static_cast<void>(find_mesh_contacts(spheres_, mesh_, domain, options));
+      });
+    }
+  }
 }
 
 }  // namespace

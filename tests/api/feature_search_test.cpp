@@ -62,6 +62,10 @@ TEST(BoxCover, MeetsEachBoxThatIsCovered) {
         EXPECT_TRUE(cover.meets({{upper[k], upper[k]}, {upper[k], upper[k]}})) << k;
       }
       EXPECT_FALSE(cover.meets({{1e6, 0.0}, {1e6, 0.0}}));
+      BoxCover<2> extended = cover;
+      extended.extend(0);
+      EXPECT_TRUE(extended.meets({{1e6, 0.0}, {1e6, 0.0}}));
+      EXPECT_FALSE(extended.meets({{0.0, 1e6}, {0.0, 1e6}}));
     }
   }
   const std::vector<double> none;

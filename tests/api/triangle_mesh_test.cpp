@@ -138,9 +138,6 @@ TEST_F(MeshContactErrors, MoreContactsThanAllowed) {
 }
 
 TEST_F(MeshContactErrors, WhatIsNotCarried) {
-  const std::vector<std::uint32_t> groups{0, 1};
-  expect(ErrorCode::wrong_usage, {"rules", "not carried"}, 1.0,
-         {.rule = {.elements = {.groups = groups}}});
   const std::vector<double> x{1.0};
   expect_error(ErrorCode::wrong_usage, {"three dimensions"},
                [&] { static_cast<void>(find_mesh_contacts(discs(x, x, 1.0), mesh_)); });

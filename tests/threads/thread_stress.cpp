@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -157,6 +159,48 @@ void stop_half_way(const ElementView& elements, Options options) {
   insist(stopped, "an exception of the visitor");
 }
 
+/// Contacts with features, of the spheres of a scene with a wavy floor and with boxes.
+void stress_walls(const Scene& scene) {
+  constexpr int side = 20;
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::array<int, 3>> triangles;
+  for (int y = 0; y <= side; ++y) {
+    for (int x = 0; x <= side; ++x) {
+      vertices.push_back({x * 2.0, y * 2.0, (x * y) % 3 * 1.0 + 4.0});
+      const int a = y * (side + 1) + x;
+      if (x == side || y == side) continue;
+      triangles.push_back({a, a + 1, a + side + 1});
+      triangles.push_back({a + 1, a + side + 2, a + side + 1});
+    }
+  }
+  const TriangleMesh mesh(vertices, triangles);
+  const std::vector<std::uint32_t> of_spheres(scene.size(), 1);
+  std::vector<std::uint32_t> of_triangles;
+  for (std::size_t k = 0; k < mesh.size(); ++k) of_triangles.push_back(k % 5 == 0 ? 1 : 0);
+  const PairRule rule{.elements = {.groups = of_spheres}, .others = {.groups = of_triangles}};
+  const ElementView spheres = view_of(scene);
+  for (const Domain& domain : {Domain::open(), Domain::periodic({40.0, 40.0, unbounded})}) {
+    for (const bool ruled : {false, true}) {
+      Options options{.shifts = Shifts::stored};
+      if (ruled) options.rule = rule;
+      options.threads = 1;
+      const MeshContactList expected = find_mesh_contacts(spheres, mesh, domain, options);
+      const BoxContactList of_boxes =
+          find_box_contacts(spheres, mesh.boxes().view(), domain, options);
+      insist(!expected.empty() && !of_boxes.empty(), "having contacts with walls");
+      options.threads = workers;
+      const MeshContactList found = find_mesh_contacts(spheres, mesh, domain, options);
+      insist(std::ranges::equal(expected.contacts(), found.contacts()) &&
+                 std::ranges::equal(expected.shifts(), found.shifts()),
+             "the contacts with a mesh");
+      const BoxContactList boxes = find_box_contacts(spheres, mesh.boxes().view(), domain, options);
+      insist(std::ranges::equal(of_boxes.contacts(), boxes.contacts()) &&
+                 std::ranges::equal(of_boxes.shifts(), boxes.shifts()),
+             "the contacts with boxes");
+    }
+  }
+}
+
 void stress(const Scene& scene, double margin) {
   const ElementView elements = view_of(scene);
   const Options options{.algorithm = Algorithm::rows, .margin = margin};
@@ -178,6 +222,7 @@ void run() {
   stress_domains(scenes::scene_named("dense").make(20000, 1));
   stress_skin(scenes::scene_named("dense").make(20000, 1));
   stress_sets(scenes::scene_named("log_uniform").make(3000, 1));
+  stress_walls(scenes::scene_named("gas").make(20000, 1));
   const Scene gas = scenes::scene_named("gas").make(60000, 1);
   for (int k = 0; k < 3; ++k) stop_half_way(view_of(gas), {.algorithm = Algorithm::rows});
 }

@@ -31,4 +31,16 @@ int main() {
   // Within 0.8 of touching: grain 3 is near the upper edge of the step.
   const abut::MeshContactList near = abut::find_mesh_contacts(grains, walls, {.margin = 0.8});
   std::printf("%llu within 0.8\n", static_cast<unsigned long long>(near.size()));
+
+  // The floor in a periodic cell of its size. Joined, it goes on through the faces of the cell.
+  const abut::Domain cell = abut::Domain::periodic({4.0, 4.0, abut::unbounded});
+  const std::vector<std::array<int, 3>> floor{{0, 1, 2}, {0, 2, 3}};
+  const std::vector<std::array<double, 3>> on_the_face{{4.0, 1.0, 0.5}};
+  const abut::ElementView grain = abut::spheres(on_the_face, 0.5);
+  const auto count = [&](const abut::TriangleMesh& mesh) {
+    return static_cast<unsigned long long>(abut::find_mesh_contacts(grain, mesh, cell).size());
+  };
+  std::printf("on the face of a cell: %llu contacts, joined %llu\n",
+              count(abut::TriangleMesh(vertices, floor)),
+              count(abut::TriangleMesh::joined(vertices, floor, cell)));
 }

@@ -34,12 +34,13 @@ using MeshContactList = ContactList<MeshContact>;
 /// divided into triangles; two walls that meet in a corner are touched once each.
 ///
 /// Where a triangle has no area its nearest point may be in several features of as few dimensions;
-/// then that of the smallest number counts as the one. A sphere within reach of a mesh always has
-/// a contact.
+/// then the first by the numbers of its vertices counts as the one. A sphere within reach of a mesh
+/// always has a contact.
 ///
 /// In a periodic domain the sphere has a contact (F, n) if it has one with F of the mesh moved by
 /// n A; the lattice vectors A. Images of a mesh know nothing of each other: where the border of one
-/// lies on that of the next, a sphere over it touches both.
+/// lies on that of the next, a sphere over it touches both, unless the mesh was made by
+/// `TriangleMesh::joined` for this domain.
 ///
 /// A rule says which triangles are there for a sphere: `rule.elements` are the spheres,
 /// `rule.others` the triangles, exclusions are of (sphere, triangle). Those that it denies do not
@@ -50,7 +51,7 @@ using MeshContactList = ContactList<MeshContact>;
 /// Options::shifts asks for them.
 ///
 /// Throws as find_contact_pairs of two sets does; Error{wrong_usage} for elements that are not
-/// spheres.
+/// spheres, and for a mesh that was joined across the faces of another domain.
 [[nodiscard]] ABUT_API MeshContactList find_mesh_contacts(const ElementView& spheres,
                                                           const TriangleMesh& mesh,
                                                           const Domain& domain,

@@ -1,7 +1,9 @@
 #include <abut/mesh_contacts.hpp>
 
 #include "api/feature_search.hpp"
+#include "api/joined_vertices.hpp"
 #include "api/lattice_of.hpp"
+#include "api/mesh_features.hpp"
 #include "base/float_environment.hpp"
 #include "base/triangle_predicate.hpp"
 
@@ -25,6 +27,13 @@ void require_spheres(const ElementView& spheres) {
               "spheres(x, y, z, radius)");
 }
 
+void require_its_domain(const TriangleMesh& mesh, const Domain& domain) {
+  if (mesh.feature_shifts().empty() || mesh.domain() == domain) return;
+  throw Error(ErrorCode::wrong_usage,
+              "the mesh was joined across the faces of another domain; give that one, or join the "
+              "mesh again for this one");
+}
+
 base::Triangle triangle_at(const TriangleMesh& mesh, ElementIndex number) {
   base::Triangle triangle{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -32,30 +41,6 @@ base::Triangle triangle_at(const TriangleMesh& mesh, ElementIndex number) {
     std::copy(vertex.begin(), vertex.end(), triangle.corner[k]);
   }
   return triangle;
-}
-
-/// The numbers of corners and of sides ascend in a triangle: the first of several nearest parts is
-/// that of the smallest number.
-MeshFeature feature_of(const TriangleMesh& mesh, ElementIndex triangle, TrianglePart part) {
-  if (part == TrianglePart::face) return {FeatureKind::face, mesh.faces()[triangle]};
-  const auto k = static_cast<std::size_t>(part);
-  if (part <= TrianglePart::corner_2) return {FeatureKind::vertex, mesh.triangles()[triangle][k]};
-  return {FeatureKind::edge, mesh.edges_of_triangles()[triangle][k - 3]};
-}
-
-/// Calls act(feature) once for each feature of a triangle. One that it names twice has neighboring
-/// places, whatever corners coincide.
-template <class Act>
-void for_each_feature(const TriangleMesh& mesh, ElementIndex triangle, Act&& act) {
-  act(MeshFeature{FeatureKind::face, mesh.faces()[triangle]});
-  const auto once = [&](FeatureKind kind, const TriangleMesh::Corners& numbers) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (numbers[k] == TriangleMesh::no_edge && kind == FeatureKind::edge) continue;
-      if (k == 0 || numbers[k] != numbers[k - 1]) act(MeshFeature{kind, numbers[k]});
-    }
-  };
-  once(FeatureKind::edge, mesh.edges_of_triangles()[triangle]);
-  once(FeatureKind::vertex, mesh.triangles()[triangle]);
 }
 
 /// From the contact `first` on are the nearest features of triangles; keeps those that as many
@@ -95,10 +80,13 @@ class MeshToucher {
       const auto part = base::part_within_reach(candidates.sphere, triangle_at(mesh_, triangle),
                                                 shift, lattice_, margin_, found.exact_decisions);
       if (!part) continue;
-      found.contacts.push_back({{candidates.number, feature_of(mesh_, triangle, *part)}, shift});
+      const auto contact = [&](const api::MovedFeature& moved) {
+        return Contact{{candidates.number, moved.feature}, api::sum(shift, moved.shift)};
+      };
+      found.contacts.push_back(contact(api::feature_of(mesh_, triangle, *part)));
       if (all_count_) continue;
-      for_each_feature(mesh_, triangle, [&](const MeshFeature& feature) {
-        found.room.push_back({{candidates.number, feature}, shift});
+      api::for_each_feature(mesh_, triangle, [&](const api::MovedFeature& moved) {
+        found.room.push_back(contact(moved));
       });
     }
     if (all_count_) {
@@ -126,6 +114,7 @@ MeshContactList find_mesh_contacts(const ElementView& spheres, const TriangleMes
                                    const Domain& domain, const Options& options) {
   const base::FloatEnvironment environment;
   require_spheres(spheres);
+  require_its_domain(mesh, domain);
   api::FeatureSearch<3> search(spheres, mesh.boxes().view(), domain, options);
   return search.contacts<MeshContact>(MeshToucher(mesh, domain, options));
 }

@@ -1,24 +1,32 @@
 #include <abut/triangle_mesh.hpp>
 
 #include "api/gathered_elements.hpp"
+#include "api/joined_vertices.hpp"
+#include "api/mesh_features.hpp"
 #include "api/vertex_numbers.hpp"
 #include "base/float_environment.hpp"
 
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <compare>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace abut {
 namespace {
 
+using api::VertexPlace;
 using Corners = TriangleMesh::Corners;
-using Edge = TriangleMesh::Edge;
+using Point = TriangleMesh::Point;
 
 /// Three edges of each triangle, and `no_edge`, must have numbers.
 constexpr std::size_t most_vertices = std::numeric_limits<ElementIndex>::max();
 constexpr std::size_t most_triangles = most_vertices / 3;
+
+/// The corners at the ends of sides 01, 02, 12.
+constexpr std::array<std::array<std::size_t, 2>, 3> ends_of_sides{{{0, 1}, {0, 2}, {1, 2}}};
 
 [[noreturn]] void refuse_count(std::size_t count, const char* what, std::size_t most) {
   throw Error(ErrorCode::limit_exceeded, std::to_string(count) + " " + what +
@@ -42,76 +50,149 @@ void validate(const ElementView& vertices, const Connectivity& triangles) {
   }
 }
 
-/// The ends of the edges 01, 02, 12 of a triangle.
-std::array<Edge, 3> edges_between(const Corners& corners) {
-  return {Edge{corners[0], corners[1]}, Edge{corners[0], corners[2]}, Edge{corners[1], corners[2]}};
+std::vector<Point> points_of(const ElementView& vertices) {
+  const base::FloatEnvironment environment;
+  std::vector<Point> points(vertices.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const base::Sphere<3> vertex = api::sphere_at<3>(vertices, k);
+    std::copy_n(vertex.center, 3, points[k].begin());
+  }
+  return points;
 }
 
-/// Counts one triangle for each feature that it has, for one that it names twice, too.
-void count_once(Corners features, std::vector<std::uint32_t>& counts) {
-  std::sort(features.begin(), features.end());
-  for (std::size_t k = 0; k < 3; ++k) {
-    const bool repeated = k > 0 && features[k] == features[k - 1];
-    if (!repeated && features[k] != TriangleMesh::no_edge) ++counts[features[k]];
+/// A set of so many vertices, wherever it is moved to: the first of them by its number, the others
+/// by theirs and how far they are moved from the first.
+template <std::size_t Count>
+struct Figure {
+  std::array<VertexPlace, Count> vertices;
+
+  friend constexpr auto operator<=>(const Figure&, const Figure&) = default;
+};
+
+/// `vertices` are ascending; returns how far the first is moved.
+template <std::size_t Count>
+std::pair<Figure<Count>, ImageShift> figure_of(std::array<VertexPlace, Count> vertices) {
+  const ImageShift moved = vertices[0].shift;
+  if (moved != ImageShift{}) {
+    for (VertexPlace& vertex : vertices) vertex.shift = api::difference(vertex.shift, moved);
   }
+  return {Figure<Count>{vertices}, moved};
 }
 
 }  // namespace
 
-TriangleMesh::TriangleMesh(const ElementView& vertices, const Connectivity& triangles)
-    : boxes_((validate(vertices, triangles), fit_boxes(vertices, triangles))) {
-  const base::FloatEnvironment environment;
-  vertices_.resize(vertices.size());
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const base::Sphere<3> vertex = api::sphere_at<3>(vertices, k);
-    std::copy_n(vertex.center, 3, vertices_[k].begin());
+struct TriangleMesh::Vertices {
+  const ElementView& view;
+  std::vector<Point> points;
+  std::vector<VertexPlace> places;
+  Domain domain = Domain::open();
+
+  /// Of the edge between the corners a < b of a triangle.
+  [[nodiscard]] auto figure(const Corners& corners, const std::array<std::size_t, 2>& ends) const {
+    return figure_of<2>({places[corners[ends[0]]], places[corners[ends[1]]]});
   }
-  const api::VertexNumbers numbers(triangles, vertices.size());
+  [[nodiscard]] auto figure(const Corners& corners) const {
+    return figure_of<3>({places[corners[0]], places[corners[1]], places[corners[2]]});
+  }
+};
+
+TriangleMesh::TriangleMesh(const ElementView& vertices, const Connectivity& triangles)
+    : TriangleMesh((validate(vertices, triangles),
+                    Vertices{vertices, points_of(vertices), api::vertices_apart(vertices.size())}),
+                   triangles) {}
+
+TriangleMesh TriangleMesh::joined(const ElementView& vertices, const Connectivity& triangles,
+                                  const Domain& domain) {
+  validate(vertices, triangles);
+  Vertices all{vertices, points_of(vertices), {}, domain};
+  all.places = api::joined_vertices(all.points, domain);
+  return TriangleMesh(all, triangles);
+}
+
+TriangleMesh::TriangleMesh(const Vertices& vertices, const Connectivity& triangles)
+    : boxes_(fit_boxes(vertices.view, triangles)), vertices_(vertices.points) {
+  const bool is_moved =
+      std::any_of(vertices.places.begin(), vertices.places.end(),
+                  [](const VertexPlace& place) { return place.shift != ImageShift{}; });
+  if (is_moved) {
+    domain_ = vertices.domain;
+    shifts_.resize(triangles.size());
+  }
+  number_vertices(vertices, triangles);
+  number_edges(vertices);
+  number_faces(vertices);
+  count_triangles();
+}
+
+void TriangleMesh::number_vertices(const Vertices& vertices, const Connectivity& triangles) {
+  const auto& places = vertices.places;
+  for (const VertexPlace& place : places) vertex_features_.push_back(place.number);
+  const api::VertexNumbers numbers(triangles, places.size());
   triangles_.resize(triangles.size());
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     Corners& corners = triangles_[k];
     for (std::size_t corner = 0; corner < 3; ++corner) {
       corners[corner] = static_cast<ElementIndex>(numbers.at(k, corner));
     }
-    std::sort(corners.begin(), corners.end());
-  }
-  number_edges();
-  number_faces();
-  count_triangles();
-}
-
-void TriangleMesh::number_edges() {
-  for (const Corners& corners : triangles_) {
-    for (const Edge& edge : edges_between(corners)) {
-      if (edge[0] != edge[1]) edges_.push_back(edge);
+    std::sort(corners.begin(), corners.end(), [&](ElementIndex a, ElementIndex b) {
+      return places[a] != places[b] ? places[a] < places[b] : a < b;
+    });
+    for (std::size_t corner = 0; !shifts_.empty() && corner < 3; ++corner) {
+      shifts_[k][corner] = places[corners[corner]].shift;
     }
-  }
-  std::sort(edges_.begin(), edges_.end());
-  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-  triangle_edges_.reserve(size());
-  for (const Corners& corners : triangles_) {
-    Corners numbers{no_edge, no_edge, no_edge};
-    const std::array<Edge, 3> ends = edges_between(corners);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (ends[k][0] == ends[k][1]) continue;
-      const auto place = std::lower_bound(edges_.begin(), edges_.end(), ends[k]);
-      numbers[k] = static_cast<ElementIndex>(place - edges_.begin());
-    }
-    triangle_edges_.push_back(numbers);
   }
 }
 
-void TriangleMesh::number_faces() {
-  std::vector<ElementIndex> by_corners(size());
-  std::iota(by_corners.begin(), by_corners.end(), ElementIndex{0});
-  std::sort(by_corners.begin(), by_corners.end(), [&](ElementIndex a, ElementIndex b) {
-    return triangles_[a] != triangles_[b] ? triangles_[a] < triangles_[b] : a < b;
+void TriangleMesh::number_edges(const Vertices& vertices) {
+  const auto is_none = [&](const Corners& corners, const std::array<std::size_t, 2>& ends) {
+    return vertices.places[corners[ends[0]]] == vertices.places[corners[ends[1]]];
+  };
+  std::vector<Figure<2>> figures;
+  for (const Corners& corners : triangles_) {
+    for (const auto& ends : ends_of_sides) {
+      if (!is_none(corners, ends)) figures.push_back(vertices.figure(corners, ends).first);
+    }
+  }
+  std::sort(figures.begin(), figures.end());
+  figures.erase(std::unique(figures.begin(), figures.end()), figures.end());
+  // Where the first triangle has an edge, there it is.
+  edges_.assign(figures.size(), {no_edge, no_edge});
+  std::vector<ImageShift> where(figures.size());
+  triangle_edges_.assign(size(), {no_edge, no_edge, no_edge});
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Corners& corners = triangles_[k];
+    for (std::size_t side = 0; side < 3; ++side) {
+      const auto& ends = ends_of_sides[side];
+      if (is_none(corners, ends)) continue;
+      const auto [figure, moved] = vertices.figure(corners, ends);
+      const auto place = std::lower_bound(figures.begin(), figures.end(), figure);
+      const auto edge = static_cast<std::size_t>(place - figures.begin());
+      if (edges_[edge][0] == no_edge) {
+        edges_[edge] = {corners[ends[0]], corners[ends[1]]};
+        where[edge] = moved;
+      }
+      triangle_edges_[k][side] = static_cast<ElementIndex>(edge);
+      if (!shifts_.empty()) shifts_[k][3 + side] = api::difference(moved, where[edge]);
+    }
+  }
+}
+
+void TriangleMesh::number_faces(const Vertices& vertices) {
+  std::vector<ElementIndex> by_figure(size());
+  std::iota(by_figure.begin(), by_figure.end(), ElementIndex{0});
+  const auto figure = [&](ElementIndex triangle) { return vertices.figure(triangles_[triangle]); };
+  std::sort(by_figure.begin(), by_figure.end(), [&](ElementIndex a, ElementIndex b) {
+    const auto order = figure(a).first <=> figure(b).first;
+    return order != 0 ? order < 0 : a < b;
   });
   faces_.resize(size());
   for (std::size_t k = 0; k < size(); ++k) {
-    const ElementIndex triangle = by_corners[k];
-    const bool repeated = k > 0 && triangles_[by_corners[k - 1]] == triangles_[triangle];
-    faces_[triangle] = repeated ? faces_[by_corners[k - 1]] : triangle;
+    const ElementIndex triangle = by_figure[k];
+    const bool repeated = k > 0 && figure(by_figure[k - 1]).first == figure(triangle).first;
+    faces_[triangle] = repeated ? faces_[by_figure[k - 1]] : triangle;
+    if (shifts_.empty()) continue;
+    shifts_[triangle][6] =
+        api::difference(figure(triangle).second, figure(faces_[triangle]).second);
   }
 }
 
@@ -121,9 +202,9 @@ void TriangleMesh::count_triangles() {
   of_edges.resize(edges_.size());
   of_vertices.resize(vertices_.size());
   for (std::size_t k = 0; k < size(); ++k) {
-    ++of_faces[faces_[k]];
-    count_once(triangle_edges_[k], of_edges);
-    count_once(triangles_[k], of_vertices);
+    api::for_each_feature(*this, static_cast<ElementIndex>(k), [&](const api::MovedFeature& moved) {
+      ++counts_[static_cast<std::size_t>(moved.feature.kind) - 1][moved.feature.number];
+    });
   }
 }
 

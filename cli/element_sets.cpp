@@ -21,7 +21,7 @@ void fit_empty_set(io::Snapshot& empty, const io::Snapshot& other) {
 void require_alike(const io::Snapshot& first, const io::Snapshot& second) {
   if (first.dimensions != second.dimensions) {
     throw Error(ErrorCode::wrong_usage,
-                fmt::format("{} has {} dimensions and {} has {}; give two files of as many",
+                fmt::format("{} has {} dimensions and {} has {}; give files of the same number",
                             first.source, first.dimensions, second.source, second.dimensions));
   }
   if (first.shape == second.shape) return;
@@ -30,8 +30,8 @@ void require_alike(const io::Snapshot& first, const io::Snapshot& second) {
     return snapshot.holds_boxes() ? (flat ? "rectangles" : "boxes") : (flat ? "discs" : "spheres");
   };
   throw Error(ErrorCode::wrong_usage,
-              fmt::format("{} holds {} and {} holds {}; give two files of the same", first.source,
-                          held_by(first), second.source, held_by(second)));
+              fmt::format("{} holds {} and {} holds {}; give files that hold the same",
+                          first.source, held_by(first), second.source, held_by(second)));
 }
 
 /// Where a radius goes only to files without, one of them must be there.

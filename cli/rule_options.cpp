@@ -33,12 +33,15 @@ class DeniedGroups {
     return table;
   }
 
-  /// Replaces groups by their numbers.
-  void number(std::vector<std::uint32_t>& groups) {
-    for (std::uint32_t& group : groups) {
-      group = number_of(group);
-      if (group < met_.size()) met_[group] = 1;
+  /// The numbers of groups, which are met now.
+  [[nodiscard]] std::vector<std::uint32_t> numbers(std::span<const std::uint32_t> groups) {
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(groups.size());
+    for (const std::uint32_t group : groups) {
+      numbers.push_back(number_of(group));
+      if (numbers.back() < met_.size()) met_[numbers.back()] = 1;
     }
+    return numbers;
   }
 
   /// Those that no element was of, "7 and 9"; empty where there are none.
@@ -98,15 +101,17 @@ void LoadedRule::load_groups(const InputOptions& input, const RuleOptions& optio
     throw Error(ErrorCode::wrong_usage,
                 fmt::format("--groups {}: a scene has no columns; take a file", input.groups));
   }
-  first_groups_ = sets.first.groups;
-  if (sets.second) second_groups_ = sets.second->groups;
+  groups_[0] = sets.first.groups;
+  if (sets.second) groups_[1] = sets.second->groups;
   if (options.denied.empty()) {
     add_to_text(fmt::format("pairs of one {}", input.groups));
     return;
   }
   DeniedGroups denied(options);
-  denied.number(first_groups_);
-  denied.number(second_groups_);
+  for (std::size_t set = 0; set < groups_.size(); ++set) {
+    numbered_[set] = denied.numbers(groups_[set]);
+    groups_[set] = numbered_[set];
+  }
   table_ = denied.table(options);
   if (const std::string groups = denied.not_met(); !groups.empty()) {
     console.note(fmt::format("--deny: no element is of {} {}", input.groups, groups));
@@ -139,8 +144,8 @@ void LoadedRule::add_to_text(const std::string& part) {
 
 PairRule LoadedRule::rule() const {
   PairRule rule;
-  rule.elements.groups = first_groups_;
-  rule.others.groups = second_groups_;
+  rule.elements.groups = groups_[0];
+  rule.others.groups = groups_[1];
   if (table_) rule.table = &*table_;
   if (exclusions_) rule.exclusions = &*exclusions_;
   return rule;

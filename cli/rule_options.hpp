@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ class LoadedRule {
   /// Reads the file of excluded pairs; notes groups that no element is of.
   LoadedRule(const InputOptions& input, const RuleOptions& options, const ElementSets& sets,
              Console& console);
+  LoadedRule(const LoadedRule&) = delete;
+  LoadedRule& operator=(const LoadedRule&) = delete;
 
   /// Valid as long as this object stays where it is, and the sets it was made for.
   [[nodiscard]] PairRule rule() const;
@@ -47,8 +50,8 @@ class LoadedRule {
   void load_exclusions(const RuleOptions& options, const ElementSets& sets, Console& console);
   void add_to_text(const std::string& part);
 
-  std::vector<std::uint32_t> first_groups_;
-  std::vector<std::uint32_t> second_groups_;
+  std::array<std::vector<std::uint32_t>, 2> numbered_;      ///< groups as the table numbers them
+  std::array<std::span<const std::uint32_t>, 2> groups_{};  ///< these, or those of the sets
   std::optional<GroupTable> table_;
   std::optional<ExclusionList> exclusions_;
   std::string text_;

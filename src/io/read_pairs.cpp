@@ -33,8 +33,8 @@ std::size_t column_named(const LineReader& reader, std::string_view name,
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     reader.fail_at_line(
-        fmt::format("column {} is missing (the header is {}); a table of pairs names i and j", name,
-                    quoted(fmt::format("{}", fmt::join(names, ",")))));
+        fmt::format("column {} is missing (the header is {}); a CSV file of pairs names i and j",
+                    name, quoted(fmt::format("{}", fmt::join(names, ",")))));
   }
   if (std::count(found, names.end(), name) > 1) {
     reader.fail_at_line(fmt::format("column {} is there twice; rename one of them", name));

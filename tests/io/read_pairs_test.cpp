@@ -61,9 +61,10 @@ TEST(ReadPairs, ErrorsNameLineColumnAndValue) {
   EXPECT_EQ(error_of("0,1\n"),
             "pairs.csv, line 1: a header line is missing: '0' is a number; begin the file with a "
             "line such as i,j");
-  EXPECT_EQ(error_of("i,k\n"),
-            "pairs.csv, line 1: column j is missing (the header is 'i,k'); a table of pairs names "
-            "i and j");
+  EXPECT_EQ(
+      error_of("i,k\n"),
+      "pairs.csv, line 1: column j is missing (the header is 'i,k'); a CSV file of pairs names "
+      "i and j");
   EXPECT_EQ(error_of("i,j,i\n"), "pairs.csv, line 1: column i is there twice; rename one of them");
   EXPECT_EQ(error_of("i,j,gap\n1,2\n"),
             "pairs.csv, line 2: has 2 fields, but there are 3 columns; write one field for each "

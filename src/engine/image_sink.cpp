@@ -43,14 +43,13 @@ void ImageSink<Dim>::commit(std::size_t count, const base::Origin& origin) {
 
 template <int Dim>
 std::size_t ImageSink<Dim>::name(const Room& room, std::size_t count) const {
-  const std::size_t natives = images_->natives().size();
   std::size_t kept = 0;
   for (std::size_t begin = 0; begin < count; ++begin) {
     const std::size_t end = begin + first_with_ghost(room.pairs.subspan(begin, count - begin));
     name_natives(room, begin, end, kept);
     kept += end - begin;
     begin = end;
-    if (end < count && room.pairs[end].first < natives) name_ghost(room, end, kept++);
+    if (end < count && name_ghost(room, end, kept)) ++kept;
   }
   return kept;
 }
@@ -83,15 +82,19 @@ void ImageSink<Dim>::name_natives(const Room& room, std::size_t begin, std::size
   }
 }
 
+/// Returns whether the pair is kept.
 template <int Dim>
-void ImageSink<Dim>::name_ghost(const Room& room, std::size_t from, std::size_t to) const {
+bool ImageSink<Dim>::name_ghost(const Room& room, std::size_t from, std::size_t to) const {
+  const std::size_t natives = images_->natives().size();
   const auto [first, second] = room.pairs[from];
-  const Ghost& ghost = images_->ghosts()[second - images_->natives().size()];
+  const Ghost& ghost = images_->ghosts()[second - natives];
+  if (first >= natives || !images_->counts(first, ghost)) return false;
   room.pairs[to] = {std::min(first, ghost.element), std::max(first, ghost.element)};
-  if (room.shifts.empty() && images_->shifts_always_fit()) return;
+  if (room.shifts.empty() && images_->shifts_always_fit()) return true;
   const ImageShift shift = images_->shift_between(first, ghost);
   const bool in_order = first < ghost.element || (first == ghost.element && ImageShift{} < shift);
   if (!room.shifts.empty()) room.shifts[to] = in_order ? shift : reversed(shift);
+  return true;
 }
 
 template class ImageSink<2>;

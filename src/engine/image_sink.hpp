@@ -31,12 +31,12 @@ class ImageSink final : public base::PairSink {
     std::span<ImageShift> shifts;
   };
 
-  /// Pairs of two ghosts are dropped: they are found elsewhere, as pairs of a native. Returns how
-  /// many pairs are left.
+  /// Pairs of two ghosts, and of a native with one that does not count for it, are dropped: they
+  /// are found elsewhere, too. Returns how many pairs are left.
   std::size_t name(const Room& room, std::size_t count) const;
   [[nodiscard]] std::size_t first_with_ghost(std::span<const ContactPair> pairs) const;
   void name_natives(const Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
-  void name_ghost(const Room& room, std::size_t from, std::size_t to) const;
+  bool name_ghost(const Room& room, std::size_t from, std::size_t to) const;
 
   base::PairSink* next_ = nullptr;
   const Images<Dim>* images_ = nullptr;

@@ -64,28 +64,28 @@ void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bou
   const grid::Brick<Dim> brick(lattice, 1.0);
   measure(elements, brick, settings.workers);
   const grid::Reaches reaches{bounds.largest_radius, settings.margin, settings.shape};
-  const Window window(lattice, brick, extent_, reaches, 1.0);
-  if (!is_in_range(brick, window)) {
+  const Windows windows(lattice, brick, extent_, reaches, settings.size_cut, 1.0);
+  if (!is_in_range(brick, windows.of_large)) {
     grid::check_range<Dim>(elements, lattice, settings.margin, settings.shape);
   }
-  const Along along = sides_to_wrap(brick, window);
+  const Along along = sides_to_wrap(brick, windows.of_large);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
-    slack_ = slack_of_ghosts * magnitude_of(window);
-    return add_ghosts(elements, {brick, window, {}, {}}, settings);
+    slack_ = slack_of_ghosts * magnitude_of(windows.of_large);
+    return add_ghosts(elements, {brick, windows, {}, {}}, settings);
   }
   overwrite(own_natives_, elements.size(), elements.size() + elements.size() / 8);
   if (unit_ == 1.0) {
     const Journey<Dim> journey(lattice, brick, extent_, along);
-    const Window after(lattice, brick, journey.extent, reaches, 1.0);
+    const Windows after(lattice, brick, journey.extent, reaches, settings.size_cut, 1.0);
     if (move_quickly_if_near(elements, journey, {brick, after, along, elements}, settings)) return;
   }
   move_exactly(elements, brick, along, settings.workers);
   const grid::Brick<Dim> scaled_brick(lattice, unit_);
   const grid::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_,
                              settings.shape};
-  const Window after(lattice, scaled_brick, extent_, scaled, unit_);
-  slack_ = slack_of_ghosts * magnitude_of(after);
+  const Windows after(lattice, scaled_brick, extent_, scaled, size_cut_, unit_);
+  slack_ = slack_of_ghosts * magnitude_of(after.of_large);
   add_ghosts(own_natives_, {scaled_brick, after, {}, {}}, settings);
 }
 
@@ -103,6 +103,7 @@ void Images<Dim>::start_anew(std::span<const base::Sphere<Dim>> elements,
   places_ = {};
   steps_ = {};
   unit_ = largest_number(bounds, lattice, settings.margin) > largest_unscaled ? scale_down : 1.0;
+  size_cut_ = settings.size_cut * unit_;
   slack_ = 0.0;
   moved_any_ = false;
   cells_moved_at_most_ = {};
@@ -167,11 +168,11 @@ template <int Dim>
 bool Images<Dim>::move_quickly_if_near(std::span<const base::Sphere<Dim>> elements,
                                        const Journey<Dim>& journey, const Plan& plan,
                                        const ImageSettings& settings) {
-  const double images = static_cast<double>(elements.size()) * plan.window.most_images();
+  const double images = static_cast<double>(elements.size()) * plan.windows.of_large.most_images();
   if (!journey.is_short || !(images <= most_natives_and_ghosts)) return false;
   const grid::CellExtent<Dim> as_given = extent_;
   extent_ = journey.extent;
-  slack_ = slack_of_quick_moves * magnitude_of(plan.window);
+  slack_ = slack_of_quick_moves * magnitude_of(plan.windows.of_large);
   if (!(least_cell() <= bounds_.largest_radius + bounds_.second_largest_radius + settings.margin)) {
     extent_ = as_given;
     return false;
@@ -229,9 +230,9 @@ void Images<Dim>::move_exactly(std::span<const base::Sphere<Dim>> elements,
 template <int Dim>
 void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& plan,
                              const ImageSettings& settings) {
-  require_countable<Dim>(home, plan.window);
-  note_shifts(plan.window);
-  kernels::BrickMap map = map_of<Dim>(*lattice_, plan.brick, plan.along, plan.window.outer_below());
+  require_countable<Dim>(home, plan.windows);
+  note_shifts(plan.windows.of_large);
+  kernels::BrickMap map = map_of<Dim>(*lattice_, plan.brick, plan.along, plan.windows);
   map.pack = cells_moved_.is_packed();
   const std::size_t workers = settings.workers;
   const bool moves = !plan.to_move.empty();
@@ -250,7 +251,7 @@ void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& p
       } else {
         list_outer<Dim>(natives, map, settings.kernels, outer);
       }
-      list_ghosts<Dim>(natives, outer, begin, plan.window, part.ghosts);
+      list_ghosts<Dim>(natives, outer, begin, plan.windows, part.ghosts);
     }
   });
   if (moves) join_boxes(workers);

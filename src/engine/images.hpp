@@ -16,6 +16,7 @@
 #include <abut/element_view.hpp>
 #include <abut/pair.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,13 +30,14 @@ struct ImageSettings {
   std::size_t workers = 1;
   kernels::ImageKernels kernels;
   Shape shape = Shape::sphere;
+  double size_cut = HUGE_VAL;  ///< GhostWindows::cut, of spheres
 };
 
 /// What a search in open space needs in order to find every pair of a periodic domain exactly once:
 /// the elements themselves in about one cell, the *natives*, and copies of some of them around it,
-/// the *ghosts*. Pairs among natives and of each native with each ghost, its own included, are all
-/// the pairs, each once; ghosts do not pair with ghosts. docs/derivations/periodic_images.md has
-/// the proof.
+/// the *ghosts*. Pairs among natives and of each native with each ghost that counts for it, its own
+/// included, are all the pairs, each once; ghosts do not pair with ghosts.
+/// docs/derivations/periodic_images.md has the proof.
 ///
 /// Natives and ghosts are a little off where they were moved: the distance of two of them, here, by
 /// at most slack(). Whether a pair is within reach is decided on the caller's elements, by
@@ -73,6 +75,15 @@ class Images {
 
   /// Ordered by element, then by image.
   [[nodiscard]] std::span<const Ghost> ghosts() const noexcept { return ghosts_; }
+
+  /// Whether the pair of a native and a ghost within reach is not found as another one, too. Of a
+  /// small and a large element the ghost is the large one.
+  [[nodiscard]] bool counts(std::size_t native, const Ghost& ghost) const noexcept {
+    if (size_cut_ > bounds_.largest_radius) return true;
+    const bool large = natives_and_ghosts_[native].radius >= size_cut_;
+    if (natives_and_ghosts_[ghost.element].radius < size_cut_) return !large;
+    return !large || ghost.is_positive();
+  }
 
   /// Whether no shift can exceed 2^31 - 1, so that shift_between never throws.
   [[nodiscard]] bool shifts_always_fit() const noexcept { return shifts_always_fit_; }
@@ -115,12 +126,13 @@ class Images {
   };
 
   using Window = grid::GhostWindow<Dim>;
+  using Windows = GhostWindows<Dim>;
   using Along = std::array<bool, Dim>;
 
   /// How ghosts are found among natives, which may have to be moved first.
   struct Plan {
     const grid::Brick<Dim>& brick;
-    const Window& window;
+    const Windows& windows;
     Along along;
     std::span<const base::Sphere<Dim>> to_move;
   };
@@ -156,6 +168,7 @@ class Images {
   std::array<std::size_t, Dim> vector_of_{};          ///< grid::Brick::vector_of
   std::array<std::array<double, Dim>, Dim> steps_{};  ///< vectors of the sides times unit_
   double unit_ = 1.0;
+  double size_cut_ = HUGE_VAL;  ///< times unit_
   double slack_ = 0.0;
   grid::CellExtent<Dim> extent_;  ///< of the natives, at least
   std::array<double, Dim> cells_moved_at_most_{};

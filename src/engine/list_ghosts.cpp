@@ -16,14 +16,15 @@ namespace {
 /// A bound from the widest window; where it is too large, the exact number.
 template <int Dim>
 void require_countable(std::span<const base::Sphere<Dim>> natives,
-                       const grid::GhostWindow<Dim>& window) {
+                       const GhostWindows<Dim>& windows) {
+  const grid::GhostWindow<Dim>& window = windows.of_large;
   for (std::size_t k = 0; k < window.sides(); ++k) {
     if (!(window.most_cells(k) <= grid::most_cells_away)) refuse_number_of_images();
   }
   double count = static_cast<double>(natives.size());
   if (count * window.most_images() <= most_natives_and_ghosts) return;
   for (const base::Sphere<Dim>& native : natives) {
-    window.for_each_row(native, [&](std::int64_t first, std::int64_t last, const auto&) {
+    windows.for_each_row(native, [&](std::int64_t first, std::int64_t last, const auto&) {
       count += static_cast<double>(last - first + 1);
       if (count > most_natives_and_ghosts) refuse_number_of_images();
     });
@@ -41,32 +42,33 @@ void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::Brick
 
 template <int Dim>
 void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::OuterList& outer,
-                 std::size_t first_number, const grid::GhostWindow<Dim>& window,
+                 std::size_t first_number, const GhostWindows<Dim>& windows,
                  base::Array<Ghost>& ghosts) {
+  const std::size_t last_side = windows.of_large.sides() - 1;
   for (const std::uint32_t k : std::span(outer.number, outer.count)) {
     Ghost ghost{static_cast<std::uint32_t>(first_number + k), {}};
-    window.for_each_row(natives[k],
-                        [&](std::int64_t first, std::int64_t last, const grid::ImageNumbers& row) {
-                          for (std::size_t side = 0; side < 3; ++side) {
-                            ghost.image[side] = static_cast<std::int32_t>(row[side]);
-                          }
-                          for (std::int64_t m = first; m <= last; ++m) {
-                            ghost.image[window.sides() - 1] = static_cast<std::int32_t>(m);
-                            ghosts.push_back(ghost);
-                          }
-                        });
+    windows.for_each_row(natives[k],
+                         [&](std::int64_t first, std::int64_t last, const grid::ImageNumbers& row) {
+                           for (std::size_t side = 0; side < 3; ++side) {
+                             ghost.image[side] = static_cast<std::int32_t>(row[side]);
+                           }
+                           for (std::int64_t m = first; m <= last; ++m) {
+                             ghost.image[last_side] = static_cast<std::int32_t>(m);
+                             ghosts.push_back(ghost);
+                           }
+                         });
   }
 }
 
-template void require_countable(std::span<const base::Sphere<2>>, const grid::GhostWindow<2>&);
-template void require_countable(std::span<const base::Sphere<3>>, const grid::GhostWindow<3>&);
+template void require_countable(std::span<const base::Sphere<2>>, const GhostWindows<2>&);
+template void require_countable(std::span<const base::Sphere<3>>, const GhostWindows<3>&);
 template void list_outer(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
                          const kernels::ImageKernels&, kernels::OuterList&);
 template void list_outer(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
                          const kernels::ImageKernels&, kernels::OuterList&);
 template void list_ghosts(std::span<const base::Sphere<2>>, const kernels::OuterList&, std::size_t,
-                          const grid::GhostWindow<2>&, base::Array<Ghost>&);
+                          const GhostWindows<2>&, base::Array<Ghost>&);
 template void list_ghosts(std::span<const base::Sphere<3>>, const kernels::OuterList&, std::size_t,
-                          const grid::GhostWindow<3>&, base::Array<Ghost>&);
+                          const GhostWindows<3>&, base::Array<Ghost>&);
 
 }  // namespace abut::engine

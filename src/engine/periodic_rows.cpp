@@ -1,6 +1,7 @@
 #include "engine/periodic_rows.hpp"
 
 #include "engine/arbiter.hpp"
+#include "engine/ghost_cut.hpp"
 #include "engine/group_search.hpp"
 #include "engine/move_boxes.hpp"
 #include "grid/brick.hpp"

@@ -30,13 +30,13 @@ grid::CellsMoved move_quickly(const kernels::BrickMap& map, base::Sphere<Dim>& s
 
 template <int Dim>
 kernels::BrickMap map_of(const grid::ReducedLattice<Dim>& lattice, const grid::Brick<Dim>& brick,
-                         const std::array<bool, Dim>& along,
-                         const std::array<double, Dim>& outer_below) {
+                         const std::array<bool, Dim>& along, const GhostWindows<Dim>& windows) {
   kernels::BrickMap map{};
   map.sides = brick.count;
+  map.outer_from_radius = windows.cut;
   for (std::size_t k = 0; k < brick.count; ++k) {
     map.along[k] = along[k];
-    map.outer_below[k] = outer_below[k];
+    map.outer_below[k] = windows.of_small.outer_below()[k];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       map.coefficients[k][axis] = brick.coefficients[k][axis];
       map.vectors[k][axis] = lattice.vectors[brick.vector_of[k]][axis];
@@ -104,9 +104,9 @@ void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::Br
 }
 
 template kernels::BrickMap map_of<2>(const grid::ReducedLattice<2>&, const grid::Brick<2>&,
-                                     const std::array<bool, 2>&, const std::array<double, 2>&);
+                                     const std::array<bool, 2>&, const GhostWindows<2>&);
 template kernels::BrickMap map_of<3>(const grid::ReducedLattice<3>&, const grid::Brick<3>&,
-                                     const std::array<bool, 3>&, const std::array<double, 3>&);
+                                     const std::array<bool, 3>&, const GhostWindows<3>&);
 template struct Journey<2>;
 template struct Journey<3>;
 template void move_quickly(std::span<const base::Sphere<2>>, const kernels::BrickMap&,

@@ -2,6 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/sphere_predicate.hpp"
+#include "engine/list_ghosts.hpp"
 #include "engine/moved_cells.hpp"
 #include "grid/bounds.hpp"
 #include "grid/brick.hpp"
@@ -15,12 +16,12 @@
 
 namespace abut::engine {
 
-/// What vector kernels need to know of a brick; `outer_below` as GhostWindow says.
+/// What vector kernels need to know of a brick: who may have ghosts, as the windows say.
 template <int Dim>
 [[nodiscard]] kernels::BrickMap map_of(const grid::ReducedLattice<Dim>& lattice,
                                        const grid::Brick<Dim>& brick,
                                        const std::array<bool, Dim>& along,
-                                       const std::array<double, Dim>& outer_below);
+                                       const GhostWindows<Dim>& windows);
 
 /// How far some elements must be moved in order to lie in the brick at the origin.
 template <int Dim>

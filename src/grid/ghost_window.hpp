@@ -21,6 +21,9 @@ struct Reaches {
   Shape shape = Shape::sphere;
 };
 
+/// Which images: of m and -m the one whose first number that is not 0 is positive, or both.
+enum class Shell { half, full };
+
 /// Says which images of an element may be within reach of some native: those whose coordinates
 /// along the brick are nowhere farther outside of the natives' than the reach. A little is added
 /// for all that is rounded (docs/derivations/periodic_images.md, 3 and 5).
@@ -81,10 +84,9 @@ class GhostWindow {
   [[nodiscard]] const std::array<double, Dim>& outer_below() const noexcept { return outer_below_; }
 
   /// Calls visit(first, last, numbers) for rows of images of a native that may be within reach, by
-  /// their numbers along the sides, the last of which runs from first to last. Of m and -m it is
-  /// the one whose first number that is not 0 is positive.
+  /// their numbers along the sides, the last of which runs from first to last.
   template <class Visit>
-  void for_each_row(const base::Sphere<Dim>& native, Visit&& visit) const {
+  void for_each_row(const base::Sphere<Dim>& native, Shell shell, Visit&& visit) const {
     std::array<double, Dim> places{};
     Limits limits;
     for (std::size_t k = 0; k < brick_.count; ++k) {
@@ -93,7 +95,8 @@ class GhostWindow {
       limits.upper[k] = extent_.upper[k] + above_[k].at(native.radius);
     }
     ImageNumbers numbers{};
-    walk<0>(places, limits, true, numbers, visit);
+    if (shell == Shell::half) return walk<0, Shell::half>(places, limits, true, numbers, visit);
+    walk<0, Shell::full>(places, limits, true, numbers, visit);
   }
 
  private:
@@ -121,14 +124,18 @@ class GhostWindow {
     return {2.0 * (back * scale) * (1.0 + 0x1p-38), natives + margin + rounding};
   }
 
-  template <std::size_t k, class Visit>
+  template <std::size_t k, Shell shell, class Visit>
   void walk(const std::array<double, Dim>& places, const Limits& limits, bool all_zero,
             ImageNumbers& numbers, Visit& visit) const {
     const std::int64_t last = below(limits.upper[k] - places[k]);
     std::int64_t first = -below(places[k] - limits.lower[k]);
     const bool is_last = k + 1 == brick_.count;
-    if (all_zero) first = is_last ? 1 : 0;
+    if (all_zero && shell == Shell::half) first = 0;
     if (is_last) {
+      // The native itself is no image.
+      const std::int64_t last_before = std::min(last, std::int64_t{-1});
+      if (all_zero && first <= last_before) visit(first, last_before, numbers);
+      if (all_zero) first = std::max(first, std::int64_t{1});
       if (first <= last) visit(first, last, numbers);
       return;
     }
@@ -139,7 +146,7 @@ class GhostWindow {
           moved[l] += static_cast<double>(number) * brick_.offset[k][l];
         }
         numbers[k] = number;
-        walk<k + 1>(moved, limits, all_zero && number == 0, numbers, visit);
+        walk<k + 1, shell>(moved, limits, all_zero && number == 0, numbers, visit);
       }
       numbers[k] = 0;
     }

@@ -16,6 +16,7 @@ struct BrickMap {
   bool along[3];         ///< whether to wrap along this side
   bool pack;             ///< cells moved to words, engine::MovedCells, else to triples
   double outer_below[3];
+  double outer_from_radius;
 };
 
 /// grid::Brick::coordinate, of one element and by the operations of the vector kernels.
@@ -27,12 +28,12 @@ template <int Dim>
   return sum;
 }
 
-/// Whether a coordinate is at most outer_below.
+/// Whether a coordinate is at most outer_below, or the radius at least outer_from_radius.
 template <int Dim>
-[[nodiscard]] inline bool is_outer(const BrickMap& map, const double* center) {
-  bool outer = false;
+[[nodiscard]] inline bool is_outer(const BrickMap& map, const double* record) {
+  bool outer = record[Dim] >= map.outer_from_radius;
   for (std::size_t k = 0; k < map.sides; ++k) {
-    outer = outer || coordinate<Dim>(map, k, center) <= map.outer_below[k];
+    outer = outer || coordinate<Dim>(map, k, record) <= map.outer_below[k];
   }
   return outer;
 }

@@ -42,11 +42,10 @@ HWY_INLINE Doubles coordinate(const double* coefficients, const Doubles* center)
 /// Appends the numbers of the outer ones of a vector of records, the first of which is `first`, to
 /// those that end before `end`; returns their new end. Most vectors have none.
 template <int Dim, std::size_t Sides>
-HWY_INLINE std::uint32_t* list_outer_of(const BrickMap& map, const Doubles* center,
+HWY_INLINE std::uint32_t* list_outer_of(const BrickMap& map, const Doubles* center, Doubles radius,
                                         std::size_t first, std::uint32_t* end) {
-  auto outer =
-      hn::Le(coordinate<Dim>(map.coefficients[0], center), hn::Set(doubles, map.outer_below[0]));
-  for (std::size_t k = 1; k < Sides; ++k) {
+  auto outer = hn::Ge(radius, hn::Set(doubles, map.outer_from_radius));
+  for (std::size_t k = 0; k < Sides; ++k) {
     outer = hn::Or(outer, hn::Le(coordinate<Dim>(map.coefficients[k], center),
                                  hn::Set(doubles, map.outer_below[k])));
   }
@@ -95,7 +94,7 @@ std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& gi
       lower[axis] = hn::Min(lower[axis], center[axis]);
       upper[axis] = hn::Max(upper[axis], center[axis]);
     }
-    end_of_outer = list_outer_of<Dim, Sides>(map, center, i, end_of_outer);
+    end_of_outer = list_outer_of<Dim, Sides>(map, center, radius, i, end_of_outer);
     if constexpr (Dim == 2) {
       hn::StoreInterleaved3(center[0], center[1], radius, doubles, natives + i * 3);
     } else {
@@ -131,7 +130,7 @@ std::size_t list_outer_in(const double* records, std::size_t count, const BrickM
     Doubles center[Dim];
     Doubles radius;
     load<Dim>(records + i * (Dim + 1), center, radius);
-    end = list_outer_of<Dim, Sides>(map, center, i, end);
+    end = list_outer_of<Dim, Sides>(map, center, radius, i, end);
   }
   outer.count = static_cast<std::size_t>(end - outer.number);
   return i;

@@ -216,6 +216,18 @@ TEST(PeriodicRows, ManyTilesWithAndWithoutElementsOnBothFaces) {
   }
 }
 
+/// A giant wider than the cell touches images of all; the small ones need few ghosts among each
+/// other.
+TEST(PeriodicRows, OneGiantMakesLittleWork) {
+  const Domain cube = Domain::periodic({1.0, 1.0, 1.0});
+  Scene scene = random_scene(cube, 3, 20000, 0.01, 1.0, 0, 22);
+  scene.radius[0] = 1.3;
+  const Statistics statistics = count_contact_pairs(view_of(scene), cube);
+  EXPECT_EQ(statistics.algorithm, Algorithm::rows);
+  EXPECT_GT(statistics.contact_pairs, 9U * 20000U);
+  EXPECT_LT(statistics.candidate_tests, 20U * (20000U + statistics.contact_pairs));
+}
+
 /// Far smaller than the rounding of a moved position allows cells to be.
 TEST(PeriodicRows, SpecksInAHugeCell) {
   const double cell = 0x1p40;

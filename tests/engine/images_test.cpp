@@ -62,8 +62,13 @@ double shortest_height(const base::Lattice& lattice) {
 template <int Dim>
 void compare(const PeriodicSystem<Dim>& system, std::size_t& pairs) {
   const auto expected = pairs_by_rationals(system);
-  ASSERT_EQ(pairs_by_images(system), expected);
-  ASSERT_EQ(pairs_by_images(system, 1, kernels::level_to_run(Simd::automatic)), expected);
+  const Simd widest = kernels::level_to_run(Simd::automatic);
+  // All are small; some are, of any two sizes or only the smallest; all are large.
+  for (const double size_cut : {HUGE_VAL, system.spheres.front().radius,
+                                std::nextafter(system.spheres.back().radius, HUGE_VAL), 0.0}) {
+    ASSERT_EQ(pairs_by_images(system, size_cut), expected) << size_cut;
+    ASSERT_EQ(pairs_by_images(system, size_cut, widest), expected) << size_cut;
+  }
   pairs += expected.size();
 }
 

@@ -119,14 +119,14 @@ template <int Dim>
 /// there twice.
 template <int Dim>
 [[nodiscard]] std::vector<FoundPair> pairs_by_images(const PeriodicSystem<Dim>& system,
-                                                     std::size_t workers = 1,
+                                                     double size_cut = HUGE_VAL,
                                                      Simd simd = Simd::scalar) {
   const grid::ReducedLattice<Dim> reduced(system.lattice);
   base::MemoryMeter memory;
   base::Array<base::Sphere<Dim>> elements = array_of(system.spheres, memory);
   engine::Images<Dim> images(memory);
   images.find(elements, bounds_of<Dim>(system.spheres), reduced,
-              {system.margin, workers, kernels::image_kernels(simd)});
+              {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
   const double margin = system.margin * images.unit();
   const auto natives = images.natives();
   const auto ghosts = images.natives_and_ghosts().subspan(natives.size());
@@ -150,6 +150,7 @@ template <int Dim>
       const base::Sphere<Dim>& stored = images.natives_and_ghosts()[natives.size() + g];
       if (!may_pair(natives[i], stored, margin, images.slack())) continue;
       const engine::Ghost& ghost = images.ghosts()[g];
+      if (!images.counts(i, ghost)) continue;
       decide(i, ghost.element, images.shift_between(i, ghost));
     }
   }

@@ -16,6 +16,9 @@ class ElementIds {
   /// Throws Error{invalid_input} unless there are no ids or `count` different ones.
   void set(std::span<const std::uint64_t> ids, std::size_t count);
 
+  /// Whether ids were given.
+  [[nodiscard]] bool given() const noexcept { return !ids_.empty(); }
+
   /// Whether these elements have the same ids in the same order.
   [[nodiscard]] bool same(std::span<const std::uint64_t> ids, std::size_t count) const noexcept;
 
@@ -24,7 +27,8 @@ class ElementIds {
     return ids_.empty() ? number : ids_[number];
   }
 
-  /// For each of these elements its number in `others`, or none.
+  /// For each of these elements its number in `others`, or none. Linear where ids of both are not
+  /// much larger than how many there are.
   void find_in(const ElementIds& others, std::vector<std::uint32_t>& numbers) const;
 
  private:
@@ -33,9 +37,14 @@ class ElementIds {
     std::uint32_t number;
   };
 
+  [[nodiscard]] bool fill_table();
+  void fill_ascending();
+  [[nodiscard]] std::uint32_t number_of(std::uint64_t id) const noexcept;
+
   std::size_t count_ = 0;
   std::vector<std::uint64_t> ids_;
-  std::vector<Place> ascending_;
+  std::vector<std::uint32_t> number_of_;  ///< by id, where ids are small; none where they are not
+  std::vector<Place> ascending_;          ///< where they are not
 };
 
 }  // namespace abut::api

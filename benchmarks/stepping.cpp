@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +30,7 @@ struct Settings {
   int threads = 1;
   bool periodic = false;
   std::string scene = "dense";
+  std::size_t exchanged = 0;  ///< elements that are replaced by others in every tenth step
 };
 
 /// Elements that fly on, each in its direction.
@@ -41,9 +44,18 @@ class System {
         velocity.push_back(settings.speed * random.uniform(-1.0, 1.0));
       }
     }
-    double side = 1.0;
-    for (const double x : scene_.x) side = std::max(side, x);
-    if (settings.periodic) domain = Domain::periodic({side, side, side});
+    for (const double x : scene_.x) side_ = std::max(side_, x);
+    if (settings.periodic) domain = Domain::periodic({side_, side_, side_});
+    for (std::uint64_t k = 0; k < settings.count; ++k) ids.push_back(next_id_++);
+  }
+
+  /// Elements leave, and others appear elsewhere under their numbers.
+  void exchange(std::size_t count) {
+    for (; count > 0; --count) {
+      const std::size_t k = random_.below(scene_.size());
+      for (auto* axis : {&scene_.x, &scene_.y, &scene_.z}) (*axis)[k] = random_.uniform(0.0, side_);
+      ids[k] = next_id_++;
+    }
   }
 
   [[nodiscard]] ElementView elements() const {
@@ -58,10 +70,14 @@ class System {
   }
 
   Domain domain = Domain::open();
+  std::vector<std::uint64_t> ids;
 
  private:
   scenes::Scene scene_;
   std::array<std::vector<double>, 3> velocity_;
+  scenes::Random random_{5};
+  double side_ = 1.0;
+  std::uint64_t next_id_ = 0;
 };
 
 class Clock {
@@ -99,10 +115,16 @@ Measured measure(const Settings& settings, Skin skin) {
   Measured result;
   const int warm_up = std::max(settings.steps / 10, 2);
   for (int step = -warm_up; step < settings.steps; ++step) {
+    if (settings.exchanged > 0) {
+      if (step % 10 == 0) system.exchange(settings.exchanged);
+      detector.set_ids(system.ids);
+    }
     Clock clock;
     const PairList& pairs = detector.find_contact_pairs(system.elements(), system.domain);
     const double detection = clock.lap();
-    history.update(pairs, system.elements(), system.domain);
+    const std::span<const std::uint64_t> ids(system.ids);
+    history.update(pairs, system.elements(), system.domain,
+                   settings.exchanged > 0 ? ids : ids.first(0));
     const double rest = clock.lap();
     if (step >= 0) {
       result.detection += detection / settings.steps;
@@ -135,6 +157,8 @@ int main_of(int argc, char** argv) {
   app.add_option("--speed", settings.speed, "way of an element in a step, in diameters");
   app.add_option("--threads", settings.threads, "threads");
   app.add_option("--scene", settings.scene, "a scene in 3D");
+  app.add_option("--exchanged", settings.exchanged,
+                 "elements that come and go in every tenth step");
   app.add_flag("--periodic", settings.periodic, "in a periodic box, with shifts");
   CLI11_PARSE(app, argc, argv);
 

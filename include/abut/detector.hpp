@@ -5,7 +5,9 @@
 #include <abut/neighbor_list.hpp>
 #include <abut/skin.hpp>
 
+#include <cstdint>
 #include <memory>
+#include <span>
 
 namespace abut {
 
@@ -35,6 +37,13 @@ class ABUT_API Detector {
   /// also where they may come as found.
   void set_skin(Skin skin);
   [[nodiscard]] Skin skin() const noexcept;
+  /// Names of the elements, one for each, all different, for the calls with one set that follow;
+  /// copied. None, as at first: elements are known by their numbers. With a skin, candidate pairs
+  /// last while elements come, go, come back and change places in the caller's arrays. Ids never
+  /// change a result: set them when they change. Throws Error{invalid_input} where an id comes
+  /// twice, and then nothing has changed; a call of another number of elements throws it, too.
+  void set_ids(std::span<const std::uint64_t> ids);
+
   /// Of the calls since the skin was set.
   [[nodiscard]] const SkinStatistics& skin_statistics() const noexcept;
 

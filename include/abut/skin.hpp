@@ -40,9 +40,12 @@ class ABUT_API Skin {
 struct SkinStatistics {
   std::uint64_t detections = 0;  ///< calls that detected anew
   std::uint64_t reuses = 0;      ///< calls that tested candidate pairs of an earlier one
-  PairCount candidates = 0;      ///< candidate pairs kept now
-  PairCount survivors = 0;       ///< of them, contact pairs of the last call
-  double skin = 0.0;             ///< length with which they were found
+  std::uint64_t carried = 0;  ///< of these, calls whose elements had come, gone or changed numbers
+  std::uint64_t inserted =
+      0;                     ///< elements searched against all, since they were new in such a call
+  PairCount candidates = 0;  ///< candidate pairs kept now
+  PairCount survivors = 0;   ///< of them, contact pairs of the last call
+  double skin = 0.0;         ///< length with which they were found
 
   /// Upper bound, at the last call that found candidate pairs kept: how much closer than then any
   /// two elements may have come.

@@ -1,78 +1,22 @@
 #include "api/candidate_pairs.hpp"
 
-#include "api/candidate_test.hpp"
+#include "api/candidate_insertion.hpp"
+#include "api/candidate_writer.hpp"
 #include "base/workers.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace abut::api {
 namespace {
 
-/// Candidates that a worker takes at a time.
-constexpr std::size_t candidates_of_unit = 32 * candidates_of_block;
-
-static_assert(base::PairSink::smallest_room >= candidates_of_block);
-
-/// Writes what a unit of candidates delivers into the sink, a block at a time.
-class UnitWriter {
- public:
-  UnitWriter(base::PairSink& sink, const base::Origin& origin) : sink_(sink), origin_(origin) {}
-
-  /// Room for the pairs of one block; place() tells where they go.
-  void expect_block() {
-    if (room_.size() - filled_ >= candidates_of_block) return;
-    finish();
-    room_ = sink_.room(origin_.worker);
-    shifts_ = sink_.shift_room(origin_.worker);
-  }
-
-  [[nodiscard]] bool wants_shifts() const noexcept { return !shifts_.empty(); }
-  void push(ContactPair pair) { room_[filled_++] = pair; }
-  void push(ContactPair pair, const ImageShift& shift) {
-    shifts_[filled_] = shift;
-    room_[filled_++] = pair;
-  }
-
-  void finish() {
-    const std::size_t count = filled_;
-    filled_ = 0;
-    room_ = {};
-    if (count > 0) sink_.commit(count, origin_);
-  }
-
- private:
-  base::PairSink& sink_;
-  base::Origin origin_;
-  std::span<ContactPair> room_;
-  std::span<ImageShift> shifts_;
-  std::size_t filled_ = 0;
-};
-
-/// Calls body(first, count, writer, exact_decisions) for each block of candidates.
-template <class Body>
-void for_each_block(std::size_t candidates, std::size_t workers, base::PairSink& sink,
-                    base::DetectionContext& context, Body&& body) {
-  sink.expect_workers(workers);
-  const std::size_t units = (candidates + candidates_of_unit - 1) / candidates_of_unit;
-  std::atomic<std::uint64_t> exact_decisions = 0;
-  base::for_each_index(workers, units, [&](std::size_t worker, std::size_t unit) {
-    if (worker == 0) context.progress.poll();
-    UnitWriter writer(sink, {worker, unit});
-    std::uint64_t exact = 0;
-    const std::size_t last = std::min(candidates, (unit + 1) * candidates_of_unit);
-    for (std::size_t k = unit * candidates_of_unit; k < last; k += candidates_of_block) {
-      writer.expect_block();
-      body(k, std::min(candidates_of_block, last - k), writer, exact);
-    }
-    writer.finish();
-    exact_decisions += exact;
-  });
-  context.candidate_tests += candidates;
-  context.exact_decisions += exact_decisions;
-}
+/// Words of candidates, and candidates in canonical order, that a worker takes at a time.
+constexpr std::size_t candidates_of_word = 64;
+constexpr std::size_t words_of_unit = 128;
+constexpr std::size_t candidates_of_unit = 64 * CandidateWriter::most;
 
 /// The least and the largest number on each axis.
 struct ShiftRange {
@@ -96,7 +40,7 @@ struct ShiftRange {
 
   [[nodiscard]] std::int64_t number_of(const std::array<std::int64_t, 3>& shift) const {
     std::int64_t number = 0;
-    for (std::size_t k = 3; k-- > 0;) {
+    for (std::size_t k = 0; k < 3; ++k) {
       number = number * (upper[k] - lower[k] + 1) + shift[k] - lower[k];
     }
     return number;
@@ -107,6 +51,7 @@ struct ShiftRange {
 template <int Dim>
 std::array<std::int64_t, 3> placed_shift(const ContactPair& pair, const ImageShift& shift,
                                          const Displacement<Dim>& placing) {
+  if (!placing.moved(pair.first) && !placing.moved(pair.second)) return {shift.x, shift.y, shift.z};
   const CellNumbers& first = placing.cells(pair.first);
   const CellNumbers& second = placing.cells(pair.second);
   return {std::int64_t{shift.x} - first[0] + second[0],
@@ -119,58 +64,79 @@ std::array<std::int64_t, 3> placed_shift(const ContactPair& pair, const ImageShi
 template <int Dim>
 CandidatePairs<Dim>::CandidatePairs(base::MemoryMeter& memory)
     : found_(memory),
-      order_(memory),
-      pairs_(base::make_array_for_overwrite<ContactPair>(memory, 0)),
-      shifts_(base::make_array_for_overwrite<ImageShift>(memory, 0)),
-      shift_of_(base::make_array_for_overwrite<ShiftNumber>(memory, 0)) {}
+      layout_(memory),
+      found_shifts_(base::make_array_for_overwrite<ShiftNumber>(memory, 0)),
+      slots_(base::make_array_for_overwrite<kernels::QuantumSphere>(memory, 0)),
+      survivors_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
 
 template <int Dim>
 base::PairSink& CandidatePairs<Dim>::start_anew(bool periodic) {
   periodic_ = periodic;
   size_ = 0;
+  shift_list_.clear();
   found_.start_anew(unlimited_pairs, periodic ? Shifts::stored : Shifts::none);
+  return found_;
+}
+
+/// In the order of space, so that new slots follow it as the old ones did.
+template <int Dim>
+base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> numbers,
+                                                const Displacement<Dim>& placing) {
+  size_ = 0;
+  found_.start_anew(unlimited_pairs, periodic_ ? Shifts::stored : Shifts::none);
+  found_.expect_workers(1);
+  base::ImagePairWriter writer(found_);
+  const auto candidates = layout_.candidates();
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    ContactPair pair{numbers[layout_.elements()[candidates[k].first]],
+                     numbers[layout_.elements()[candidates[k].second]]};
+    if (pair.first == ElementIds::none || pair.second == ElementIds::none) continue;
+    ImageShift shift = periodic_ ? shift_list_[layout_.shifts()[k]] : ImageShift{};
+    if (pair.first > pair.second) {
+      std::swap(pair.first, pair.second);
+      shift = opposite(shift);
+    }
+    writer.push(pair, periodic_ ? placing.shift_as_given(pair, shift) : shift);
+  }
+  writer.finish();
   return found_;
 }
 
 template <int Dim>
 bool CandidatePairs<Dim>::finish(const Snapshot<Dim>& now, const Displacement<Dim>& placing) {
-  const PairCount count = found_.size();
-  const auto pieces = found_.pieces();
-  base::make_room(pairs_, count);
-  const auto pairs = std::span(pairs_).first(count);
-  if (!periodic_) {
-    order_.sort(pieces, now.spheres.size(), pairs, now.workers);
-    size_ = count;
-    return true;
-  }
-  base::make_room(shifts_, count);
-  order_.sort({pieces, found_.shift_pieces()}, now.spheres.size(), pairs,
-              std::span(shifts_).first(count), now.workers);
-  size_ = count;
-  if (number_shifts(placing, now.workers)) return true;
-  size_ = 0;
-  return false;
+  if (found_.size() > std::numeric_limits<std::uint32_t>::max()) return false;
+  if (periodic_ && !number_shifts(placing)) return false;
+  size_ = found_.size();
+  layout_.arrange(found_.pieces(),
+                  std::span<const ShiftNumber>(found_shifts_).first(periodic_ ? size_ : 0),
+                  now.spheres.size(), now.workers);
+  return true;
 }
 
+/// Of the same two elements, numbers ascend with shifts.
 template <int Dim>
-bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing, std::size_t workers) {
-  ShiftRange range;
-  for (std::size_t k = 0; k < size_; ++k) {
-    range.include(placed_shift(pairs_[k], shifts_[k], placing));
-  }
-  if (range.count() > std::numeric_limits<ShiftNumber>::max()) return false;
-  base::make_room(shift_of_, size_);
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, size_);
-    for (std::size_t k = first; k < last; ++k) {
-      const auto shift = placed_shift(pairs_[k], shifts_[k], placing);
-      shift_of_[k] = static_cast<ShiftNumber>(range.number_of(shift));
+bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing) {
+  const auto pieces = found_.pieces();
+  const auto shift_pieces = found_.shift_pieces();
+  const auto for_each_shift = [&](auto&& body) {
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      for (std::size_t k = 0; k < pieces[p].size(); ++k) {
+        body(placed_shift(pieces[p][k], shift_pieces[p][k], placing));
+      }
     }
+  };
+  ShiftRange range;
+  for_each_shift([&](const auto& shift) { range.include(shift); });
+  if (range.count() > std::numeric_limits<ShiftNumber>::max()) return false;
+  base::make_room(found_shifts_, found_.size());
+  std::size_t next = 0;
+  for_each_shift([&](const auto& shift) {
+    found_shifts_[next++] = static_cast<ShiftNumber>(range.number_of(shift));
   });
   shift_list_.clear();
-  for (std::int64_t z = range.lower[2]; z <= range.upper[2]; ++z) {
+  for (std::int64_t x = range.lower[0]; x <= range.upper[0]; ++x) {
     for (std::int64_t y = range.lower[1]; y <= range.upper[1]; ++y) {
-      for (std::int64_t x = range.lower[0]; x <= range.upper[0]; ++x) {
+      for (std::int64_t z = range.lower[2]; z <= range.upper[2]; ++z) {
         shift_list_.push_back({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
                                static_cast<std::int32_t>(z)});
       }
@@ -180,40 +146,69 @@ bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing, std::s
 }
 
 template <int Dim>
+void CandidatePairs<Dim>::fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta,
+                                     std::size_t workers) {
+  const auto elements = layout_.elements();
+  base::make_room(slots_, elements.size());
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, elements.size());
+    quanta.fill(placing.placed().data(), elements.subspan(first, last - first),
+                slots_.data() + first);
+  });
+}
+
+template <int Dim>
+void CandidatePairs<Dim>::test(const CandidateTest<Dim>& test, std::size_t workers,
+                               base::DetectionContext& context) {
+  const std::size_t words = (size_ + candidates_of_word - 1) / candidates_of_word;
+  const std::size_t units = (words + words_of_unit - 1) / words_of_unit;
+  base::make_room(survivors_, words);
+  std::atomic<std::uint64_t> exact_decisions = 0;
+  base::for_each_index(workers, units, [&](std::size_t worker, std::size_t unit) {
+    if (worker == 0) context.progress.poll();
+    std::uint64_t exact = 0;
+    const std::size_t first = unit * words_of_unit;
+    const std::size_t count = std::min(words_of_unit, words - first);
+    test.run(first, std::span(survivors_).subspan(first, count), slots_.data(), exact);
+    exact_decisions += exact;
+  });
+  context.candidate_tests += size_;
+  context.exact_decisions += exact_decisions;
+}
+
+/// shift_at(k) is the image shift of candidate k in canonical order.
+template <int Dim>
+template <class ShiftAt>
+void CandidatePairs<Dim>::write(std::size_t workers, base::PairSink& sink,
+                                base::DetectionContext& context, const ShiftAt& shift_at) {
+  sink.expect_workers(workers);
+  const std::size_t units = (size_ + candidates_of_unit - 1) / candidates_of_unit;
+  base::for_each_index(workers, units, [&](std::size_t worker, std::size_t unit) {
+    if (worker == 0) context.progress.poll();
+    CandidateWriter writer(sink, {worker, unit}, survivors_.data());
+    const std::size_t last = std::min<std::size_t>(size_, (unit + 1) * candidates_of_unit);
+    for (std::size_t k = unit * candidates_of_unit; k < last; k += CandidateWriter::most) {
+      writer.write(layout_.canonical(), k, std::min(CandidateWriter::most, last - k), shift_at);
+    }
+    writer.finish();
+  });
+}
+
+template <int Dim>
 void CandidatePairs<Dim>::deliver_contacts(const Snapshot<Dim>& now,
                                            const Displacement<Dim>& placing, base::PairSink& sink,
                                            base::DetectionContext& context) {
-  const auto pairs = std::span<const ContactPair>(pairs_).first(size_);
-  if (!periodic_) {
-    const OpenCandidateTest<Dim> test(now);
-    return for_each_block(size_, now.workers, sink, context,
-                          [&](std::size_t first, std::size_t count, UnitWriter& writer,
-                              std::uint64_t& exact_decisions) {
-                            const auto block = pairs.subspan(first, count);
-                            Survivors survivors;
-                            test.run(block, survivors, exact_decisions);
-                            for (std::size_t k = 0; k < survivors.count; ++k) {
-                              writer.push(block[survivors.places[k]]);
-                            }
-                          });
-  }
-  const PeriodicCandidateTest<Dim> test(now, placing, shift_list_, images_);
-  for_each_block(size_, now.workers, sink, context,
-                 [&](std::size_t first, std::size_t count, UnitWriter& writer,
-                     std::uint64_t& exact_decisions) {
-                   const auto block = pairs.subspan(first, count);
-                   const ShiftNumber* const numbers = shift_of_.data() + first;
-                   Survivors survivors;
-                   test.run(block, numbers, survivors, exact_decisions);
-                   for (std::size_t k = 0; k < survivors.count; ++k) {
-                     const std::uint16_t place = survivors.places[k];
-                     if (writer.wants_shifts()) {
-                       writer.push(block[place], test.shift_of(block[place], numbers[place]));
-                     } else {
-                       writer.push(block[place]);
-                     }
-                   }
-                 });
+  const CandidateTest<Dim> decide(now, placing,
+                                  {layout_.candidates(), layout_.elements(), shift_list_,
+                                   periodic_ ? layout_.shifts() : nullptr},
+                                  images_);
+  fill_slots(placing, decide.quanta(), now.workers);
+  test(decide, now.workers, context);
+  const CandidateLayout::Canonical canonical = layout_.canonical();
+  write(now.workers, sink, context, [&](std::size_t k) {
+    return periodic_ ? placing.shift_as_given(canonical.pairs[k], shift_list_[canonical.shifts[k]])
+                     : ImageShift{};
+  });
 }
 
 template class CandidatePairs<2>;

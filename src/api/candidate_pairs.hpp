@@ -1,23 +1,25 @@
 #pragma once
 
+#include "api/candidate_layout.hpp"
+#include "api/candidate_test.hpp"
 #include "api/displacement.hpp"
 #include "api/found_pairs.hpp"
-#include "api/order_pairs.hpp"
 #include "api/snapshot.hpp"
 #include "base/array.hpp"
 #include "base/detection_context.hpp"
 #include "base/pair_sink.hpp"
+#include "kernels/candidate_kernels.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace abut::api {
 
-/// Candidate pairs in canonical order, kept from call to call. In a periodic domain with the image
-/// shift between the elements as they are placed (Displacement), by number in a list of the few
-/// different ones.
+/// Candidate pairs, kept from call to call: tested in the order of space, delivered in canonical
+/// order. In a periodic domain with the image shift between the elements as they are placed
+/// (Displacement), by number in a list of the few different ones.
 template <int Dim>
 class CandidatePairs {
  public:
@@ -26,7 +28,13 @@ class CandidatePairs {
   /// Where a search puts them; those there were are dropped.
   [[nodiscard]] base::PairSink& start_anew(bool periodic);
 
-  /// Puts what the search found in order. False if there are too many different image shifts.
+  /// Starts with those there were, of the elements that are still there and as they are called now:
+  /// element i is `numbers[i]`, or gone where that is ElementIds::none. More may be put beside.
+  [[nodiscard]] base::PairSink& carry_over(std::span<const std::uint32_t> numbers,
+                                           const Displacement<Dim>& placing);
+
+  /// Puts what the search found in order. False if there are too many of them or of different
+  /// image shifts.
   [[nodiscard]] bool finish(const Snapshot<Dim>& now, const Displacement<Dim>& placing);
 
   [[nodiscard]] PairCount size() const noexcept { return size_; }
@@ -36,19 +44,22 @@ class CandidatePairs {
                         base::PairSink& sink, base::DetectionContext& context);
 
  private:
-  using ShiftNumber = std::uint16_t;
-
-  [[nodiscard]] bool number_shifts(const Displacement<Dim>& placing, std::size_t workers);
+  [[nodiscard]] bool number_shifts(const Displacement<Dim>& placing);
+  void fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta, std::size_t workers);
+  void test(const CandidateTest<Dim>& test, std::size_t workers, base::DetectionContext& context);
+  template <class ShiftAt>
+  void write(std::size_t workers, base::PairSink& sink, base::DetectionContext& context,
+             const ShiftAt& shift_at);
 
   FoundPairs found_;
-  PairOrder order_;
   bool periodic_ = false;
   PairCount size_ = 0;
-  base::Array<ContactPair> pairs_;
-  base::Array<ImageShift> shifts_;  ///< as found; only while they are numbered
-  base::Array<ShiftNumber> shift_of_;
+  CandidateLayout layout_;
+  base::Array<ShiftNumber> found_shifts_;      ///< only while candidates are put in order
+  base::Array<kernels::QuantumSphere> slots_;  ///< elements as they are placed now
+  base::Array<std::uint64_t> survivors_;       ///< a bit for each candidate, in the order of space
   std::vector<ImageShift> shift_list_;
-  std::vector<std::array<double, Dim>> images_;
+  typename CandidateTest<Dim>::Images images_;
 };
 
 }  // namespace abut::api

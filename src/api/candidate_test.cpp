@@ -3,167 +3,193 @@
 #include "api/candidate_test.hpp"
 
 #include "api/lattice_of.hpp"
+#include "base/periodic_predicate.hpp"
+#include "base/sphere_predicate.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace abut::api {
 namespace {
 
-/// Keeps the survivors that `within_reach` confirms.
-template <class WithinReach>
-void confirm(Survivors& survivors, WithinReach&& within_reach) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < survivors.count; ++k) {
-    const std::uint16_t place = survivors.places[k];
-    if (within_reach(place)) survivors.places[kept++] = place;
-  }
-  survivors.count = kept;
+using kernels::CandidateVerdict;
+using kernels::CandidateWords;
+using kernels::QuantumSphere;
+
+/// a - b in 32 bits, whatever is carried beyond them.
+std::int32_t difference(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-/// All in doubt.
-void take_all(std::size_t count, Survivors& survivors) {
-  for (std::size_t k = 0; k < count; ++k) survivors.places[k] = static_cast<std::uint16_t>(k);
-  survivors.count = count;
-}
-
-/// Asks for the second sphere of a candidate some way ahead. Where numbering does not follow space,
-/// each lies elsewhere in memory; asked for in time, it need not be waited for.
-template <int Dim>
-void fetch_ahead(std::span<const ContactPair> candidates, std::size_t k,
-                 std::span<const base::Sphere<Dim>> spheres) {
-  constexpr std::size_t ahead = 24;
-  const std::size_t next = std::min(k + ahead, candidates.size() - 1);
-  __builtin_prefetch(&spheres[candidates[next].second]);
-}
-
-/// What a filter says of a candidate; neither of the two where it cannot decide.
-struct Verdict {
-  bool apart;
-  bool together;
-};
-
-/// Keeps those that are not certainly apart, without branches. Returns whether some are undecided.
-template <class Judge>
-bool sift(std::size_t count, Survivors& survivors, Judge&& judge) {
-  bool undecided = false;
-  std::size_t kept = 0;
+/// As the kernels do it, of `count` candidates.
+CandidateVerdict sift(const CandidateWords& words, std::size_t count) {
+  CandidateVerdict verdict{0, 0};
   for (std::size_t k = 0; k < count; ++k) {
-    const Verdict verdict = judge(k);
-    survivors.places[kept] = static_cast<std::uint16_t>(k);
-    kept += verdict.apart ? 0 : 1;
-    undecided |= verdict.apart == verdict.together;
+    const QuantumSphere& a = words.slots[words.pairs[k].first];
+    const QuantumSphere& b = words.slots[words.pairs[k].second];
+    const QuantumSphere& image =
+        words.images[words.image_of == nullptr ? std::size_t{0} : words.image_of[k]];
+    float square = 0.0f;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto d = static_cast<float>(
+          difference(difference(a.center[axis], b.center[axis]), image.center[axis]));
+      square += d * d;
+    }
+    const auto reach =
+        static_cast<float>(difference(difference(a.radius, ~b.radius), image.radius));
+    const float outer = reach + kernels::quantum_slack;
+    const float inner = std::max(reach - kernels::quantum_slack, 0.0f);
+    const bool together = square < inner * inner * (1.0f - kernels::square_band);
+    const bool near = square <= outer * outer * (1.0f + kernels::square_band);
+    verdict.together |= std::uint64_t{together} << k;
+    verdict.in_doubt |= std::uint64_t{near && !together} << k;
   }
-  survivors.count = kept;
-  return undecided;
+  return verdict;
 }
 
-/// In units of u = 2^-53, of all that is added up: 16.
-constexpr double placed_band = 0x1p-49;
+/// Calls body(axis, product) for all that a shift's lattice vector is summed from.
+template <int Dim, class Body>
+void for_each_product(const base::Lattice& lattice, const ImageShift& shift, Body&& body) {
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    for (std::size_t k = 0; k < Dim; ++k) {
+      body(axis, base::numbers(shift)[k] * lattice.vectors[k][axis]);
+    }
+  }
+}
+
+template <int Dim>
+double farthest_of(const base::Lattice& lattice, std::span<const ImageShift> shifts) {
+  double farthest = 0.0;
+  for (const ImageShift& shift : shifts) {
+    double sum = 0.0;
+    for_each_product<Dim>(lattice, shift,
+                          [&](std::size_t, double product) { sum += std::fabs(product); });
+    farthest = std::max(farthest, sum);
+  }
+  return farthest;
+}
+
+/// Of the system as a whole: more than any coordinate of a difference, and any reach.
+template <int Dim>
+double largest_length(const Snapshot<Dim>& now, const Displacement<Dim>& placing,
+                      double farthest_image) {
+  double half = 0.0;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    half = std::max(half, 0.5 * now.bounds.upper[axis] - 0.5 * now.bounds.lower[axis]);
+  }
+  if (now.domain.is_periodic()) half = placing.magnitude();
+  return half + farthest_image + now.largest_reach();
+}
 
 }  // namespace
 
 template <int Dim>
-OpenCandidateTest<Dim>::OpenCandidateTest(const Snapshot<Dim>& now)
-    : spheres_(now.spheres), margin_(now.margin) {
-  const double smallest = 2.0 * now.bounds.smallest_radius + margin_;
-  const double largest = 2.0 * now.bounds.largest_radius + margin_;
-  // A little inside the range, for the rounding of these two.
-  in_range_ = smallest * smallest >= 2.0 * base::smallest_safe_square &&
-              largest * largest <= 0.5 * base::largest_safe_square;
+Quanta<Dim>::Quanta(const Snapshot<Dim>& now, const Displacement<Dim>& placing,
+                    double farthest_image)
+    : kernels_(kernels::candidate_kernels(now.simd)) {
+  const double largest = largest_length(now, placing, farthest_image);
+  if (!(largest > 0x1p-900 && largest < 0x1p900)) return;
+  per_length_ = most * std::ldexp(0.5, -std::ilogb(largest));
+  if (now.domain.is_periodic()) return;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    middle_[axis] = 0.5 * now.bounds.lower[axis] + 0.5 * now.bounds.upper[axis];
+  }
 }
 
 template <int Dim>
-void OpenCandidateTest<Dim>::run(std::span<const ContactPair> candidates, Survivors& survivors,
-                                 std::uint64_t& exact_decisions) const {
-  const bool undecided = sift(in_range_ ? candidates.size() : 0, survivors, [&](std::size_t k) {
-    fetch_ahead(candidates, k, spheres_);
-    const base::Sphere<Dim>& a = spheres_[candidates[k].first];
-    const base::Sphere<Dim>& b = spheres_[candidates[k].second];
-    double square = 0.0;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const double difference = a.center[axis] - b.center[axis];
-      square += difference * difference;
-    }
-    const double reach = a.radius + b.radius + margin_;
-    const double reach_square = reach * reach;
-    return Verdict{square > reach_square * (1.0 + base::band),
-                   square < reach_square * (1.0 - base::band)};
-  });
-  if (in_range_ && !undecided) return;
-  if (!in_range_) take_all(candidates.size(), survivors);
-  confirm(survivors, [&](std::size_t k) {
-    return base::within_reach(spheres_[candidates[k].first], spheres_[candidates[k].second],
-                              margin_, exact_decisions);
-  });
+void Quanta<Dim>::fill(const base::Sphere<Dim>* spheres, std::span<const ElementIndex> numbers,
+                       kernels::QuantumSphere* slots) const {
+  if (numbers.empty()) return;
+  std::size_t k = 0;
+  if constexpr (Dim == 3) {
+    k = kernels_.fill({spheres->center,
+                       numbers.data(),
+                       numbers.size(),
+                       slots,
+                       {middle_[0], middle_[1], middle_[2], 0.0},
+                       per_length_,
+                       most});
+  }
+  for (; k < numbers.size(); ++k) slots[k] = of(spheres[numbers[k]]);
 }
 
 template <int Dim>
-PeriodicCandidateTest<Dim>::PeriodicCandidateTest(const Snapshot<Dim>& now,
-                                                  const Displacement<Dim>& placing,
-                                                  std::span<const ImageShift> shifts,
-                                                  Images& images)
-    : spheres_(now.spheres),
-      placed_(placing.placed()),
+CandidateTest<Dim>::CandidateTest(const Snapshot<Dim>& now, const Displacement<Dim>& placing,
+                                  const Candidates& candidates, Images& images)
+    : now_(now),
       placing_(placing),
-      shifts_(shifts),
+      candidates_(candidates),
       lattice_(lattice_of(now.domain)),
       images_(images),
-      margin_(now.margin) {
-  images.clear();
-  double farthest = 0.0;
-  for (const ImageShift& shift : shifts) {
-    std::array<double, Dim> image{};
-    double magnitude = 0.0;
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      for (std::size_t k = 0; k < Dim; ++k) {
-        const double product = base::numbers(shift)[k] * lattice_.vectors[k][axis];
-        image[axis] += product;
-        magnitude += std::fabs(product);
-      }
-    }
-    images.push_back(image);
-    farthest = std::max(farthest, magnitude);
-  }
-  const double magnitude = 2.0 * placing.magnitude() + farthest + now.largest_reach();
-  slack_ = placed_band * magnitude;
-  in_range_ =
-      magnitude >= base::smallest_safe_magnitude && magnitude <= base::largest_safe_magnitude;
+      kernels_(kernels::candidate_kernels(now.simd)),
+      quanta_(now, placing, farthest_of<Dim>(lattice_, candidates.shifts)) {
+  fill_images();
 }
 
 template <int Dim>
-void PeriodicCandidateTest<Dim>::run(std::span<const ContactPair> candidates,
-                                     const std::uint16_t* shift_of, Survivors& survivors,
-                                     std::uint64_t& exact_decisions) const {
-  const bool undecided = sift(in_range_ ? candidates.size() : 0, survivors, [&](std::size_t k) {
-    fetch_ahead(candidates, k, placed_);
-    const base::Sphere<Dim>& a = placed_[candidates[k].first];
-    const base::Sphere<Dim>& b = placed_[candidates[k].second];
-    const std::array<double, Dim>& image = images_[shift_of[k]];
-    double square = 0.0;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const double difference =
-          a.center[axis] - b.center[axis] - image[static_cast<std::size_t>(axis)];
-      square += difference * difference;
-    }
-    const double reach = a.radius + b.radius + margin_;
-    const double outer = reach + slack_;
-    const double inner = std::max(reach - slack_, 0.0);
-    return Verdict{square > outer * outer, square < inner * inner};
-  });
-  if (in_range_ && !undecided) return;
-  if (!in_range_) take_all(candidates.size(), survivors);
-  confirm(survivors, [&](std::size_t k) {
-    const ContactPair pair = candidates[k];
-    return base::within_reach(spheres_[pair.first], spheres_[pair.second],
-                              this->shift_of(pair, shift_of[k]), lattice_, margin_,
-                              exact_decisions);
-  });
+void CandidateTest<Dim>::fill_images() {
+  images_.clear();
+  const std::int32_t margin = quanta_.whole(now_.margin);
+  for (const ImageShift& shift : candidates_.shifts) {
+    std::array<double, 3> image{};
+    for_each_product<Dim>(lattice_, shift,
+                          [&](std::size_t axis, double product) { image[axis] += product; });
+    images_.push_back(
+        {{quanta_.whole(image[0]), quanta_.whole(image[1]), quanta_.whole(image[2])}, -margin});
+  }
+  if (images_.empty()) images_.push_back({{0, 0, 0}, -margin});
 }
 
-template class OpenCandidateTest<2>;
-template class OpenCandidateTest<3>;
-template class PeriodicCandidateTest<2>;
-template class PeriodicCandidateTest<3>;
+template <int Dim>
+void CandidateTest<Dim>::run(std::size_t first_word, std::span<std::uint64_t> survivors,
+                             const QuantumSphere* slots, std::uint64_t& exact_decisions) const {
+  const std::size_t first = 64 * first_word;
+  const std::size_t count = std::min(candidates_.pairs.size() - first, 64 * survivors.size());
+  const auto words_from = [&](std::size_t k, std::size_t words) {
+    return CandidateWords{candidates_.pairs.data() + k, slots, images_.data(),
+                          candidates_.shift_of == nullptr ? nullptr : candidates_.shift_of + k,
+                          words};
+  };
+  std::array<CandidateVerdict, words_of_run> verdicts;
+  std::size_t done = quanta_.fit() ? kernels_.sift(words_from(first, count / 64), verdicts.data())
+                                   : std::size_t{0};
+  for (; 64 * done < count; ++done) {
+    const std::size_t rest = std::min<std::size_t>(64, count - 64 * done);
+    verdicts[done] = quanta_.fit() ? sift(words_from(first + 64 * done, 1), rest)
+                                   : CandidateVerdict{0, ~std::uint64_t{0} >> (64 - rest)};
+  }
+  for (std::size_t word = 0; word < survivors.size(); ++word) {
+    survivors[word] = confirm(first + 64 * word, verdicts[word], exact_decisions);
+  }
+}
+
+/// What is certain, and of what is in doubt that which the predicate says of the caller's numbers.
+template <int Dim>
+std::uint64_t CandidateTest<Dim>::confirm(std::size_t first, const CandidateVerdict& verdict,
+                                          std::uint64_t& exact_decisions) const {
+  std::uint64_t survivors = verdict.together;
+  for (std::uint64_t rest = verdict.in_doubt; rest != 0; rest &= rest - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(rest));
+    const kernels::SlotPair slots = candidates_.pairs[first + k];
+    const ContactPair pair{candidates_.elements[slots.first], candidates_.elements[slots.second]};
+    const base::Sphere<Dim>& a = now_.spheres[pair.first];
+    const base::Sphere<Dim>& b = now_.spheres[pair.second];
+    const bool touch =
+        candidates_.shift_of == nullptr
+            ? base::within_reach(a, b, now_.margin, exact_decisions)
+            : base::within_reach(a, b,
+                                 placing_.shift_as_given(
+                                     pair, candidates_.shifts[candidates_.shift_of[first + k]]),
+                                 lattice_, now_.margin, exact_decisions);
+    survivors |= std::uint64_t{touch} << k;
+  }
+  return survivors;
+}
+
+template class Quanta<2>;
+template class Quanta<3>;
+template class CandidateTest<2>;
+template class CandidateTest<3>;
 
 }  // namespace abut::api

@@ -3,12 +3,12 @@
 #include "api/displacement.hpp"
 #include "api/snapshot.hpp"
 #include "base/lattice.hpp"
-#include "base/periodic_predicate.hpp"
-#include "base/sphere_predicate.hpp"
+#include "kernels/candidate_kernels.hpp"
 
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -17,65 +17,84 @@
 
 namespace abut::api {
 
-/// Few enough for numbers of 16 bits and for the first cache.
-inline constexpr std::size_t candidates_of_block = 512;
-
-/// Which of a block of candidates are contact pairs: their places in the block.
-struct Survivors {
-  std::array<std::uint16_t, candidates_of_block> places;
-  std::size_t count = 0;
-};
-
-/// Decides candidates of open space: in doubles without branches, then exactly where the band of
-/// base::within_reach leaves any in doubt.
+/// Lengths in whole quanta, so small that all that is compared fits into 32 bits
+/// (docs/derivations/skin.md).
 template <int Dim>
-class OpenCandidateTest {
+class Quanta {
  public:
-  explicit OpenCandidateTest(const Snapshot<Dim>& now);
+  /// Of elements as they are placed, and what the farthest image shift adds to a coordinate.
+  Quanta(const Snapshot<Dim>& now, const Displacement<Dim>& placing, double farthest_image);
 
-  /// Adds one to `exact_decisions` for each that doubles cannot decide.
-  void run(std::span<const ContactPair> candidates, Survivors& survivors,
-           std::uint64_t& exact_decisions) const;
+  /// Whether there are such quanta; not where numbers are extreme.
+  [[nodiscard]] bool fit() const noexcept { return per_length_ > 0.0; }
 
- private:
-  std::span<const base::Sphere<Dim>> spheres_;
-  double margin_;
-  bool in_range_;  ///< all squares that may occur
-};
+  /// slots[k] = the sphere of number numbers[k].
+  void fill(const base::Sphere<Dim>* spheres, std::span<const ElementIndex> numbers,
+            kernels::QuantumSphere* slots) const;
 
-/// The same among placed elements: `shifts` lists the image shifts between them that occur.
-template <int Dim>
-class PeriodicCandidateTest {
- public:
-  using Images = std::vector<std::array<double, Dim>>;
+  [[nodiscard]] kernels::QuantumSphere of(const base::Sphere<Dim>& sphere) const noexcept {
+    kernels::QuantumSphere result{};
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      result.center[axis] = whole(sphere.center[axis] - middle_[axis]);
+    }
+    result.radius = whole(sphere.radius);
+    return result;
+  }
 
-  /// `images` is room for one vector for each shift.
-  PeriodicCandidateTest(const Snapshot<Dim>& now, const Displacement<Dim>& placing,
-                        std::span<const ImageShift> shifts, Images& images);
-
-  void run(std::span<const ContactPair> candidates, const std::uint16_t* shift_of,
-           Survivors& survivors, std::uint64_t& exact_decisions) const;
-
-  /// The shift of a pair of the elements as given.
-  [[nodiscard]] ImageShift shift_of(ContactPair pair, std::uint16_t number) const noexcept {
-    const ImageShift& shift = shifts_[number];
-    if (!placing_.moved(pair.first) && !placing_.moved(pair.second)) return shift;
-    const CellNumbers& first = placing_.cells(pair.first);
-    const CellNumbers& second = placing_.cells(pair.second);
-    return {shift.x + first[0] - second[0], shift.y + first[1] - second[1],
-            shift.z + first[2] - second[2]};
+  /// Rounded towards zero. What is too large is so by a rounding, or is of no account.
+  [[nodiscard]] std::int32_t whole(double length) const noexcept {
+    const double quanta = length * per_length_;
+    return static_cast<std::int32_t>(std::min(most, std::max(-most, quanta)));
   }
 
  private:
-  std::span<const base::Sphere<Dim>> spheres_;
-  std::span<const base::Sphere<Dim>> placed_;
+  static constexpr double most = 0x1p29;
+
+  kernels::CandidateKernels kernels_;
+  std::array<double, Dim> middle_{};
+  double per_length_ = 0.0;
+};
+
+/// Which candidates are contact pairs: decided in quanta and floats, many at a time, then exactly
+/// where these leave any in doubt.
+template <int Dim>
+class CandidateTest {
+ public:
+  /// What is kept from call to call.
+  struct Candidates {
+    std::span<const kernels::SlotPair> pairs;
+    std::span<const ElementIndex> elements;  ///< of the slots
+    std::span<const ImageShift> shifts;      ///< those that occur between placed elements
+    const std::uint16_t* shift_of;           ///< of each candidate; null in open space
+  };
+  using Images = std::vector<kernels::QuantumSphere>;
+
+  /// `images` is room for one for each shift.
+  CandidateTest(const Snapshot<Dim>& now, const Displacement<Dim>& placing,
+                const Candidates& candidates, Images& images);
+
+  [[nodiscard]] const Quanta<Dim>& quanta() const noexcept { return quanta_; }
+
+  /// A bit for each of the candidates of some words of 64: whether it is a contact pair. `slots`
+  /// are the elements in quanta. Adds one to `exact_decisions` for each that doubles cannot decide.
+  void run(std::size_t first_word, std::span<std::uint64_t> survivors,
+           const kernels::QuantumSphere* slots, std::uint64_t& exact_decisions) const;
+
+  /// Most words of a run.
+  static constexpr std::size_t words_of_run = 128;
+
+ private:
+  void fill_images();
+  [[nodiscard]] std::uint64_t confirm(std::size_t first, const kernels::CandidateVerdict& verdict,
+                                      std::uint64_t& exact_decisions) const;
+
+  const Snapshot<Dim>& now_;
   const Displacement<Dim>& placing_;
-  std::span<const ImageShift> shifts_;
+  Candidates candidates_;
   base::Lattice lattice_;
-  const Images& images_;  ///< shift times lattice
-  double margin_;
-  double slack_ = 0.0;
-  bool in_range_ = false;
+  Images& images_;
+  kernels::CandidateKernels kernels_;
+  Quanta<Dim> quanta_;
 };
 
 }  // namespace abut::api

@@ -124,6 +124,7 @@ Statistics Detection::guarded(const Request& request, Body&& body) {
     validate(request.options, request.elements, *request.others, request.domain);
   }
   validate(request.options.rule, request.elements, request.others);
+  if (request.others == nullptr) require_ids_for(request);
   memory_.start_anew(memory_bound(request.options));
   DetectionContext context(memory_, request.options.progress);
   try {
@@ -190,6 +191,11 @@ void Detection::search_sets(const engine::RowsSettings& settings, const Request&
   }
 }
 
+template void Detection::search_sets<2>(const engine::RowsSettings&, const Request&, PairSink&,
+                                        DetectionContext&, Statistics&);
+template void Detection::search_sets<3>(const engine::RowsSettings&, const Request&, PairSink&,
+                                        DetectionContext&, Statistics&);
+
 template <int Dim>
 void Detection::gather(const engine::RowsSettings& settings, const Request& request,
                        DetectionContext& context) {
@@ -202,6 +208,9 @@ void Detection::gather(const engine::RowsSettings& settings, const Request& requ
   own.sets.gather(request.elements, *request.others,
                   {how, settings.margin, !request.domain.is_periodic()}, own.elements, context);
 }
+
+template void Detection::gather<2>(const engine::RowsSettings&, const Request&, DetectionContext&);
+template void Detection::gather<3>(const engine::RowsSettings&, const Request&, DetectionContext&);
 
 template <int Dim>
 Statistics Detection::run_in(const Request& request, PairSink& sink, DetectionContext& context) {
@@ -280,8 +289,10 @@ Statistics Detection::find_and_arrange(const Request& request, LentRoom lent, Ar
 Statistics Detection::list_pairs(const Request& request, PairArray& pairs, ShiftArray& shifts) {
   FilledInPlace in_place(pairs, shifts);
   const LentRoom lent = request.options.order == Order::as_found ? in_place.room() : LentRoom{};
+  Request with_room = request;
+  with_room.list_room = in_place.room();
   Statistics statistics =
-      find_and_arrange(request, lent, [&](PairPieces pieces, std::size_t workers) {
+      find_and_arrange(with_room, lent, [&](PairPieces pieces, std::size_t workers) {
         const std::size_t kept = found_.lent_filled();
         const ResultRoom room(pairs, found_.size(), memory_, kept);
         const ResultRoom room_for_shifts(shifts, shift_count(request, found_.size()), memory_,

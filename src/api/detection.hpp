@@ -1,6 +1,7 @@
 #pragma once
 
 #include "api/cross_sink.hpp"
+#include "api/element_ids.hpp"
 #include "api/found_pairs.hpp"
 #include "api/gathered_elements.hpp"
 #include "api/image_neighbor_rows.hpp"
@@ -22,6 +23,8 @@
 #include <abut/skin.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace abut::api {
 
@@ -32,6 +35,7 @@ struct Request {
   const Options& options;
   const ElementView* others = nullptr;  ///< the second set, where there are two
   bool needs_shifts = false;            ///< whatever the options say
+  LentRoom list_room = {};              ///< for pairs that may be found in canonical order
 
   /// Of both sets.
   [[nodiscard]] std::size_t size() const noexcept {
@@ -66,6 +70,8 @@ class Detection {
   /// For the calls that follow: candidate pairs are kept from call to call, and what is delivered
   /// comes in canonical order.
   void set_skin(Skin skin);
+  /// Names of the elements in the calls that follow; copied. None: their numbers.
+  void set_ids(std::span<const std::uint64_t> ids);
   [[nodiscard]] Skin skin() const noexcept { return skin_choice_.skin(); }
   [[nodiscard]] const SkinStatistics& skin_statistics() const noexcept { return skin_statistics_; }
 
@@ -73,9 +79,14 @@ class Detection {
   template <int Dim>
   struct Arrays {
     explicit Arrays(base::MemoryMeter& memory)
-        : elements(memory), sets(memory), workspace(memory), skin_search(memory) {}
+        : elements(memory),
+          elements_aside(memory),
+          sets(memory),
+          workspace(memory),
+          skin_search(memory) {}
 
     GatheredElements<Dim> elements;
+    GatheredElements<Dim> elements_aside;  ///< those of a call, while others are searched
     JoinedSets<Dim> sets;
     engine::Workspace<Dim> workspace;
     SkinSearch<Dim> skin_search;
@@ -111,6 +122,19 @@ class Detection {
   [[nodiscard]] bool find_candidates(const Snapshot<Dim>& now, const engine::RowsSettings& settings,
                                      const Request& request, base::DetectionContext& context,
                                      Statistics& statistics);
+  /// Whether the candidates that are kept serve for this call, carried over if elements changed.
+  template <int Dim>
+  [[nodiscard]] bool has_candidates(const engine::RowsSettings& settings, const Request& request,
+                                    base::DetectionContext& context);
+  template <int Dim>
+  void search_insertion(const engine::RowsSettings& settings, const Request& request,
+                        const typename SkinSearch<Dim>::Insertion& insertion,
+                        base::DetectionContext& context);
+  template <int Dim>
+  [[nodiscard]] Snapshot<Dim> snapshot(const engine::RowsSettings& settings,
+                                       const Request& request);
+  void require_ids_for(const Request& request) const;
+  [[nodiscard]] NamedElements name_elements(std::size_t count);
 
   void list_rows(const Request& request, NeighborListKind kind, PairPieces pieces,
                  const NeighborArrays& arrays, std::size_t workers);
@@ -138,6 +162,9 @@ class Detection {
   bool found_in_order_ = false;  ///< whether the search delivered in canonical order
   SkinChoice skin_choice_;
   SkinStatistics skin_statistics_;
+  ElementIds ids_;
+  ElementIds next_ids_;
+  std::uint64_t ids_version_ = 0;
   Algorithm candidates_from_ = Algorithm::automatic;
   NeighborRows neighbor_rows_{memory_};
   RowRooms row_rooms_;

@@ -32,6 +32,10 @@ void Detector::set_skin(Skin skin) {
   state_->detection.set_skin(skin);
 }
 
+void Detector::set_ids(std::span<const std::uint64_t> ids) {
+  state_->detection.set_ids(ids);
+}
+
 Skin Detector::skin() const noexcept {
   return state_->detection.skin();
 }

@@ -1,5 +1,6 @@
 #include "api/displacement.hpp"
 
+#include "api/element_ids.hpp"
 #include "api/lattice_of.hpp"
 #include "base/workers.hpp"
 
@@ -95,6 +96,7 @@ void Displacement<Dim>::Part::include(const Part& others) noexcept {
   magnitude = std::max(magnitude, others.magnitude);
   radii += others.radii;
   known = known && others.known;
+  moved = moved || others.moved;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     lower[axis] = std::min(lower[axis], others.lower[axis]);
     upper[axis] = std::max(upper[axis], others.upper[axis]);
@@ -104,8 +106,10 @@ void Displacement<Dim>::Part::include(const Part& others) noexcept {
 template <int Dim>
 Displacement<Dim>::Displacement(base::MemoryMeter& memory)
     : anchor_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
+      next_anchor_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
       own_placed_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
       cells_(base::make_array_for_overwrite<CellNumbers>(memory, 0)),
+      next_cells_(base::make_array_for_overwrite<CellNumbers>(memory, 0)),
       moved_(base::make_array_for_overwrite<std::uint8_t>(memory, 0)) {}
 
 template <int Dim>
@@ -144,8 +148,7 @@ void Displacement<Dim>::start_in_cell(const Snapshot<Dim>& now) {
   for (std::size_t k = 0; k < Dim; ++k) {
     middle[k] = 0.5 * now.bounds.lower[k] + 0.5 * now.bounds.upper[k];
   }
-  std::array<double, Dim> middle_fraction{};
-  for (std::size_t k = 0; k < Dim; ++k) middle_fraction[k] = then_->fraction(k, middle.data());
+  for (std::size_t k = 0; k < Dim; ++k) middle_[k] = then_->fraction(k, middle.data());
 
   parts_.assign(now.workers, {});
   base::for_each_worker(now.workers, [&](std::size_t worker) {
@@ -154,32 +157,92 @@ void Displacement<Dim>::start_in_cell(const Snapshot<Dim>& now) {
     part.upper.fill(-infinite);
     const auto [first, last] = base::share_of(worker, now.workers, size_);
     for (std::size_t i = first; i < last; ++i) {
-      CellNumbers& cells = cells_[i];
-      cells = {};
-      for (std::size_t k = 0; k < Dim; ++k) {
-        const double away = then_->fraction(k, now.spheres[i].center) - middle_fraction[k];
-        cells[k] = static_cast<std::int32_t>(std::nearbyint(away));
-      }
-      anchor_[i] = own_placed_[i] = place(now.spheres[i], cells, then_->lattice(), part.magnitude);
-      moved_[i] = is_moved(cells) ? 1 : 0;
-      for (std::size_t k = 0; k < Dim; ++k) {
-        const double fraction = then_->fraction(k, anchor_[i].center);
-        part.lower[k] = std::min(part.lower[k], fraction);
-        part.upper[k] = std::max(part.upper[k], fraction);
-      }
+      cells_[i] = cells_around_middle(*then_, now.spheres[i].center);
+      anchor_[i] = own_placed_[i] =
+          place(now.spheres[i], cells_[i], then_->lattice(), part.magnitude);
+      moved_[i] = is_moved(cells_[i]) ? 1 : 0;
+      part.moved = part.moved || moved(i);
+      include_fractions(anchor_[i], part);
       part.radii += now.spheres[i].radius;
     }
     parts_[worker] = part;
   });
-  Part all = parts_[0];
-  for (std::size_t worker = 1; worker < now.workers; ++worker) all.include(parts_[worker]);
-  mean_radius_ = size_ > 0 ? all.radii / static_cast<double>(size_) : 0.0;
-  magnitude_ = magnitude_then_ = std::max(all.magnitude, magnitude_of(now.bounds));
+  anchored_ = parts_[0];
+  for (std::size_t worker = 1; worker < now.workers; ++worker) anchored_.include(parts_[worker]);
+  mean_radius_ = size_ > 0 ? anchored_.radii / static_cast<double>(size_) : 0.0;
+  any_moved_ = anchored_.moved;
+  magnitude_ = magnitude_then_ = std::max(anchored_.magnitude, magnitude_of(now.bounds));
+  derive_spread();
+}
+
+template <int Dim>
+CellNumbers Displacement<Dim>::cells_around_middle(const Frame& frame,
+                                                   const double* position) const {
+  CellNumbers cells{};
+  for (std::size_t k = 0; k < Dim; ++k) {
+    cells[k] = static_cast<std::int32_t>(std::nearbyint(frame.fraction(k, position) - middle_[k]));
+  }
+  return cells;
+}
+
+template <int Dim>
+void Displacement<Dim>::include_fractions(const base::Sphere<Dim>& anchor, Part& part) const {
+  for (std::size_t k = 0; k < Dim; ++k) {
+    const double fraction = then_->fraction(k, anchor.center);
+    part.lower[k] = std::min(part.lower[k], fraction);
+    part.upper[k] = std::max(part.upper[k], fraction);
+  }
+}
+
+template <int Dim>
+void Displacement<Dim>::derive_spread() {
   for (std::size_t k = 0; k < Dim; ++k) {
     // Fractions are off by a few roundings of what they are summed from.
-    const double error = 0x1p-45 * then_->dual_length(k) * magnitude_;
-    spread_[k] = size_ > 0 ? all.upper[k] - all.lower[k] + error : 0.0;
+    const double error = 0x1p-45 * then_->dual_length(k) * magnitude_then_;
+    spread_[k] = size_ > 0 ? anchored_.upper[k] - anchored_.lower[k] + error : 0.0;
   }
+}
+
+/// Anchors may be anywhere, and so may the cell in which a new element is placed
+/// (docs/derivations/skin.md).
+template <int Dim>
+void Displacement<Dim>::renumber(const Snapshot<Dim>& now, std::span<const std::uint32_t> before) {
+  const bool periodic = now.domain.is_periodic();
+  if (!started_ || now.domain.periodic_axes() != domain_then_.periodic_axes()) return stop();
+  if (periodic) {
+    follow_lattice(now.domain);
+    if (!now_->close_by(now.bounds, now.largest_reach())) return stop();
+    magnitude_then_ = std::max(magnitude_then_, magnitude_of(now.bounds));
+  }
+  size_ = now.spheres.size();
+  base::make_room(next_anchor_, size_);
+  if (periodic) base::make_room(next_cells_, size_);
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (before[i] != ElementIds::none) {
+      next_anchor_[i] = anchor_[before[i]];
+      if (periodic) next_cells_[i] = cells_[before[i]];
+    } else if (!periodic) {
+      next_anchor_[i] = now.spheres[i];
+    } else {
+      next_cells_[i] = cells_around_middle(*now_, now.spheres[i].center);
+      next_anchor_[i] = place(now.spheres[i], next_cells_[i], now_->lattice(), magnitude_then_);
+      include_fractions(next_anchor_[i], anchored_);
+    }
+  }
+  anchor_.swap(next_anchor_);
+  if (!periodic) return;
+  cells_.swap(next_cells_);
+  base::make_room(own_placed_, size_);
+  base::make_room(moved_, size_);
+  placed_ = {own_placed_.data(), size_};
+  derive_spread();
+}
+
+template <int Dim>
+void Displacement<Dim>::follow_lattice(const Domain& domain) {
+  if (domain == domain_now_) return;
+  now_ = Frame(lattice_of(domain));
+  domain_now_ = domain;
 }
 
 template <int Dim>
@@ -192,13 +255,11 @@ template <int Dim>
 double Displacement<Dim>::approach(const Snapshot<Dim>& now, double allowed) {
   if (!comparable(now)) return infinite;
   const bool periodic = now.domain.is_periodic();
-  if (periodic && !(now.domain == domain_now_)) {
-    now_ = Frame(lattice_of(now.domain));
-    domain_now_ = now.domain;
-  }
+  if (periodic) follow_lattice(now.domain);
   if (periodic && !now_->close_by(now.bounds, now.largest_reach())) return infinite;
   if (!(allowed >= 0.0)) return infinite;
   const Part all = measure(now, allowed);
+  any_moved_ = all.moved;
   if (!all.known) return infinite;
   double sum = all.farthest + all.second + underflow;
   if (!periodic) return sum * (1.0 + band);
@@ -264,6 +325,7 @@ typename Displacement<Dim>::Part Displacement<Dim>::measure_periodic(const Snaps
     }
     own_placed_[i] = placed;
     moved_[i] = is_moved(cells_[i]) ? 1 : 0;
+    part.moved = part.moved || moved(i);
     part.include(std::sqrt(square), placed.radius - anchor_[i].radius);
   }
   return part;

@@ -26,10 +26,7 @@ FoundPairs::~FoundPairs() {
 void FoundPairs::start_anew(PairCount limit, Shifts shifts, LentRoom lent) {
   limit_ = limit;
   shifts_ = shifts;
-  lent_ = lent;
-  if (shifts == Shifts::stored) {
-    lent_.pairs = lent.pairs.first(std::min(lent.pairs.size(), lent.shifts.size()));
-  }
+  lend(lent);
   lent_filled_ = 0;
   total_ = 0;
   for (const auto& worker : workers_) {

@@ -7,6 +7,7 @@
 #include <abut/pair.hpp>
 #include <abut/pair_list.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,14 @@ class FoundPairs final : public base::PairSink {
   /// Forgets the pairs and keeps the memory. `lent` is room for the first pairs, if one worker
   /// finds them all.
   void start_anew(PairCount limit, Shifts shifts = Shifts::none, LentRoom lent = {});
+
+  /// Lends the room later, before the first pairs are found.
+  void lend(LentRoom room) noexcept {
+    lent_ = room;
+    if (shifts_ == Shifts::stored) {
+      lent_.pairs = room.pairs.first(std::min(room.pairs.size(), room.shifts.size()));
+    }
+  }
 
   void expect_workers(std::size_t count) override;
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;

@@ -32,6 +32,9 @@ class SkinChoice {
 
   void reused(double seconds) noexcept;
 
+  /// Candidates were carried over to other elements, which is not what a reuse costs.
+  void carried() noexcept { ++reuses_; }
+
  private:
   /// Follows a quantity that changes slowly.
   struct Smoothed {

@@ -4,6 +4,7 @@
 #include "grid/bounds.hpp"
 
 #include <abut/domain.hpp>
+#include <abut/simd.hpp>
 
 #include <cstddef>
 #include <span>
@@ -18,6 +19,7 @@ struct Snapshot {
   const Domain& domain;
   double margin;
   std::size_t workers;
+  Simd simd;  ///< an available level
 
   /// No two elements are within a larger reach.
   [[nodiscard]] double largest_reach() const noexcept {

@@ -1,5 +1,6 @@
 #include "kernels/simd_level.hpp"
 
+#include "kernels/candidate_kernels.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/image_kernels.hpp"
 #include "kernels/tie_kernels.hpp"
@@ -156,6 +157,15 @@ ImageKernels image_kernels(Simd level) {
          OuterList&) { return std::size_t{0}; },
       [](const double*, std::size_t, int, const BrickMap&, OuterList&) { return std::size_t{0}; },
       [](const std::uint32_t*, std::size_t, std::uint32_t) { return std::size_t{0}; }};
+}
+
+CandidateKernels candidate_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_candidate_kernels(row_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const CandidateWords&, CandidateVerdict*) { return std::size_t{0}; },
+          [](const QuantumFilling&) { return std::size_t{0}; }};
 }
 
 TieKernels tie_kernels(Simd level) {

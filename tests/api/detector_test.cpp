@@ -12,9 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace abut::testing {
 namespace {
@@ -119,6 +121,65 @@ TEST(Detector, WithASkinNeitherReuseNorAnewAllocates) {
     EXPECT_EQ(requests_of_the_second(four_calls), 0U);
     EXPECT_EQ(detector.skin_statistics().reuses, 3U);
     EXPECT_EQ(detector.skin_statistics().detections, 5U);
+  }
+}
+
+/// The elements of a scene but for the last ones, and their names.
+struct Part {
+  explicit Part(Scene all, std::size_t without) : scene(std::move(all)) {
+    for (auto* numbers : {&scene.x, &scene.y, &scene.z, &scene.radius}) {
+      numbers->resize(numbers->size() - without);
+    }
+    for (std::size_t k = 0; k < scene.size(); ++k) ids.push_back(10 * k);
+  }
+
+  Scene scene;
+  std::vector<std::uint64_t> ids;
+};
+
+TEST(Detector, NeitherDoesCarryingCandidatesOver) {
+  const Part all(made("dense", 5000), 0), some(made("dense", 5000), 50);
+  for (const Domain& domain : {Domain::open(), Domain::periodic({20.0, 20.0, 20.0})}) {
+    Detector detector({.shifts = Shifts::stored, .threads = 1});
+    detector.set_skin(Skin::fixed(0.25));
+    const auto come_and_go = [&] {
+      for (const Part& now : {std::cref(all), std::cref(some), std::cref(all), std::cref(some)}) {
+        detector.set_ids(now.ids);
+        detector.find_contact_pairs(view_of(now.scene), domain);
+      }
+    };
+    EXPECT_EQ(requests_of_the_second(come_and_go), 0U);
+    EXPECT_EQ(detector.skin_statistics().detections, 1U);
+    EXPECT_EQ(detector.skin_statistics().carried, 7U);
+    EXPECT_EQ(detector.skin_statistics().inserted, 150U);
+  }
+}
+
+/// Every allocation of such a call fails once, in turn; it and the next are right, or say so.
+TEST(Detector, CarriesCandidatesOverOrNotWhenMemoryLacks) {
+  const Part all(made("dense", 700), 0), some(made("dense", 700), 20);
+  const Domain domain = Domain::periodic({11.0, 11.0, 11.0});
+  const PairList expected =
+      find_contact_pairs(view_of(all.scene), domain, {.shifts = Shifts::stored});
+  for (std::uint64_t which = 0; which < 80; ++which) {
+    Detector detector({.shifts = Shifts::stored, .threads = 1});
+    detector.set_skin(Skin::fixed(0.25));
+    detector.set_ids(some.ids);
+    detector.find_contact_pairs(view_of(some.scene), domain);
+    detector.set_ids(all.ids);
+    for (const bool faulty : {true, false}) {
+      AllocationFault fault(faulty ? which : 1'000'000'000);
+      try {
+        const PairList& list = detector.find_contact_pairs(view_of(all.scene), domain);
+        fault.disarm();
+        ASSERT_TRUE(std::ranges::equal(expected.pairs(), list.pairs())) << "allocation " << which;
+        ASSERT_TRUE(std::ranges::equal(expected.shifts(), list.shifts()));
+      } catch (const Error& error) {
+        fault.disarm();
+        EXPECT_TRUE(faulty);
+        EXPECT_EQ(error.code(), ErrorCode::limit_exceeded) << error.what();
+      }
+    }
   }
 }
 

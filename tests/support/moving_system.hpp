@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace abut::testing {
@@ -97,6 +98,15 @@ class MovingSystem {
     for (std::size_t axis = 0; axis < axes(); ++axis) take_last(coordinates(axis), k);
     take_last(scene.radius, k);
     take_last(velocity_, k);
+  }
+
+  /// Two elements change places.
+  void exchange(std::size_t a, std::size_t b) {
+    for (std::size_t axis = 0; axis < axes(); ++axis) {
+      std::swap(coordinates(axis)[a], coordinates(axis)[b]);
+    }
+    std::swap(scene.radius[a], scene.radius[b]);
+    std::swap(velocity_[a], velocity_[b]);
   }
 
   scenes::Scene scene;

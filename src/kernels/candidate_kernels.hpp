@@ -1,0 +1,72 @@
+#pragma once
+
+#include <abut/simd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::kernels {
+
+/// A sphere or disc in whole quanta of length: where it is and how large, off by less than 1 in
+/// each number. An image is what is taken off a difference of two: the lattice vector, and the
+/// margin, negative.
+struct QuantumSphere {
+  std::int32_t center[3];  ///< the third is 0 in 2D
+  std::int32_t radius;
+};
+
+/// A candidate pair by the slots of its elements.
+struct SlotPair {
+  std::uint32_t first;
+  std::uint32_t second;
+};
+
+/// Candidates in words of 64, all full.
+struct CandidateWords {
+  const SlotPair* pairs;
+  const QuantumSphere* slots;
+  const QuantumSphere* images;
+  const std::uint16_t* image_of;  ///< of each candidate; null where all are of the first image
+  std::size_t count;              ///< of words
+};
+
+/// What a filter says of a word of candidates: a bit for each.
+struct CandidateVerdict {
+  std::uint64_t together;
+  std::uint64_t in_doubt;
+};
+
+/// A distance, and a reach, may be off by so many quanta, all errors of both together.
+inline constexpr float quantum_slack = 16.0f;
+/// Of their squares, for the roundings of floats: 16 of 2^-24.
+inline constexpr float square_band = 0x1p-20f;
+
+/// Spheres (four doubles each) to be seen in quanta: coordinates less `middle`, and radii, times
+/// `per_length`, no farther from 0 than `most`, rounded towards it.
+struct QuantumFilling {
+  const double* spheres;
+  const std::uint32_t* numbers;  ///< of the spheres that come one after the other
+  std::size_t count;
+  QuantumSphere* slots;
+  double middle[4];  ///< of radii 0
+  double per_length;
+  double most;
+};
+
+struct CandidateKernels {
+  /// Returns how many words were decided; the others are the caller's, who has the same in plain
+  /// C++: with d = first - second - image, all in 32 bits, and w = the sum of the radii + 1 -
+  /// image.radius, the square of |d| is compared with those of w + slack and w - slack.
+  std::size_t (*sift)(const CandidateWords& words, CandidateVerdict* verdicts);
+
+  /// Returns how many slots were filled, likewise.
+  std::size_t (*fill)(const QuantumFilling& filling);
+};
+
+/// `level` must be available.
+[[nodiscard]] CandidateKernels candidate_kernels(Simd level);
+
+/// `target` as Highway numbers instruction sets. Only where Highway is built in.
+[[nodiscard]] CandidateKernels simd_candidate_kernels(std::int64_t target);
+
+}  // namespace abut::kernels

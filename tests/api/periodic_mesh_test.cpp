@@ -299,7 +299,7 @@ TEST_F(PeriodicMeshErrors, TooFarOut) {
   const std::vector<Ball> apart{
       {{0, 0, 99}, 1.0}, {{-0x1.fffffp30, 0, 0}, 1.0}, {{0x1.fffffp30, 0, 0}, 1.0}};
   for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {
-    expect(ErrorCode::invalid_input, {"elements", "1", "2", "and", "2147483647 lattice vectors"},
+    expect(ErrorCode::invalid_input, {"elements", " 1 ", " 2 ", "2147483647 lattice vectors"},
            apart, strip, {.algorithm = algorithm});
   }
 }

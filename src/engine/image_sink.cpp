@@ -71,7 +71,7 @@ void ImageSink<Dim>::name_natives(const Room& room, std::size_t begin, std::size
                                   std::size_t to) const {
   const std::size_t count = end - begin;
   const std::span pairs = room.pairs.subspan(to, count);
-  if (to != begin) std::copy_n(room.pairs.begin() + begin, count, pairs.begin());
+  if (to != begin) std::ranges::copy(room.pairs.subspan(begin, count), pairs.begin());
   if (!room.shifts.empty()) {
     images_->shifts_between(pairs, room.shifts.subspan(to, count));
   } else if (!images_->shifts_always_fit()) {

@@ -92,9 +92,14 @@ void periodic_rows(base::Array<base::Sphere<Dim>>& spheres, std::span<const base
   if (!boxes.empty()) turn_downwards(reduced);
   Images<Dim>& images = workspace.images;
   const kernels::ImageKernels kernels = kernels::image_kernels(settings.simd);
-  images.find(
-      spheres, bounds, reduced,
-      {settings.margin, settings.workers, kernels, boxes.empty() ? Shape::sphere : Shape::box});
+  ImageSettings image_settings{settings.margin, settings.workers, kernels};
+  if (boxes.empty()) {
+    image_settings.size_cut =
+        choose_ghost_cut<Dim>(spheres, bounds, reduced, settings.margin, workspace.histogram);
+  } else {
+    image_settings.shape = Shape::box;
+  }
+  images.find(spheres, bounds, reduced, image_settings);
 
   ImageSink<Dim>& image_sink = workspace.image_sink;
   image_sink.start_anew(sink, images, kernels);

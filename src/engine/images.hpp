@@ -79,7 +79,7 @@ class Images {
   /// Whether the pair of a native and a ghost within reach is not found as another one, too. Of a
   /// small and a large element the ghost is the large one.
   [[nodiscard]] bool counts(std::size_t native, const Ghost& ghost) const noexcept {
-    if (size_cut_ > -1.0) return true;
+    if (size_cut_ > bounds_.largest_radius) return true;
     const bool large = natives_and_ghosts_[native].radius >= size_cut_;
     if (natives_and_ghosts_[ghost.element].radius < size_cut_) return !large;
     return !large || ghost.is_positive();

@@ -190,14 +190,19 @@ PairList pairs_of_copies(const Scene& scene, double reach) {
   return {std::move(pairs), std::move(shifts), Statistics{}};
 }
 
-/// Many tiles, and large elements that visit the small. Ghosts lie around the box of the natives,
-/// unless natives lie on two opposite faces.
+/// Many tiles; elements of one size, of all sizes, or a few that are large: these alone have ghosts
+/// all around, large and small ones in reach of each other. Ghosts lie around the box of the
+/// natives, unless natives lie on two opposite faces.
 TEST(PeriodicRows, ManyTilesWithAndWithoutElementsOnBothFaces) {
   const Domain cube = Domain::periodic({1.0, 1.0, 1.0});
-  for (const double size_ratio : {1.0, 20.0}) {
+  enum class Sizes { one, all, few_large };
+  for (const Sizes sizes : {Sizes::one, Sizes::all, Sizes::few_large}) {
     for (const bool on_both_faces : {false, true}) {
-      Scene scene =
-          random_scene(cube, 3, 20000, size_ratio == 1.0 ? 0.012 : 0.05, size_ratio, 0, 21);
+      const bool all = sizes == Sizes::all;
+      Scene scene = random_scene(cube, 3, 20000, all ? 0.05 : 0.012, all ? 20.0 : 1.0, 0, 21);
+      for (std::size_t k = 0; sizes == Sizes::few_large && k < 20000; k += 700) {
+        scene.radius[k] = 0.15;
+      }
       std::size_t first = 0;  // others on each axis
       for (auto* column : {&scene.x, &scene.y, &scene.z}) {
         for (double& x : *column) x = std::floor(x * 0x1p40) * 0x1p-40;
@@ -205,7 +210,7 @@ TEST(PeriodicRows, ManyTilesWithAndWithoutElementsOnBothFaces) {
         if (!on_both_faces) continue;
         for (std::size_t k = first + 3; k < 20000; k += 50) (*column)[k] = 1.0;
       }
-      const PairList expected = pairs_of_copies(scene, 0.1);
+      const PairList expected = pairs_of_copies(scene, 0.3);
       ASSERT_GT(expected.size(), 1000U);
       for (const int threads : {1, 2, 7}) {
         const Options options{

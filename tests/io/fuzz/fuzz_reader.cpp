@@ -17,6 +17,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -84,6 +85,9 @@ void require_same(const Snapshot& a, const Snapshot& b) {
   require(a.ids == b.ids);
 }
 
+/// LAMMPS data files are read only.
+constexpr bool is_written = std::string_view(ABUT_FUZZED_FORMAT) != "lammps_data";
+
 void require_sound(const Snapshot& snapshot) {
   require(snapshot.y.size() == snapshot.size() && snapshot.radius.size() == snapshot.size());
   require(snapshot.z.size() == (snapshot.dimensions == 3 ? snapshot.size() : 0));
@@ -109,6 +113,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require_sound(*snapshot);
     require_same(*snapshot, *piped);
     require(snapshot->group_columns == piped->group_columns);
+    if (!is_written) continue;
     const MemoryFile copy;
     abut::io::write_elements(copy.path(), ABUT_FUZZED_FORMAT, *snapshot);
     if (const std::optional<Snapshot> again = read(copy.path(), {}); snapshot->size() > 0) {

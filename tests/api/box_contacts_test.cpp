@@ -1,5 +1,6 @@
 // Spheres against boxes: which part is touched, against rational numbers; errors.
 
+#include "api/balls_and_solids.hpp"
 #include "api/error_expectations.hpp"
 #include "scenes/random.hpp"
 
@@ -18,23 +19,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Spheres and boxes as a caller has them; in 2D the third of each is empty.
-struct System {
-  int dimensions;
-  std::array<Numbers, 3> center;
-  Numbers radius;
-  std::array<Numbers, 3> lower;
-  std::array<Numbers, 3> upper;
-
-  [[nodiscard]] ElementView balls() const {
-    return dimensions == 2 ? discs(center[0], center[1], radius)
-                           : spheres(center[0], center[1], center[2], radius);
-  }
-  [[nodiscard]] ElementView solids() const {
-    return dimensions == 2 ? rectangles(lower[0], lower[1], upper[0], upper[1])
-                           : boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
-  }
-};
+using System = BallsAndSolids;
 
 /// Half of the numbers whole, so that spheres lie on bounds and touch exactly.
 System random_system(scenes::Random& random, int dimensions, std::size_t count) {

@@ -1,5 +1,6 @@
 // Spheres against boxes in periodic domains: against all images in rational numbers.
 
+#include "api/balls_and_solids.hpp"
 #include "api/error_expectations.hpp"
 #include "scenes/random.hpp"
 
@@ -30,22 +31,7 @@ struct Moved {
   friend bool operator==(const Moved&, const Moved&) = default;
 };
 
-/// Spheres and boxes as a caller has them; in 2D the third of each is empty.
-struct System {
-  int dimensions;
-  std::array<Numbers, 3> center, lower, upper;
-  Numbers radius;
-
-  [[nodiscard]] std::size_t axes() const { return static_cast<std::size_t>(dimensions); }
-  [[nodiscard]] ElementView balls() const {
-    return dimensions == 2 ? discs(center[0], center[1], radius)
-                           : spheres(center[0], center[1], center[2], radius);
-  }
-  [[nodiscard]] ElementView solids() const {
-    return dimensions == 2 ? rectangles(lower[0], lower[1], upper[0], upper[1])
-                           : boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
-  }
-};
+using System = BallsAndSolids;
 
 /// Whole and half numbers, or numbers of all bits; some boxes are flat. Balls lie up to so many
 /// cells outside.

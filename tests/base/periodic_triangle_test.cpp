@@ -1,13 +1,12 @@
 // Spheres against triangles that a lattice moves: the predicate beside rational numbers.
 
 #include "base/periodic_pairs.hpp"
-#include "base/triangle_oracle.hpp"
+#include "base/triangle_cases.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 namespace abut::test {
@@ -17,21 +16,12 @@ using base::Sphere;
 using base::Triangle;
 using base::TrianglePart;
 
-struct Case {
-  Sphere<3> sphere;
-  Triangle triangle;
+struct Case : TriangleCase {
   base::Lattice lattice;
   ImageShift shift;
-  double margin = 0.0;
 
   friend std::ostream& operator<<(std::ostream& out, const Case& c) {
-    out << std::hexfloat << "center";
-    for (const double x : c.sphere.center) out << ' ' << x;
-    out << " radius " << c.sphere.radius << " margin " << c.margin;
-    for (const auto& corner : c.triangle.corner) {
-      out << ", corner";
-      for (const double x : corner) out << ' ' << x;
-    }
+    out << static_cast<const TriangleCase&>(c) << std::hexfloat;
     for (std::size_t k = 0; k < 3; ++k) {
       out << (c.lattice.periodic[k] ? ", vector" : ", open");
       for (const double x : c.lattice.vectors[k]) out << ' ' << x;
@@ -41,12 +31,7 @@ struct Case {
   }
 };
 
-struct Count {
-  std::uint64_t cases = 0;
-  std::uint64_t within = 0;
-  std::uint64_t exact_decisions = 0;
-  std::map<TrianglePart, std::uint64_t> parts;
-};
+using Count = PartCount;
 
 void compare(const Case& c, Count& count) {
   const RationalPoint center = moved_back(c.sphere.center, c.shift, c.lattice);
@@ -58,17 +43,7 @@ void compare(const Case& c, Count& count) {
       << c;
   const base::LatticeSteps<3> steps(c.shift, c.lattice);
   ASSERT_EQ(base::part_within_reach_exactly(c.sphere, c.triangle, steps, c.margin), expected) << c;
-  ++count.cases;
-  if (!expected) return;
-  ++count.within;
-  ++count.parts[*expected];
-}
-
-void expect_all_parts(const Count& count, std::uint64_t each) {
-  for (int part = 0; part < 7; ++part) {
-    const auto found = count.parts.find(static_cast<TrianglePart>(part));
-    EXPECT_GE(found == count.parts.end() ? 0 : found->second, each) << "part " << part;
-  }
+  count.note(expected);
 }
 
 /// A lattice and a shift as pairs of spheres have them.
@@ -77,16 +52,8 @@ void take_lattice(Case& c, const PeriodicPair<3>& pair) {
   c.shift = pair.shift;
 }
 
-/// A radius and a margin that reach to the nearest point, give or take some last places.
 void plant_reach(Case& c, Random& random) {
-  const RationalPoint center = moved_back(c.sphere.center, c.shift, c.lattice);
-  mpf_class distance(0, 300);
-  distance = mpf_class(nearest_part_by_rationals(center, c.triangle).distance_squared, 300);
-  distance = sqrt(distance);
-  const int ulps = static_cast<int>(random() % 7) - 3;
-  const double reach = std::fmax(0.0, moved_by_ulps(distance.get_d(), ulps));
-  c.margin = random() % 2 == 0 ? 0.0 : reach * uniform(random, 0.0, 0.5);
-  c.sphere.radius = reach - c.margin;
+  plant_reach(c, moved_back(c.sphere.center, c.shift, c.lattice), random);
 }
 
 /// Near the triangle when it is moved by whole vectors, so that what is left is what heavy
@@ -184,16 +151,10 @@ TEST(PeriodicTriangle, AtEveryScale) {
     for (int k = 0; k < 12; ++k) {
       Case c = cancelling_case(random, 1 + k % 20, k % 2 == 0);
       plant_reach(c, random);
-      const auto scale = [&](double& x) { x = std::ldexp(x, exponent); };
-      for (double& x : c.sphere.center) scale(x);
-      for (auto& corner : c.triangle.corner) {
-        for (double& x : corner) scale(x);
-      }
+      scale(c, exponent);
       for (auto& vector : c.lattice.vectors) {
-        for (double& x : vector) scale(x);
+        for (double& x : vector) x = std::ldexp(x, exponent);
       }
-      scale(c.sphere.radius);
-      scale(c.margin);
       ASSERT_NO_FATAL_FAILURE(compare(c, count)) << "2^" << exponent;
     }
   }

@@ -2,14 +2,12 @@
 
 #include "base/triangle_predicate.hpp"
 
-#include "base/hard_pairs.hpp"
-#include "base/triangle_oracle.hpp"
+#include "base/triangle_cases.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 namespace abut::test {
@@ -19,30 +17,8 @@ using base::Sphere;
 using base::Triangle;
 using base::TrianglePart;
 
-struct Case {
-  Sphere<3> sphere;
-  Triangle triangle;
-  double margin = 0.0;
-
-  friend std::ostream& operator<<(std::ostream& out, const Case& c) {
-    out << std::hexfloat << "center";
-    for (const double x : c.sphere.center) out << ' ' << x;
-    out << " radius " << c.sphere.radius << " margin " << c.margin;
-    for (const auto& corner : c.triangle.corner) {
-      out << ", corner";
-      for (const double x : corner) out << ' ' << x;
-    }
-    return out << std::defaultfloat;
-  }
-};
-
-/// What was decided how often.
-struct Count {
-  std::uint64_t cases = 0;
-  std::uint64_t within = 0;
-  std::uint64_t exact_decisions = 0;
-  std::map<TrianglePart, std::uint64_t> parts;
-};
+using Case = TriangleCase;
+using Count = PartCount;
 
 void compare(const Case& c, Count& count) {
   const auto expected = part_within_reach_by_rationals(c.sphere, c.triangle, c.margin);
@@ -50,17 +26,7 @@ void compare(const Case& c, Count& count) {
             expected)
       << c;
   ASSERT_EQ(base::part_within_reach_exactly(c.sphere, c.triangle, c.margin), expected) << c;
-  ++count.cases;
-  if (!expected) return;
-  ++count.within;
-  ++count.parts[*expected];
-}
-
-void expect_all_parts(const Count& count, std::uint64_t each) {
-  for (int part = 0; part < 7; ++part) {
-    const auto found = count.parts.find(static_cast<TrianglePart>(part));
-    EXPECT_GE(found == count.parts.end() ? 0 : found->second, each) << "part " << part;
-  }
+  count.note(expected);
 }
 
 /// Fills center and corners with numbers from `draw`.
@@ -74,24 +40,8 @@ Case case_of(Draw&& draw) {
   return c;
 }
 
-/// A radius and a margin that reach to the nearest point, give or take some last places.
 void plant_reach(Case& c, Random& random) {
-  const NearestPart nearest = nearest_part_by_rationals(c.sphere.center, c.triangle);
-  mpf_class distance(0, 200);
-  distance = sqrt(mpf_class(nearest.distance_squared, 200));
-  std::uniform_int_distribution<int> ulps(-3, 3);
-  const double reach = std::fmax(0.0, moved_by_ulps(distance.get_d(), ulps(random)));
-  c.margin = random() % 2 == 0 ? 0.0 : reach * uniform(random, 0.0, 0.5);
-  c.sphere.radius = reach - c.margin;
-}
-
-void scale(Case& c, int exponent) {
-  for (double& x : c.sphere.center) x = std::ldexp(x, exponent);
-  for (auto& corner : c.triangle.corner) {
-    for (double& x : corner) x = std::ldexp(x, exponent);
-  }
-  c.sphere.radius = std::ldexp(c.sphere.radius, exponent);
-  c.margin = std::ldexp(c.margin, exponent);
+  plant_reach(c, rational(c.sphere.center), random);
 }
 
 TEST(TrianglePredicate, OrdinaryCasesAreDecidedByTheFilter) {

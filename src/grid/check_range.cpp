@@ -51,7 +51,8 @@ void check_range(std::span<const base::Sphere<Dim>> spheres, const ReducedLattic
 
 void refuse_shift(std::size_t i, std::size_t j) {
   throw Error(ErrorCode::invalid_input,
-              "elements " + std::to_string(i) + " and " + std::to_string(j) +
+              "elements " + std::to_string(std::min(i, j)) + " and " +
+                  std::to_string(std::max(i, j)) +
                   " pair across more than 2147483647 lattice vectors; move them into one cell");
 }
 

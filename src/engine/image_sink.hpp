@@ -25,18 +25,26 @@ class ImageSink final : public base::PairSink {
   void commit(std::size_t count, const base::Origin& origin) override;
 
  private:
+  struct NamedShift {
+    std::size_t place;
+    ImageShift shift;
+  };
+
   /// A worker's own, on cache lines of its own.
   struct alignas(128) Room {
     std::span<ContactPair> pairs;
     std::span<ImageShift> shifts;
+    std::vector<NamedShift> of_ghosts;  ///< shifts of pairs with a ghost
   };
 
   /// Pairs of two ghosts, and of a native with one that does not count for it, are dropped: they
   /// are found elsewhere, too. Returns how many pairs are left.
-  std::size_t name(const Room& room, std::size_t count) const;
-  [[nodiscard]] std::size_t first_with_ghost(std::span<const ContactPair> pairs) const;
-  void name_natives(const Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
-  bool name_ghost(const Room& room, std::size_t from, std::size_t to) const;
+  std::size_t name(Room& room, std::size_t count) const;
+  std::size_t name_block(Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
+  void list_ghosts(std::span<const ContactPair> pairs, kernels::BlockList& list) const;
+  void move_natives(const Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
+  bool name_ghost(Room& room, std::size_t from, std::size_t to) const;
+  void name_shifts(const Room& room, std::size_t count) const;
 
   base::PairSink* next_ = nullptr;
   const Images<Dim>* images_ = nullptr;

@@ -241,10 +241,10 @@ void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& p
     Part& part = parts_[worker];
     part.bounds = {};
     part.ghosts.clear();
-    for (std::size_t begin = first; begin < last; begin += kernels::OuterList::room) {
-      const std::size_t count = std::min(last - begin, kernels::OuterList::room);
+    for (std::size_t begin = first; begin < last; begin += kernels::BlockList::room) {
+      const std::size_t count = std::min(last - begin, kernels::BlockList::room);
       const auto natives = std::span(home).subspan(begin, count);
-      kernels::OuterList outer;
+      kernels::BlockList outer;
       if (moves) {
         move_quickly<Dim>(plan.to_move.subspan(begin, count), map, settings.kernels, natives,
                           cells_moved_, begin, part.bounds, outer);

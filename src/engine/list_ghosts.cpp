@@ -33,7 +33,7 @@ void require_countable(std::span<const base::Sphere<Dim>> natives,
 
 template <int Dim>
 void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
-                const kernels::ImageKernels& kernels, kernels::OuterList& outer) {
+                const kernels::ImageKernels& kernels, kernels::BlockList& outer) {
   std::size_t k = kernels.list_outer(natives[0].center, natives.size(), Dim, map, outer);
   for (; k < natives.size(); ++k) {
     if (kernels::is_outer<Dim>(map, natives[k].center)) outer.push(k);
@@ -41,7 +41,7 @@ void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::Brick
 }
 
 template <int Dim>
-void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::OuterList& outer,
+void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::BlockList& outer,
                  std::size_t first_number, const GhostWindows<Dim>& windows,
                  base::Array<Ghost>& ghosts) {
   const std::size_t last_side = windows.of_large.sides() - 1;
@@ -63,12 +63,12 @@ void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::Oute
 template void require_countable(std::span<const base::Sphere<2>>, const GhostWindows<2>&);
 template void require_countable(std::span<const base::Sphere<3>>, const GhostWindows<3>&);
 template void list_outer(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
-                         const kernels::ImageKernels&, kernels::OuterList&);
+                         const kernels::ImageKernels&, kernels::BlockList&);
 template void list_outer(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
-                         const kernels::ImageKernels&, kernels::OuterList&);
-template void list_ghosts(std::span<const base::Sphere<2>>, const kernels::OuterList&, std::size_t,
+                         const kernels::ImageKernels&, kernels::BlockList&);
+template void list_ghosts(std::span<const base::Sphere<2>>, const kernels::BlockList&, std::size_t,
                           const GhostWindows<2>&, base::Array<Ghost>&);
-template void list_ghosts(std::span<const base::Sphere<3>>, const kernels::OuterList&, std::size_t,
+template void list_ghosts(std::span<const base::Sphere<3>>, const kernels::BlockList&, std::size_t,
                           const GhostWindows<3>&, base::Array<Ghost>&);
 
 }  // namespace abut::engine

@@ -59,12 +59,12 @@ void require_countable(std::span<const base::Sphere<Dim>> natives,
 /// Lists those of a block of natives that may have ghosts.
 template <int Dim>
 void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
-                const kernels::ImageKernels& kernels, kernels::OuterList& outer);
+                const kernels::ImageKernels& kernels, kernels::BlockList& outer);
 
 /// Appends the ghosts of the outer ones of a block of natives, which are numbered from
 /// `first_number` on.
 template <int Dim>
-void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::OuterList& outer,
+void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::BlockList& outer,
                  std::size_t first_number, const GhostWindows<Dim>& windows,
                  base::Array<Ghost>& ghosts);
 

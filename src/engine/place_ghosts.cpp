@@ -1,5 +1,6 @@
 #include "engine/place_ghosts.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace abut::engine {
@@ -22,8 +23,10 @@ GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
                               const std::array<std::array<double, Dim>, Dim>& steps,
                               const grid::Bounds<Dim>& box_of_natives,
                               std::span<base::Sphere<Dim>> spheres) {
+  constexpr std::size_t fetched_ahead = 16;  // enough to hide the way to memory
   GhostPlaces<Dim> places;
   for (std::size_t g = 0; g < ghosts.size(); ++g) {
+    __builtin_prefetch(&natives[ghosts[std::min(g + fetched_ahead, ghosts.size() - 1)].element]);
     base::Sphere<Dim> sphere = natives[ghosts[g].element];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       for (std::size_t k = 0; k < Dim; ++k) {

@@ -79,7 +79,7 @@ template <int Dim>
 void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::BrickMap& map,
                   const kernels::ImageKernels& kernels, std::span<base::Sphere<Dim>> natives,
                   MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds,
-                  kernels::OuterList& outer) {
+                  kernels::BlockList& outer) {
   static_assert(sizeof(grid::CellsMoved) == 3 * sizeof(std::int32_t));
   kernels::CenterBounds box{};
   std::copy(bounds.lower.begin(), bounds.lower.end(), box.lower);
@@ -111,9 +111,9 @@ template struct Journey<2>;
 template struct Journey<3>;
 template void move_quickly(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
                            const kernels::ImageKernels&, std::span<base::Sphere<2>>, MovedCells&,
-                           std::size_t, grid::Bounds<2>&, kernels::OuterList&);
+                           std::size_t, grid::Bounds<2>&, kernels::BlockList&);
 template void move_quickly(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
                            const kernels::ImageKernels&, std::span<base::Sphere<3>>, MovedCells&,
-                           std::size_t, grid::Bounds<3>&, kernels::OuterList&);
+                           std::size_t, grid::Bounds<3>&, kernels::BlockList&);
 
 }  // namespace abut::engine

@@ -43,6 +43,6 @@ template <int Dim>
 void move_quickly(std::span<const base::Sphere<Dim>> elements, const kernels::BrickMap& map,
                   const kernels::ImageKernels& kernels, std::span<base::Sphere<Dim>> natives,
                   MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds,
-                  kernels::OuterList& outer);
+                  kernels::BlockList& outer);
 
 }  // namespace abut::engine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <abut/pair.hpp>
 #include <abut/simd.hpp>
 
 #include <cstddef>
@@ -38,8 +39,8 @@ template <int Dim>
   return outer;
 }
 
-/// Those of a block of elements that are outer, counted from its first one.
-struct OuterList {
+/// Some of a block of elements or pairs, counted from its first one.
+struct BlockList {
   /// Elements in a block: so few that they stay in the nearest cache.
   static constexpr std::size_t room = 512;
 
@@ -63,14 +64,15 @@ struct ImageKernels {
   /// `cells`. Widens the bounds, and lists those that are outer then. Presupposes less than 2^31
   /// cells.
   std::size_t (*wrap)(const double* records, std::size_t count, int dimensions, const BrickMap& map,
-                      double* natives, void* cells, CenterBounds& bounds, OuterList& outer);
+                      double* natives, void* cells, CenterBounds& bounds, BlockList& outer);
 
   std::size_t (*list_outer)(const double* records, std::size_t count, int dimensions,
-                            const BrickMap& map, OuterList& outer);
+                            const BrickMap& map, BlockList& outer);
 
-  /// How many numbers, counted from the front, are seen to be below the limit: those before the
-  /// first few vectors one of whose numbers is not, or which are not whole.
-  std::size_t (*count_below)(const std::uint32_t* numbers, std::size_t count, std::uint32_t limit);
+  /// Lists the pairs of a block whose second number is at least the limit. Of no pair the first
+  /// number is larger.
+  std::size_t (*list_from)(const ContactPair* pairs, std::size_t count, std::uint32_t limit,
+                           BlockList& list);
 };
 
 /// `level` must be available.

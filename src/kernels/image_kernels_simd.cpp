@@ -8,7 +8,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "kernels/compress_table.hpp"
 #include "kernels/image_kernels.hpp"
+
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
@@ -18,7 +21,7 @@ using DoubleTag = hn::ScalableTag<double>;
 using Doubles = hn::Vec<DoubleTag>;
 constexpr DoubleTag doubles{};
 constexpr std::size_t lanes = hn::MaxLanes(DoubleTag());
-static_assert(OuterList::room + lanes <= sizeof(OuterList::number) / sizeof(std::uint32_t));
+static_assert(BlockList::room + lanes <= sizeof(BlockList::number) / sizeof(std::uint32_t));
 
 template <int Dim>
 HWY_INLINE void load(const double* records, Doubles* center, Doubles& radius) {
@@ -39,29 +42,35 @@ HWY_INLINE Doubles coordinate(const double* coefficients, const Doubles* center)
   return sum;
 }
 
-/// Appends the numbers of the outer ones of a vector of records, the first of which is `first`, to
-/// those that end before `end`; returns their new end. Most vectors have none.
+using Mask = hn::Mask<DoubleTag>;
+
+/// Appends the numbers of the lanes of the mask, the first of which is `first`, to those that end
+/// before `end`; returns their new end. Without a branch, for who is listed cannot be foreseen.
+template <class D>
+HWY_INLINE std::uint32_t* list_lanes(D d, hn::Mask<D> mask, std::size_t first, std::uint32_t* end) {
+  constexpr hn::Rebind<std::uint32_t, D> numbers;
+  constexpr hn::Rebind<std::uint8_t, D> bytes;
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, mask, bits);
+  const auto listed = hn::PromoteTo(numbers, hn::LoadU(bytes, compress_table[bits[0]].data()));
+  hn::StoreU(hn::Add(listed, hn::Set(numbers, static_cast<std::uint32_t>(first))), numbers, end);
+  return end + hwy::PopCount(bits[0]);
+}
+
+/// The outer ones of a vector of records.
 template <int Dim, std::size_t Sides>
-HWY_INLINE std::uint32_t* list_outer_of(const BrickMap& map, const Doubles* center, Doubles radius,
-                                        std::size_t first, std::uint32_t* end) {
-  auto outer = hn::Ge(radius, hn::Set(doubles, map.outer_from_radius));
+HWY_INLINE Mask outer_lanes(const BrickMap& map, const Doubles* center, Doubles radius) {
+  Mask outer = hn::Ge(radius, hn::Set(doubles, map.outer_from_radius));
   for (std::size_t k = 0; k < Sides; ++k) {
     outer = hn::Or(outer, hn::Le(coordinate<Dim>(map.coefficients[k], center),
                                  hn::Set(doubles, map.outer_below[k])));
   }
-  if (HWY_LIKELY(hn::AllFalse(doubles, outer))) return end;
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(doubles, outer, bits);
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    *end = static_cast<std::uint32_t>(first + lane);
-    end += bits[lane / 8] >> (lane % 8) & 1u;
-  }
-  return end;
+  return outer;
 }
 
 template <int Dim, std::size_t Sides>
 std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& given,
-                    double* natives, void* cells_moved, CenterBounds& bounds, OuterList& outer) {
+                    double* natives, void* cells_moved, CenterBounds& bounds, BlockList& outer) {
   const BrickMap map = given;  // a copy that nothing can change
   std::uint32_t* end_of_outer = outer.number + outer.count;
   const hn::Rebind<std::int32_t, DoubleTag> integers;
@@ -94,7 +103,8 @@ std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& gi
       lower[axis] = hn::Min(lower[axis], center[axis]);
       upper[axis] = hn::Max(upper[axis], center[axis]);
     }
-    end_of_outer = list_outer_of<Dim, Sides>(map, center, radius, i, end_of_outer);
+    end_of_outer =
+        list_lanes(doubles, outer_lanes<Dim, Sides>(map, center, radius), i, end_of_outer);
     if constexpr (Dim == 2) {
       hn::StoreInterleaved3(center[0], center[1], radius, doubles, natives + i * 3);
     } else {
@@ -122,7 +132,7 @@ std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& gi
 
 template <int Dim, std::size_t Sides>
 std::size_t list_outer_in(const double* records, std::size_t count, const BrickMap& given,
-                          OuterList& outer) {
+                          BlockList& outer) {
   const BrickMap map = given;  // a copy that nothing can change
   std::uint32_t* end = outer.number + outer.count;
   std::size_t i = 0;
@@ -130,14 +140,14 @@ std::size_t list_outer_in(const double* records, std::size_t count, const BrickM
     Doubles center[Dim];
     Doubles radius;
     load<Dim>(records + i * (Dim + 1), center, radius);
-    end = list_outer_of<Dim, Sides>(map, center, radius, i, end);
+    end = list_lanes(doubles, outer_lanes<Dim, Sides>(map, center, radius), i, end);
   }
   outer.count = static_cast<std::size_t>(end - outer.number);
   return i;
 }
 
 std::size_t wrap(const double* records, std::size_t count, int dimensions, const BrickMap& map,
-                 double* natives, void* cells, CenterBounds& bounds, OuterList& outer) {
+                 double* natives, void* cells, CenterBounds& bounds, BlockList& outer) {
   const auto run = [&](auto wrapped) {
     return wrapped(records, count, map, natives, cells, bounds, outer);
   };
@@ -147,26 +157,33 @@ std::size_t wrap(const double* records, std::size_t count, int dimensions, const
 }
 
 std::size_t list_outer(const double* records, std::size_t count, int dimensions,
-                       const BrickMap& map, OuterList& outer) {
+                       const BrickMap& map, BlockList& outer) {
   const auto run = [&](auto listed) { return listed(records, count, map, outer); };
   if (dimensions == 2) return map.sides == 1 ? run(list_outer_in<2, 1>) : run(list_outer_in<2, 2>);
   if (map.sides == 3) return run(list_outer_in<3, 3>);
   return map.sides == 1 ? run(list_outer_in<3, 1>) : run(list_outer_in<3, 2>);
 }
 
-std::size_t count_below(const std::uint32_t* numbers, std::size_t count, std::uint32_t limit) {
-  const hn::CappedTag<std::uint32_t, 8> words;
-  constexpr std::size_t width = hn::MaxLanes(words);
-  constexpr std::size_t step = 4 * width;  // one question for so many
-  const auto limits = hn::Set(words, limit);
+/// A pair as one number whose upper half is the second of them.
+std::size_t list_from(const ContactPair* pairs, std::size_t count, std::uint32_t limit,
+                      BlockList& list) {
+  static_assert(std::endian::native == std::endian::little);
+  static_assert(sizeof(ContactPair) == sizeof(std::uint64_t));
+  const auto* const numbers = reinterpret_cast<const std::uint64_t*>(pairs);
+  constexpr hn::RebindToUnsigned<DoubleTag> wide;
+  constexpr std::size_t step = 4 * lanes;  // one question for so many: most have none
+  const auto below = hn::Set(wide, (std::uint64_t{limit} << 32) - 1);
+  const auto listed = [&](std::size_t k) { return hn::Gt(hn::LoadU(wide, numbers + k), below); };
+  std::uint32_t* end = list.number + list.count;
   std::size_t k = 0;
   for (; k + step <= count; k += step) {
-    auto highest = hn::LoadU(words, numbers + k);
-    for (std::size_t v = 1; v < 4; ++v) {
-      highest = hn::Max(highest, hn::LoadU(words, numbers + k + v * width));
-    }
-    if (HWY_UNLIKELY(!hn::AllTrue(words, hn::Lt(highest, limits)))) break;
+    const decltype(listed(0)) masks[4] = {listed(k), listed(k + lanes), listed(k + 2 * lanes),
+                                          listed(k + 3 * lanes)};
+    const auto any = hn::Or(hn::Or(masks[0], masks[1]), hn::Or(masks[2], masks[3]));
+    if (hn::AllFalse(wide, any)) continue;
+    for (std::size_t v = 0; v < 4; ++v) end = list_lanes(wide, masks[v], k + v * lanes, end);
   }
+  list.count = static_cast<std::size_t>(end - list.number);
   return k;
 }
 
@@ -178,14 +195,14 @@ namespace abut::kernels {
 
 HWY_EXPORT(wrap);
 HWY_EXPORT(list_outer);
-HWY_EXPORT(count_below);
+HWY_EXPORT(list_from);
 
 ImageKernels simd_image_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(wrap)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(list_outer)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(count_below)[chosen.GetIndex()]};
+          HWY_DISPATCH_TABLE(list_from)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

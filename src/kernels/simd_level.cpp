@@ -154,9 +154,9 @@ ImageKernels image_kernels(Simd level) {
   static_cast<void>(level);
   return {
       [](const double*, std::size_t, int, const BrickMap&, double*, void*, CenterBounds&,
-         OuterList&) { return std::size_t{0}; },
-      [](const double*, std::size_t, int, const BrickMap&, OuterList&) { return std::size_t{0}; },
-      [](const std::uint32_t*, std::size_t, std::uint32_t) { return std::size_t{0}; }};
+         BlockList&) { return std::size_t{0}; },
+      [](const double*, std::size_t, int, const BrickMap&, BlockList&) { return std::size_t{0}; },
+      [](const ContactPair*, std::size_t, std::uint32_t, BlockList&) { return std::size_t{0}; }};
 }
 
 CandidateKernels candidate_kernels(Simd level) {

@@ -70,7 +70,8 @@ void expect_agreement(const BoxScene& scene, double margin) {
 class BoxesInScenes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BoxesInScenes, AllAlgorithmsAgree) {
-  const scenes::Scene spheres = scenes::scene_named(GetParam()).make(2500, 7);
+  const std::size_t count = GetParam() == "coincident" ? 700 : 2500;  // of whom all are pairs
+  const scenes::Scene spheres = scenes::scene_named(GetParam()).make(count, 7);
   const BoxScene scene = scenes::boxes_in(spheres, 8);
   expect_agreement(scene, 0.0);
   expect_agreement(scene, 0.25 * spheres.radius[0]);
@@ -140,7 +141,7 @@ TEST(Boxes, FarFromTheOrigin) {
   Random random(43);
   for (const double offset : {1e6, 0x1p52, -0x1p53}) {
     const auto scene = random_boxes(
-        3, 1500, [&](std::size_t) { return offset + static_cast<double>(random.below(40)); });
+        3, 500, [&](std::size_t) { return offset + static_cast<double>(random.below(28)); });
     expect_agreement(scene, 0.0);
     expect_agreement(scene, 1.0);
   }

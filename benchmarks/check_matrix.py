@@ -21,14 +21,15 @@ def check(program, folder, page):
                 file.write("# compiler: any\n")
                 file.flush()
                 subprocess.run([program, "--quick", "--scenes", scene], check=True, stdout=file)
-        subprocess.run([sys.executable, os.path.join(folder, "report_matrix.py"), results,
-                        "--docs", copy, "--images", results], check=True)
+        report = [sys.executable, os.path.join(folder, "report_matrix.py"), results, "--docs", copy]
+        subprocess.run([*report, "--images", results], check=True)
+        subprocess.run([*report, "--beside"], check=True)
         with open(copy) as file:
             text = file.read()
         for name in ("matrix_scenes.svg", "matrix_scaling.svg", "matrix_threads.svg"):
             if os.path.getsize(os.path.join(results, name)) < 5_000:
                 sys.exit(f"{name} is all but empty")
-    for words in ("compiler any", "`plain_grid`", *SCENES):
+    for words in ("compiler any", "Measured on: compiler any", "`plain_grid`", *SCENES):
         if words not in text:
             sys.exit(f"the tables of the page were not written anew: no '{words}'")
     if re.search(r"\b(nan|inf)\b", text):

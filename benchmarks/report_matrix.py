@@ -1,7 +1,8 @@
 """Turns the tables of run_matrix into the plots and tables of docs/benchmarks_matrix.md.
 
-Usage: report_matrix.py RESULTS_FOLDER [--docs FILE] [--images FOLDER]
-The page keeps its words: only what lies between its markers is written anew.
+Usage: report_matrix.py RESULTS_FOLDER [--beside] [--docs FILE] [--images FOLDER]
+The page keeps its words: only what lies between its markers is written anew. With --beside the
+tables are those of another machine, which the page shows in short, beside its own.
 """
 
 import argparse
@@ -305,6 +306,25 @@ def findings(matrix):
     return "\n".join(lines)
 
 
+def beside(matrix):
+    """What another machine gives, with the times of all N."""
+    head = (["scene, N", "abut `auto`", "aim", "grid / abut", "best package", "package / abut"]
+            + [f"at {power(n)}" for n in matrix.counts] + ["slope", "2 threads"])
+    rows = []
+    for scene in matrix.scenes:
+        count = matrix.main_count(scene)
+        ours = matrix.ns(scene, count, DEFAULT)
+        package_ns, package = matrix.best(scene, count, matrix.packages)
+        rows.append([label(matrix, scene), plain(ours), plain(aims.AIMS.get(scene), 0),
+                     times(ratio(matrix.ns(scene, count, "plain_grid"), ours)),
+                     f"{plain(package_ns, 0)} {short(package) if package else ''}".strip(),
+                     times(ratio(package_ns, ours))]
+                    + [plain(matrix.ns(scene, n, DEFAULT)) for n in matrix.counts]
+                    + [plain(matrix.slope(scene, DEFAULT), 3),
+                       times(ratio(ours, matrix.ns(scene, count, DEFAULT, threads=2)))])
+    return table(head, rows) + "\n\nMeasured on: " + machine(matrix)
+
+
 SECTIONS = [("machine", machine), ("summary", summary), ("claims", claims), ("times", all_times),
             ("slopes", slopes), ("counters", counters), ("threads", threads),
             ("findings", findings)]
@@ -313,11 +333,15 @@ SECTIONS = [("machine", machine), ("summary", summary), ("claims", claims), ("ti
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("results")
+    parser.add_argument("--beside", action="store_true")
     parser.add_argument("--docs", default=os.path.join(ROOT, "docs", "benchmarks_matrix.md"))
     parser.add_argument("--images", default=os.path.join(ROOT, "docs", "images"))
     arguments = parser.parse_args()
 
     matrix = Matrix(arguments.results)
+    if arguments.beside:
+        rewrite_page(arguments.docs, [("beside", beside(matrix))])
+        return
     plot_matrix.plot_all(matrix, arguments.images)
     rewrite_page(arguments.docs, [(name, section(matrix)) for name, section in SECTIONS])
     print(summary(matrix))

@@ -17,9 +17,11 @@ constexpr double cell_margin = 1.0 + 0x1p-10;
 constexpr double smallest_cell = 0x1p-900;
 constexpr double most_cells_along_box = 0x1p60;
 
-/// Tiles of so many cells a side have 15 % copies; wider ones fall out of the cache.
+/// Tiles of so many cells a side have 15 % copies; wider ones fall out of the cache. Tiles of full
+/// cells hold more elements: what their search needs at a time is two layers, while narrower ones
+/// would have more copies (docs/adr/0010-rows-in-tiles.md).
 constexpr double cells_along_tile = 18.0;
-constexpr double elements_per_tile = 6000.0;
+constexpr double elements_per_tile = 48000.0;
 constexpr double least_elements_per_tile = 512.0;
 constexpr double most_tiles = 1 << 25;
 

@@ -39,6 +39,11 @@ constexpr std::size_t cells_of_cluster = 8;
 /// Groups in a tile that are worth all workers' time.
 constexpr std::size_t large_group = 1 << 15;
 
+/// A tile of so many elements is searched by all workers where it is the only one, in so many parts
+/// for each: layers differ in what they hold.
+constexpr std::size_t least_shared_tile = 1 << 13;
+constexpr std::size_t parts_for_each = 4;
+
 /// A hair above the reach, and never so small that counts of cells overflow.
 template <int Dim>
 double cell_size_for(const grid::Bounds<Dim>& bounds, const Task<Dim>& task) {
@@ -159,6 +164,10 @@ void GroupSearch<Dim>::search_tiles(const Group<Dim>& group, const Post& post) {
     return;
   }
   tiles.partition(task_.elements, group, grid, task_.margin, task_.element_kernels, worker_count_);
+  if (worker_count_ > 1 && grid.tiles_in_box() == 1.0 &&
+      group.natives.size() >= least_shared_tile) {
+    return search_one_tile(group, grid, tiles, post);
+  }
   base::for_each_index(worker_count_, grid.tile_count, [&](std::size_t w, std::size_t tile) {
     TileSearcher<Dim>& worker = *workspace_.workers[w];
     if (tiles.own_count(tile) == 0) return;
@@ -172,6 +181,41 @@ void GroupSearch<Dim>::search_tiles(const Group<Dim>& group, const Post& post) {
   next_unit_ += grid.tile_count;
   context_.progress.report(searched_);
   search_waiting(post);
+}
+
+/// Of a group of all workers: one of them sorts the tile, all search it.
+template <int Dim>
+void GroupSearch<Dim>::search_one_tile(const Group<Dim>& group, const TileGrid<Dim>& grid,
+                                       const Tiles<Dim>& tiles, const Post& post) {
+  TileSearcher<Dim>& first = *workspace_.workers[0];
+  first.begin_unit(next_unit_++);
+  search_tile(group, grid, tiles, grid.first_tile(),
+              {&first, first.bench().floors, first.bench().histogram, 0, Crew::all});
+  first.finish_unit();
+  searched_ += group.natives.size();
+  context_.progress.report(searched_);
+  search_waiting(post);
+}
+
+/// Pairs among the elements of the tile on the worker's bench. What all find stands between what
+/// their first found before and what it will find.
+template <int Dim>
+void GroupSearch<Dim>::search_pairs(double unit, const Post& post) {
+  if (post.crew == Crew::one) return post.worker->search(unit);
+  post.worker->finish_unit();
+  const SortedTile<Dim>& tile = post.worker->bench().tile;
+  const kernels::Layers all = kernels::all_layers(tile.view(), Dim);
+  const auto layers = static_cast<std::size_t>(all.end);
+  const std::size_t parts = std::min(layers, parts_for_each * worker_count_);
+  base::for_each_index(worker_count_, parts, [&](std::size_t w, std::size_t part) {
+    const auto [begin, end] = base::share_of(part, parts, layers);
+    TileSearcher<Dim>& worker = *workspace_.workers[w];
+    worker.begin_unit(next_unit_ + part);
+    worker.search(tile, {static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)}, unit);
+    worker.finish_unit();
+  });
+  next_unit_ += parts;
+  post.worker->begin_unit(next_unit_++);
 }
 
 template <int Dim>
@@ -198,7 +242,7 @@ void GroupSearch<Dim>::search_tile(const Group<Dim>& group, const TileGrid<Dim>&
       records,
       {tiles.shape(), tiles.sizes(tile), static_cast<float>(bounds.largest_radius * tiles.unit())},
       task_.element_kernels);
-  if (all_pairs) post.worker->search(tiles.unit());
+  if (all_pairs) search_pairs(tiles.unit(), post);
   if (visitors.empty()) return;
   post.worker->visit(
       {grid, grid.coordinates(tile), cells.size_in_unit(grid, tiles.unit()), tiles.unit(),

@@ -26,12 +26,16 @@ class GroupSearch {
   void search(const Group<Dim>& group);
 
  private:
+  /// Who searches the pairs of a tile: the one who sorts it, or all.
+  enum class Crew { one, all };
+
   /// Who searches a group, and at which depth of which floors.
   struct Post {
-    TileSearcher<Dim>* worker;  ///< none: all
+    TileSearcher<Dim>* worker;  ///< none: all, each tiles of its own
     Floors<Dim>& floors;
     RadiusHistogram& histogram;
     std::size_t depth;
+    Crew crew = Crew::one;
 
     [[nodiscard]] Post deeper() const { return {worker, floors, histogram, depth + 1}; }
   };
@@ -51,6 +55,9 @@ class GroupSearch {
   void search(const Part& part, const Post& post);
   void search_divided(const Group<Dim>& group, double cut, const Post& post);
   void search_tiles(const Group<Dim>& group, const Post& post);
+  void search_one_tile(const Group<Dim>& group, const TileGrid<Dim>& grid, const Tiles<Dim>& tiles,
+                       const Post& post);
+  void search_pairs(double unit, const Post& post);
   void search_tile(const Group<Dim>& group, const TileGrid<Dim>& grid, const Tiles<Dim>& tiles,
                    std::size_t tile, const Post& post);
   bool search_crowded_tile(const Group<Dim>& group, const TileGrid<Dim>& grid,

@@ -196,6 +196,17 @@ void SortedTile<Dim>::arrange_sizes(const RecordSizes& sizes) {
   }
 }
 
+template <int Dim>
+std::size_t SortedTile<Dim>::most_places_met() const noexcept {
+  constexpr std::size_t rows_met = Dim == 2 ? 2 : 5;
+  std::size_t longest = 0;
+  for (std::size_t row = 0; row < row_count_; ++row) {
+    const kernels::Run places = row_places(row);
+    longest = std::max<std::size_t>(longest, places.end - places.begin);
+  }
+  return rows_met * longest;
+}
+
 template class SortedTile<2>;
 template class SortedTile<3>;
 

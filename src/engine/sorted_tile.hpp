@@ -41,6 +41,9 @@ class SortedTile {
 
   [[nodiscard]] const kernels::TileView& view() const noexcept { return view_; }
 
+  /// Places in the rows that an element of the tile meets, at most.
+  [[nodiscard]] std::size_t most_places_met() const noexcept;
+
  private:
   void make_room_for(std::size_t elements, std::size_t cells);
 

@@ -12,6 +12,9 @@ constexpr float filter_slack = 0x1p-20f;
 
 constexpr std::uint64_t tests_between_polls = 1 << 18;
 
+/// In a tile of fewer all places of it are room enough.
+constexpr std::size_t few_elements = 1 << 13;
+
 }  // namespace
 
 template <int Dim>
@@ -113,9 +116,11 @@ void TileSearcher<Dim>::poll() {
 }
 
 template <int Dim>
-void TileSearcher<Dim>::prepare(double unit) {
+void TileSearcher<Dim>::prepare(const SortedTile<Dim>& tile, double unit) {
   job_.margin = static_cast<float>(task_->margin * unit);
-  const std::size_t room = bench_.tile.size() + kernels::row_padding + kernels::widest_vector;
+  const std::size_t places =
+      tile.size() < few_elements ? tile.size() : std::min(tile.size(), tile.most_places_met());
+  const std::size_t room = places + kernels::row_padding + kernels::widest_vector;
   constexpr std::size_t columns = std::extent_v<decltype(job_.block)>;
   base::make_room(bench_.block, columns * room);
   base::make_room(bench_.block_number, room);
@@ -126,8 +131,14 @@ void TileSearcher<Dim>::prepare(double unit) {
 
 template <int Dim>
 void TileSearcher<Dim>::search(double unit) {
-  prepare(unit);
-  task_->kernels.search(bench_.tile.view(), job_, Dim);
+  search(bench_.tile, kernels::all_layers(bench_.tile.view(), Dim), unit);
+}
+
+template <int Dim>
+void TileSearcher<Dim>::search(const SortedTile<Dim>& tile, const kernels::Layers& layers,
+                               double unit) {
+  prepare(tile, unit);
+  task_->kernels.search(tile.view(), layers, job_, Dim);
   poll();
 }
 
@@ -135,7 +146,7 @@ template <int Dim>
 void TileSearcher<Dim>::visit(const TileFrame<Dim>& frame,
                               std::span<const std::uint32_t> visitors) {
   if (visitors.empty()) return;
-  prepare(frame.unit);
+  prepare(bench_.tile, frame.unit);
   const kernels::TileView& tile = bench_.tile.view();
   for (const std::uint32_t number : visitors) {
     const std::span<const kernels::Run> runs =

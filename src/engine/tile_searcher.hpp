@@ -48,6 +48,10 @@ class TileSearcher {
   /// Pairs among the elements of the bench's tile.
   void search(double unit);
 
+  /// Those of some layers of a tile, which may be another worker's. All layers one after the other
+  /// give the pairs of the tile in the order of search().
+  void search(const SortedTile<Dim>& tile, const kernels::Layers& layers, double unit);
+
   /// Pairs of the tile's own elements with the visitors.
   void visit(const TileFrame<Dim>& frame, std::span<const std::uint32_t> visitors);
 
@@ -57,7 +61,7 @@ class TileSearcher {
   [[nodiscard]] std::uint64_t exact_decisions() const noexcept { return exact_decisions_; }
 
  private:
-  void prepare(double unit);
+  void prepare(const SortedTile<Dim>& tile, double unit);
   void take();
   void settle();
   void hand_on();

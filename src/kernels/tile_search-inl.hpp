@@ -37,11 +37,13 @@ class TileSearch {
         is_wide_(has_wide_cells(tile, job.margin)),
         meeting_(tile, job) {}
 
-  void search() {
-    if constexpr (Dim == 2) {
-      search_layer(0);
-    } else {
-      for (std::int32_t z = 0; z <= tile_.cells[2] + 1; ++z) search_layer(z);
+  void search(const Layers& layers) {
+    for (std::int32_t layer = layers.begin; layer < layers.end; ++layer) {
+      if constexpr (Dim == 2) {
+        search_row(layer, 0);
+      } else {
+        for (std::int32_t y = 0; y <= tile_.cells[1] + 1; ++y) search_row(y, layer);
+      }
     }
     meeting_.finish();
   }
@@ -123,26 +125,21 @@ class TileSearch {
     std::int32_t last_;
   };
 
-  void search_layer(std::int32_t z) {
-    for (std::int32_t y = 0; y <= tile_.cells[1] + 1; ++y) {
-      const std::uint32_t* row = row_of(y, z);
-      const std::int32_t last = tile_.cells[0] + 1;
-      if (row[0] == row[last + 1]) continue;
-      const RowsAhead ahead = rows_ahead(y, z);
-      if (ahead.row[0] == nullptr) {
-        meet_from_copies(row, 0, last, ahead);
-        continue;
-      }
-      meet_from_copies(row, 0, 0, ahead);
-      if (const std::uint32_t most = most_in_row_ahead(row); is_crowded(most, crowd_of_row)) {
-        meet_in_blocks(row, is_crowded(most, crowd_of_cell) ? 1 : cells_per_block);
-      } else if (is_wide_) {
-        meet_nearby(row, y, z);
-      } else {
-        meet_directly(row);
-      }
-      meet_from_copies(row, last, last, ahead);
+  void search_row(std::int32_t y, std::int32_t z) {
+    const std::uint32_t* row = row_of(y, z);
+    const std::int32_t last = tile_.cells[0] + 1;
+    if (row[0] == row[last + 1]) return;
+    const RowsAhead ahead = rows_ahead(y, z);
+    if (ahead.row[0] == nullptr) return meet_from_copies(row, 0, last, ahead);
+    meet_from_copies(row, 0, 0, ahead);
+    if (const std::uint32_t most = most_in_row_ahead(row); is_crowded(most, crowd_of_row)) {
+      meet_in_blocks(row, is_crowded(most, crowd_of_cell) ? 1 : cells_per_block);
+    } else if (is_wide_) {
+      meet_nearby(row, y, z);
+    } else {
+      meet_directly(row);
     }
+    meet_from_copies(row, last, last, ahead);
   }
 
   /// All own elements of the row in one loop: cells have few, and how many cannot be foreseen.

@@ -12,9 +12,10 @@ namespace abut::kernels {
 
 /// The kernels of one instruction set. All give the same pairs in the same order.
 struct TileKernels {
-  /// Tests each element against those that follow it in its own cell and against the cells of the
-  /// half stencil: five runs of contiguous elements, two in 2D.
-  void (*search)(const TileView& tile, SearchJob& job, int dimensions);
+  /// Tests each element of the layers against those that follow it in its own cell and against the
+  /// cells of the half stencil: five runs of contiguous elements, two in 2D. All layers one after
+  /// the other give the pairs of all of them, in the same order.
+  void (*search)(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions);
 
   /// Tests a visitor against the elements of the runs.
   void (*visit)(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,

@@ -210,8 +210,8 @@ class ScalarMeeting {
 
 #include "kernels/tile_search_variants-inl.hpp"
 
-void search_tile(const TileView& tile, SearchJob& job, int dimensions) {
-  search_with<ScalarMeeting>(tile, job, dimensions);
+void search_tile(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
+  search_with<ScalarMeeting>(tile, layers, job, dimensions);
 }
 
 void visit_tile(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,

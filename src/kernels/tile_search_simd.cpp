@@ -71,8 +71,8 @@ constexpr std::size_t most_hits = 5 * short_run;
 
 #include "kernels/tile_search_variants-inl.hpp"
 
-void search_tile(const TileView& tile, SearchJob& job, int dimensions) {
-  search_with<SimdMeeting>(tile, job, dimensions);
+void search_tile(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
+  search_with<SimdMeeting>(tile, layers, job, dimensions);
 }
 
 void visit_tile(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,

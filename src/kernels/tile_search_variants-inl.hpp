@@ -22,9 +22,9 @@ void with_variant(const TileView& tile, int dimensions, Body body) {
 }
 
 template <template <int, TileShape> class Meeting>
-void search_with(const TileView& tile, SearchJob& job, int dimensions) {
+void search_with(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
   with_variant(tile, dimensions, [&](auto dimension, auto shape) {
-    TileSearch<dimension(), Meeting<dimension(), shape()>>(tile, job).search();
+    TileSearch<dimension(), Meeting<dimension(), shape()>>(tile, job).search(layers);
   });
 }
 

@@ -55,6 +55,16 @@ struct TileView {
   [[nodiscard]] std::int32_t layer_length() const noexcept { return row_length() * (cells[1] + 2); }
 };
 
+/// Some layers of the cells of a tile, in 2D rows; those of copies are the first and the last.
+struct Layers {
+  std::int32_t begin;
+  std::int32_t end;
+};
+
+[[nodiscard]] inline Layers all_layers(const TileView& tile, int dimensions) noexcept {
+  return {0, tile.cells[dimensions - 1] + 2};
+}
+
 /// What the exact stages say of a pair.
 enum class Verdict : std::uint8_t { apart, within_reach, open };
 
@@ -78,7 +88,7 @@ struct SearchJob {
   float slack;  ///< bounds the error of a computed distance, in the tile's unit
   Findings* findings;
   float* block[6];              ///< scratch for candidates: centers by axis, sizes
-  std::uint32_t* block_number;  ///< each with room for all places of the tile + widest_vector
+  std::uint32_t* block_number;  ///< each with room for the rows that a row meets + widest_vector
   std::uint64_t candidate_tests;
   void* owner;
   void (*take)(SearchJob& job);  ///< empties the findings

@@ -2,6 +2,7 @@
 // visitors so large or so far away that single precision says nothing about them.
 
 #include "scenes/random.hpp"
+#include "support/box_oracle.hpp"
 #include "support/rows_variants.hpp"
 #include "support/scene_view.hpp"
 
@@ -74,6 +75,27 @@ TEST(RowsLargeGroups, DividedBySize) {
   add(scene, 3e6, 0.0, 0.0, 9.0);
   const PairVector expected = pairs_of_sorting_array(scene);
   EXPECT_TRUE(rows_agree(expected, view_of(scene), 0.0, {1, 3}));
+}
+
+/// Full cells, too few for two tiles: the only one is searched by all workers, layer by layer. The
+/// giant visits it afterwards.
+TEST(RowsLargeGroups, OneTileForAll) {
+  for (const int dimensions : {2, 3}) {
+    Scene scene;
+    scene.dimensions = dimensions;
+    Random random(8);
+    const double side = dimensions == 2 ? 68.0 : 24.0;
+    for (int k = 0; k < 12000; ++k) {
+      add(scene, random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(0.0, side),
+          random.uniform(0.2, 1.0));
+    }
+    add(scene, -40.0, 0.5 * side, 0.5 * side, 40.0 + 0.2 * side);
+    EXPECT_TRUE(rows_agree(pairs_of_sorting_array(scene), view_of(scene), 0.0, {1, 2, 3, 7, 16}));
+    const scenes::BoxScene boxes = scenes::boxes_in(scene, 9);
+    const PairList list =
+        find_contact_pairs(view_of(boxes), Domain::open(), {.algorithm = Algorithm::direct_check});
+    EXPECT_TRUE(rows_agree(list.pairs(), view_of(boxes), 0.0, {1, 3}));
+  }
 }
 
 /// Small elements on a lattice of halves in a box, and giants whose surfaces pass through it: on an

@@ -217,7 +217,8 @@ TEST_P(TileKernelsTest, SearchFindsTheSameInTheSameOrder) {
     const MadeTile tile =
         made_tile(dimensions, random, densities[static_cast<std::size_t>(k % 5)], shape);
     Found plain(tile);
-    tile_kernels(Simd::scalar).search(tile.view, plain.job, dimensions);
+    const Layers all = all_layers(tile.view, dimensions);
+    tile_kernels(Simd::scalar).search(tile.view, all, plain.job, dimensions);
     plain.take();
     found += plain.pairs.size();
     doubts += plain.doubts;
@@ -227,11 +228,18 @@ TEST_P(TileKernelsTest, SearchFindsTheSameInTheSameOrder) {
     ASSERT_EQ(sorted, by_all_pairs(tile, dimensions)) << "tile " << k;
     for (const Simd level : testing::simd_levels_here()) {
       Found other(tile);
-      tile_kernels(level).search(tile.view, other.job, dimensions);
+      tile_kernels(level).search(tile.view, all, other.job, dimensions);
       other.take();
-      ASSERT_EQ(other.pairs, plain.pairs) << name_of(level) << ", tile " << k;
-      EXPECT_EQ(other.job.candidate_tests, plain.job.candidate_tests) << name_of(level);
-      EXPECT_EQ(other.doubts, plain.doubts) << name_of(level);
+      Found by_layers(tile);
+      for (std::int32_t layer = all.begin; layer < all.end; ++layer) {
+        tile_kernels(level).search(tile.view, {layer, layer + 1}, by_layers.job, dimensions);
+      }
+      by_layers.take();
+      for (const Found* one : {&other, &by_layers}) {
+        ASSERT_EQ(one->pairs, plain.pairs) << name_of(level) << ", tile " << k;
+        EXPECT_EQ(one->job.candidate_tests, plain.job.candidate_tests) << name_of(level);
+        EXPECT_EQ(one->doubts, plain.doubts) << name_of(level);
+      }
     }
   }
   EXPECT_GT(takes, 150) << "the room is full at times";

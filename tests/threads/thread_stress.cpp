@@ -218,6 +218,7 @@ void run() {
     stress(system.scene, system.margin);
   }
   // Groups that wait until all workers are free.
+  stress(scenes::scene_named("log_uniform").make(12000, 1), 0.0);  // one tile for all
   stress(scenes::scene_named("two_far_clusters").make(70000, 1), 0.0);
   stress_domains(scenes::scene_named("dense").make(20000, 1));
   stress_skin(scenes::scene_named("dense").make(20000, 1));

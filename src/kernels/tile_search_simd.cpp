@@ -9,8 +9,6 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/tile_search_simd.cpp"
-// Reason: abut::Simd names no level between scalar and sse4, so nothing could choose this one.
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

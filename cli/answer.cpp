@@ -1,6 +1,6 @@
 #include "answer.hpp"
 
-#include "human_text.hpp"
+#include "text/human_text.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "book_examples.hpp"
 
-#include "array_text.hpp"
+#include "text/array_text.hpp"
 
 #include <abut/error.hpp>
 

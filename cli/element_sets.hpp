@@ -2,7 +2,7 @@
 
 #include "console.hpp"
 #include "io/snapshot.hpp"
-#include "io/write_contacts.hpp"
+#include "io/write/write_contacts.hpp"
 #include "load_snapshot.hpp"
 
 #include <abut/domain.hpp>

@@ -1,6 +1,6 @@
 #include "load_snapshot.hpp"
 
-#include "human_text.hpp"
+#include "text/human_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "console.hpp"
-#include "domain_options.hpp"
-#include "io/read_snapshot.hpp"
+#include "io/read/read_snapshot.hpp"
 #include "io/snapshot.hpp"
+#include "options/domain_options.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -2,8 +2,8 @@
 // standard error and an exit code (abut::ErrorCode).
 
 #include "interrupt.hpp"
-#include "io/output_file.hpp"
-#include "parse.hpp"
+#include "io/write/output_file.hpp"
+#include "options/parse.hpp"
 #include "talk.hpp"
 
 #include <abut/error.hpp>

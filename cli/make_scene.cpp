@@ -1,7 +1,7 @@
 #include "make_scene.hpp"
 
-#include "human_text.hpp"
 #include "scenes/scene.hpp"
+#include "text/human_text.hpp"
 
 #include <abut/error.hpp>
 

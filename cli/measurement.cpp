@@ -1,9 +1,9 @@
 #include "measurement.hpp"
 
 #include "answer.hpp"
-#include "human_text.hpp"
 #include "interrupt.hpp"
 #include "phase_seconds.hpp"
+#include "text/human_text.hpp"
 
 #include <abut/error.hpp>
 

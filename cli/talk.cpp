@@ -1,7 +1,7 @@
 #include "talk.hpp"
 
 #include "interrupt.hpp"
-#include "io/output_file.hpp"
+#include "io/write/output_file.hpp"
 
 #include <cstdio>
 

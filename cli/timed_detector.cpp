@@ -1,6 +1,6 @@
 #include "timed_detector.hpp"
 
-#include "io/digest.hpp"
+#include "io/write/digest.hpp"
 #include "phase_seconds.hpp"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/sphere_predicate.hpp"
 #include "engine/group.hpp"
 #include "engine/radius_histogram.hpp"
 #include "engine/sorted_tile.hpp"
 #include "engine/tiles.hpp"
 #include "engine/visits.hpp"
+#include "exact/sphere.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/elements.hpp"
+#include "exact/elements.hpp"
 #include "grid/bounds.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "engine/divide.hpp"
 
 #include "engine/catchment.hpp"
-#include "engine/kernel_bounds.hpp"
 #include "engine/sphere_block.hpp"
+#include "grid/kernel_bounds.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/elements.hpp"
 #include "engine/bench.hpp"
 #include "engine/group.hpp"
 #include "engine/tiles.hpp"
+#include "exact/elements.hpp"
 #include "kernels/element_kernels.hpp"
 
 #include <span>

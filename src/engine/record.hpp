@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/sphere_predicate.hpp"
 #include "engine/tile_grid.hpp"
+#include "exact/sphere.hpp"
 #include "kernels/element_kernels.hpp"
 
 #include <algorithm>

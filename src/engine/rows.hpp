@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/detection_context.hpp"
-#include "base/elements.hpp"
 #include "base/pair_sink.hpp"
 #include "engine/workspace.hpp"
+#include "exact/elements.hpp"
 #include "grid/bounds.hpp"
 
 #include <abut/simd.hpp>

@@ -1,6 +1,6 @@
 #include "engine/size_cut.hpp"
 
-#include "base/roots.hpp"
+#include "exact/numbers/roots.hpp"
 
 #include <algorithm>
 #include <array>

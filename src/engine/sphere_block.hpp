@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/sphere_predicate.hpp"
 #include "engine/group.hpp"
+#include "exact/sphere.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/elements.hpp"
 #include "engine/group.hpp"
 #include "engine/record.hpp"
 #include "engine/tile_grid.hpp"
+#include "exact/elements.hpp"
 #include "kernels/tile_view.hpp"
 
 #include <array>

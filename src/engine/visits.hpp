@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/elements.hpp"
 #include "engine/tile_grid.hpp"
+#include "exact/elements.hpp"
 #include "kernels/tile_view.hpp"
 
 #include <array>

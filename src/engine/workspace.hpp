@@ -1,10 +1,7 @@
 #pragma once
 
-#include "base/array.hpp"
-#include "base/box.hpp"
+#include "base/memory_meter.hpp"
 #include "engine/bench.hpp"
-#include "engine/image_sink.hpp"
-#include "engine/images.hpp"
 #include "engine/tile_searcher.hpp"
 
 #include <cstddef>
@@ -17,11 +14,7 @@ namespace abut::engine {
 /// allocations.
 template <int Dim>
 struct Workspace {
-  explicit Workspace(base::MemoryMeter& meter)
-      : memory(meter),
-        floors(meter),
-        images(meter),
-        moved_boxes(base::make_array_for_overwrite<base::Box<Dim>>(meter, 0)) {}
+  explicit Workspace(base::MemoryMeter& meter) : memory(meter), floors(meter) {}
 
   void expect_workers(std::size_t count) {
     while (workers.size() < count) {
@@ -33,9 +26,6 @@ struct Workspace {
   Floors<Dim> floors;  ///< for groups that all workers search together
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;
-  Images<Dim> images;                       ///< of a periodic domain
-  base::Array<base::Box<Dim>> moved_boxes;  ///< of its natives and ghosts
-  ImageSink<Dim> image_sink;
   std::vector<std::unique_ptr<Members>> deferred;  ///< large groups that wait until all are free
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/detection_context.hpp"
-#include "base/sphere_predicate.hpp"
+#include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
 #include "grid/cell_coordinates.hpp"
 

@@ -7,8 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "base/exact_stages.hpp"
-#include "base/sphere_predicate.hpp"
+#include "exact/exact_stages.hpp"
+#include "exact/sphere_predicate.hpp"
 #include "kernels/tie_kernels.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/detection_context.hpp"
-#include "base/elements.hpp"
 #include "base/pair_sink.hpp"
+#include "exact/elements.hpp"
 
 #include <abut/pair.hpp>
 

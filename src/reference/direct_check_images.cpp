@@ -8,8 +8,8 @@
 
 #include "reference/direct_check_images.hpp"
 
-#include "grid/check_range.hpp"
-#include "grid/reduced_lattice.hpp"
+#include "lattice/check_range.hpp"
+#include "lattice/reduced_lattice.hpp"
 #include "reference/image_window.hpp"
 
 #include <cstddef>

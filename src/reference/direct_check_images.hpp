@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/detection_context.hpp"
-#include "base/elements.hpp"
-#include "base/lattice.hpp"
 #include "base/pair_sink.hpp"
+#include "exact/elements.hpp"
+#include "exact/lattice.hpp"
 
 namespace abut::reference {
 

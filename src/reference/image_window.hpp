@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/box.hpp"
-#include "base/sphere_predicate.hpp"
-#include "grid/reduced_lattice.hpp"
+#include "exact/box.hpp"
+#include "exact/sphere.hpp"
+#include "lattice/reduced_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>

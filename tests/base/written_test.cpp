@@ -1,6 +1,6 @@
 #include "base/written.hpp"
 
-#include "base/hard_pairs.hpp"
+#include "exact/hard_pairs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/sphere_predicate.hpp"
+#include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
 #include "scenes/random.hpp"
 #include "support/dimensions.hpp"

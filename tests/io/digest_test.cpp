@@ -1,4 +1,4 @@
-#include "io/digest.hpp"
+#include "io/write/digest.hpp"
 
 #include <gtest/gtest.h>
 

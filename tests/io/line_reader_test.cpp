@@ -1,4 +1,4 @@
-#include "io/line_reader.hpp"
+#include "io/read/line_reader.hpp"
 
 #include "scratch.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/output_file.hpp"
+#include "io/write/output_file.hpp"
 
 #include "scratch.hpp"
 

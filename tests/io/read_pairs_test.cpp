@@ -1,8 +1,8 @@
-#include "io/read_pairs.hpp"
+#include "io/read/read_pairs.hpp"
 
 #include "scratch.hpp"
 
-#include "io/write_contacts.hpp"
+#include "io/write/write_contacts.hpp"
 
 #include <string>
 #include <string_view>

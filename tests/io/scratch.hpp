@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/read_snapshot.hpp"
+#include "io/read/read_snapshot.hpp"
 
 #include <abut/error.hpp>
 

@@ -1,4 +1,4 @@
-#include "io/write_contacts.hpp"
+#include "io/write/write_contacts.hpp"
 
 #include "scratch.hpp"
 

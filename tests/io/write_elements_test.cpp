@@ -1,4 +1,4 @@
-#include "io/write_elements.hpp"
+#include "io/write/write_elements.hpp"
 
 #include "scratch.hpp"
 

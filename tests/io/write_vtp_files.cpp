@@ -1,7 +1,7 @@
 // Writes the files that check_vtp.py reads: write_vtp_files FOLDER
 
-#include "io/read_snapshot.hpp"
-#include "io/write_contacts.hpp"
+#include "io/read/read_snapshot.hpp"
+#include "io/write/write_contacts.hpp"
 
 #include <abut/detect.hpp>
 #include <abut/two_sets.hpp>

@@ -2,9 +2,9 @@
 
 #include "kernels/tie_kernels.hpp"
 
-#include "base/exact_stages.hpp"
-#include "base/hard_pairs.hpp"
-#include "base/sphere_predicate.hpp"
+#include "exact/exact_stages.hpp"
+#include "exact/hard_pairs.hpp"
+#include "exact/sphere_predicate.hpp"
 #include "support/dimensions.hpp"
 #include "support/rows_variants.hpp"
 

@@ -1,7 +1,7 @@
 // Gives bytes to the reader of pairs. Whatever they are, it reads pairs of elements that are there,
 // or throws Error.
 
-#include "io/read_pairs.hpp"
+#include "io/read/read_pairs.hpp"
 
 #include <abut/error.hpp>
 

@@ -2,8 +2,8 @@
 // the same elements or both throw Error; elements that are read are finite and survive being
 // written.
 
-#include "io/read_snapshot.hpp"
-#include "io/write_elements.hpp"
+#include "io/read/read_snapshot.hpp"
+#include "io/write/write_elements.hpp"
 
 #include <abut/error.hpp>
 

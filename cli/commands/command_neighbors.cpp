@@ -1,0 +1,127 @@
+#include "commands/command_neighbors.hpp"
+
+#include "element_sets.hpp"
+#include "io/write/output_file.hpp"
+#include "io/write/text_output.hpp"
+#include "options/output_option.hpp"
+#include "text/human_text.hpp"
+
+#include <abut/error.hpp>
+#include <abut/points.hpp>
+#include <abut/two_sets.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace abut::cli {
+namespace {
+
+ElementView centers_of(const io::Snapshot& snapshot) {
+  if (snapshot.holds_boxes()) {
+    throw Error(ErrorCode::wrong_usage,
+                fmt::format("{}: neighbors are those of points, and the file holds boxes; take "
+                            "abut contacts with --margin",
+                            snapshot.source));
+  }
+  return snapshot.dimensions == 2 ? points(snapshot.x, snapshot.y)
+                                  : points(snapshot.x, snapshot.y, snapshot.z);
+}
+
+/// One line a neighbor, by element, as i,j[,nx,ny,nz],distance.
+void write(const NeighborList& list, const Domain& domain, const std::string& path) {
+  constexpr std::size_t much = std::size_t{64} << 10;
+  io::OutputFile file(path);
+  std::string text = domain.is_periodic() ? "i,j,nx,ny,nz,distance\n" : "i,j,distance\n";
+  const auto append = [&text](auto value) {
+    io::append_integer(value, text);
+    text += ',';
+  };
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    for (std::size_t k = 0; k < list[i].size(); ++k) {
+      append(i);
+      append(list[i][k]);
+      if (domain.is_periodic()) {
+        const ImageShift shift = list.shifts_of(i)[k];
+        append(shift.x);
+        append(shift.y);
+        append(shift.z);
+      }
+      io::append_17_digits(list.distances_of(i)[k], text);
+      text += '\n';
+      if (text.size() < much) continue;
+      file.write(text);
+      text.clear();
+    }
+  }
+  file.write(text);
+  file.commit();
+}
+
+std::string summary(const NeighborsOptions& options, const ElementSets& sets,
+                    const LoadedRule& rule, const NeighborList& list) {
+  std::size_t most = 0;
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    most = std::max(most, list[i].size());
+    alone += list[i].empty() ? 1 : 0;
+  }
+  std::string text = fmt::format("{}: {}, cutoff {}\n", sets.first.source,
+                                 elements_text(sets.first), options.cutoff);
+  const char* kind = options.kind == NeighborListKind::full ? "full " : "half ";
+  if (sets.are_two()) {
+    text += fmt::format("against {}: {}\n", sets.second->source, elements_text(*sets.second));
+    kind = "";
+  }
+  const double size = static_cast<double>(std::max<std::size_t>(list.size(), 1));
+  text += fmt::format("  neighbors        {} in a {}list of {} pairs\n", list.neighbors().size(),
+                      kind, list.statistics().contact_pairs);
+  if (!rule.text().empty()) text += fmt::format("  left out         {}\n", rule.text());
+  return text + fmt::format(
+                    "  of an element    mean {:.4g}, at most {}; {} of {} have none\n"
+                    "  algorithm        {}\n",
+                    static_cast<double>(list.neighbors().size()) / size, most, alone, list.size(),
+                    name_of(list.statistics().algorithm));
+}
+
+ElementSets read(const NeighborsOptions& options, Console& console) {
+  require_one_standard_input({options.input.path, options.against, options.rule.exclude});
+  for (const std::string& path : {options.input.path, options.against, options.rule.exclude}) {
+    require_other_file(path, options.output);
+  }
+  InputOptions input = options.input;
+  if (!input.radius) input.radius = 0.0;  // points need none, whatever the files say
+  return load_sets(input, options.against, console);
+}
+
+NeighborList detect(const NeighborsOptions& options, const ElementSets& sets,
+                    const LoadedRule& rule, Console& console) {
+  Options detection = options.detection;
+  detection.progress = console.progress();
+  detection.rule = rule.rule();
+  if (!options.output.empty()) {
+    detection.neighbor_data = NeighborData::distances;
+    detection.shifts = sets.domain.is_periodic() ? Shifts::stored : Shifts::none;
+  }
+  const ElementView first = centers_of(sets.first);
+  if (!sets.are_two()) {
+    return neighbors(first, options.cutoff, sets.domain, options.kind, detection);
+  }
+  detection.margin = options.cutoff;
+  return build_neighbor_list(first, centers_of(*sets.second), sets.domain, detection);
+}
+
+}  // namespace
+
+void run(const NeighborsOptions& options) {
+  Console console(options.console);
+  const ElementSets sets = read(options, console);
+  const LoadedRule rule(options.input, options.rule, sets, console);
+  const NeighborList list = detect(options, sets, rule, console);
+  if (!options.output.empty()) write(list, sets.domain, options.output);
+  console.finish();
+  if (console.is_quiet()) return;
+  report_beside(options.output, summary(options, sets, rule, list));
+}
+
+}  // namespace abut::cli

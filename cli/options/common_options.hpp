@@ -1,0 +1,174 @@
+#pragma once
+
+// Options that several commands share; only parse.cpp includes this.
+
+#include "io/read/read_snapshot.hpp"
+#include "options/argument.hpp"
+#include "options/parse.hpp"
+#include "options/rule_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <abut/algorithm.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abut::cli {
+
+/// An option whose text is handed to `use` after the whole line has been read.
+template <class Use>
+inline CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& type,
+                              const std::string& description, Use use) {
+  return app.add_option_function<std::string>(names, use, description)->type_name(type);
+}
+
+/// A flag that is only looked at.
+inline CLI::Option* add_mark(CLI::App& app, const std::string& name,
+                             const std::string& description) {
+  return app.add_flag_function(
+      name, [](std::int64_t) {}, description);
+}
+
+template <class Target, class Value>
+inline CLI::Option* add_switch(CLI::App& app, const std::string& names,
+                               const std::string& description, Target& target, Value value) {
+  return app.add_flag_callback(
+      names, [&target, value] { target = value; }, description);
+}
+
+inline void add_quiet(CLI::App& app, ConsoleOptions& console) {
+  add_switch(app, "-q,--quiet", "say nothing but what was asked for, and errors", console.quiet,
+             true);
+}
+
+inline void add_console(CLI::App& app, ConsoleOptions& console) {
+  add_quiet(app, console);
+  add_value(app, "--progress", "auto|bar|log|none",
+            "on standard error: a bar, or a line every 10 s; auto: a bar on a terminal",
+            [&console](const std::string& text) {
+              console.progress = choice<ProgressMode>("--progress", text,
+                                                      {{"auto", ProgressMode::automatic},
+                                                       {"bar", ProgressMode::bar},
+                                                       {"log", ProgressMode::log},
+                                                       {"none", ProgressMode::none}});
+            });
+}
+
+inline void add_json(CLI::App& app, Listing& listing) {
+  add_switch(app, "--json", "one JSON object", listing, Listing::json);
+}
+
+/// An option whose value is a name, which cannot be empty.
+inline CLI::Option* add_name(CLI::App& app, const std::string& name, const std::string& type,
+                             const std::string& description, std::string& target) {
+  return add_value(app, name, type, description, [name, &target](const std::string& text) {
+    if (text.empty()) reject(name, "''", "a name");
+    target = text;
+  });
+}
+
+/// The file of a second set of elements.
+inline CLI::Option* add_against(CLI::App& app, std::string& against) {
+  return add_name(
+      app, "--against", "FILE2",
+      "a second set: pairs are those of i in FILE and j in FILE2. --frame is then for files of "
+      "several frames, --radius for files without radii; the box of one file holds for both",
+      against);
+}
+
+/// Who may pair.
+inline void add_rule(CLI::App& app, InputOptions& input, RuleOptions& rule) {
+  CLI::Option* groups = add_name(
+      app, "--groups", "NAME",
+      "a column of whole numbers, such as mol; elements of one group do not pair", input.groups);
+  app.add_option_function<std::vector<std::string>>(
+         "--deny",
+         [&rule](const std::vector<std::string>& pairs) {
+           for (const std::string& pair : pairs) rule.denied.push_back(groups_denied(pair));
+         },
+         "instead, groups A and B do not pair, A,A for one with itself; may be repeated")
+      ->type_name("A,B")
+      ->allow_extra_args(false)
+      ->needs(groups);
+  add_name(app, "--exclude", "PAIRS",
+           "a CSV file with columns i and j, as -o writes them: these do not pair", rule.exclude);
+}
+
+inline void add_frame_and_radius(CLI::App& app, InputOptions& input) {
+  add_value(app, "--frame", "K", "frame of FILE, from 0, negative from the end; default the last",
+            [&input](const std::string& text) {
+              input.frame = number<std::int64_t>("--frame", text, "a whole number");
+            });
+  add_value(app, "--radius", "R", "one radius for all elements, in place of those of FILE",
+            [&input](const std::string& text) { input.radius = length("--radius", text); });
+}
+
+inline void add_domain(CLI::App& app, DomainOptions& domain) {
+  const auto add = [&app, &domain](const std::string& name, const std::string& type,
+                                   const std::string& description, auto use) {
+    return add_value(app, name, type, description, [&domain, name, use](const std::string& text) {
+      use(text);
+      domain.as_given += fmt::format(" {} {}", name, text);
+    });
+  };
+  add("--periodic", "AXES",
+      "periodic axes, such as xy, or none for open space; default what FILE says, or all of a box "
+      "that is given",
+      [&domain](const std::string& text) { domain.periodic = axes_named(text); });
+  CLI::Option* box =
+      add("--box", "LX,LY[,LZ]", "lengths of the periodic box; default that of FILE",
+          [&domain](const std::string& text) { domain.box = number_list("--box", text); });
+  CLI::Option* lattice =
+      add("--lattice", "A,B[,C]", "4 or 9 numbers: the vectors of the periodic cell one by one",
+          [&domain](const std::string& text) { domain.lattice = number_list("--lattice", text); });
+  box->excludes(lattice);
+}
+
+inline void add_input_format(CLI::App& app, InputOptions& input) {
+  add_value(
+      app, "--format", "NAME",
+      "format of FILE: csv, lammps_data, lammps_dump or xyz; default by suffix, then by content",
+      [&input](const std::string& text) { input.format = text; });
+}
+
+/// The options of a file that elements are read from.
+inline void add_input(CLI::App& app, InputOptions& input) {
+  add_input_format(app, input);
+  add_frame_and_radius(app, input);
+  add_domain(app, input.domain);
+}
+
+inline void add_file_or_scene(CLI::App& app, FileOrScene& source) {
+  app.add_option("FILE|SCENE", source.input.path, "elements to read; with --count a scene")
+      ->required();
+  add_value(app, "--count", "N", "number of elements of the scene",
+            [&source](const std::string& text) {
+              source.count = number<std::uint64_t>("--count", text, "a whole number");
+            });
+  add_value(app, "--seed", "S", "seed of the scene; default 1", [&source](const std::string& text) {
+    source.seed = number<std::uint64_t>("--seed", text, "a whole number");
+  });
+}
+
+inline void add_algorithm_list(CLI::App& app, std::vector<Algorithm>& list,
+                               const std::string& description) {
+  add_value(app, "--algorithms", "A,B", description, [&list](const std::string& text) {
+    for (const std::string& name : CLI::detail::split(text, ',')) {
+      list.push_back(info(algorithm_named(name)).algorithm);
+    }
+  });
+}
+
+inline void add_margin(CLI::App& app, double& margin) {
+  add_value(app, "--margin", "D", "pairs at most D apart count too; default 0",
+            [&margin](const std::string& text) { margin = length("--margin", text); });
+}
+
+inline void add_max_memory(CLI::App& app, std::uint64_t& max_bytes) {
+  add_value(app, "--max-memory", "BYTES", "fail rather than hold more; K, M, G for powers of 1024",
+            [&max_bytes](const std::string& text) { max_bytes = bytes("--max-memory", text); });
+}
+
+}  // namespace abut::cli

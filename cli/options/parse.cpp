@@ -1,0 +1,321 @@
+// The command line, by CLI11. Only this file includes it, with common_options.hpp and
+// help_text.hpp: it takes seconds to compile.
+
+#include "options/parse.hpp"
+
+#include "io/read/read_snapshot.hpp"
+#include "options/argument.hpp"
+#include "options/common_options.hpp"
+#include "text/help_text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <abut/error.hpp>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abut::cli {
+namespace {
+
+/// The options of a subcommand live as long as the parse; the callback hands them over.
+template <class Options>
+std::shared_ptr<Options> hand_over(CLI::App& app, Command& command) {
+  auto options = std::make_shared<Options>();
+  app.callback([&command, options] { command = *options; });
+  return options;
+}
+
+bool is_contact_format(std::string_view name) {
+  return name == "csv" || name == "json" || name == "vtp";
+}
+
+/// How to search, whatever for.
+void add_search(CLI::App& app, Options& detection) {
+  add_value(app, "--algorithm", "NAME", "one of 'abut algorithms', or auto, the default",
+            [&detection](const std::string& text) { detection.algorithm = algorithm_named(text); });
+  add_value(app, "--threads", "N", "number of threads; the algorithms of the book use one",
+            [&detection](const std::string& text) {
+              detection.threads = positive<int>("--threads", text);
+            });
+  add_value(app, "--simd", "LEVEL",
+            "instruction set of rows: auto, the default, scalar, sse4, avx2, avx512 or neon",
+            [&detection](const std::string& text) { detection.simd = simd_named(text); });
+}
+
+void add_limits(CLI::App& app, Options& detection) {
+  add_value(app, "--max-pairs", "M", "fail if there are more than M contact pairs",
+            [&detection](const std::string& text) {
+              detection.max_pairs = number<PairCount>("--max-pairs", text, "a whole number");
+            });
+  add_max_memory(app, detection.max_bytes);
+}
+
+void add_detection(CLI::App& app, Options& detection) {
+  add_search(app, detection);
+  add_value(app, "--order", "canonical|as_found",
+            "pairs ascending by (i, j), the default, or as the algorithm meets them",
+            [&detection](const std::string& text) {
+              detection.order =
+                  choice<Order>("--order", text,
+                                {{"canonical", Order::canonical}, {"as_found", Order::as_found}});
+            });
+  add_margin(app, detection.margin);
+  add_limits(app, detection);
+}
+
+void add_report(CLI::App& app, Report& report) {
+  CLI::Option* count = add_switch(
+      app, "--count", "print the number of contact pairs and nothing else", report, Report::count);
+  CLI::Option* digest = add_switch(
+      app, "--digest", "print the SHA-256 of the pairs in canonical order", report, Report::digest);
+  CLI::Option* json = add_switch(app, "--json", "print one JSON object with counts and times",
+                                 report, Report::json);
+  count->excludes(digest)->excludes(json);
+  digest->excludes(json);
+}
+
+void add_contacts(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("contacts", "finds which elements of a file touch");
+  sub.footer(
+      "abut contacts packing.csv\n"
+      "abut contacts pour.dump --frame 0 -o contacts.vtp\n"
+      "abut contacts packing.csv -o - | head\n"
+      "abut contacts probes.csv --against packing.csv --radius 0\n"
+      "abut contacts chains.data --groups mol --exclude bonds.csv");
+  auto options = hand_over<ContactsOptions>(sub, command);
+  auto format = std::make_shared<std::string>();
+  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_against(sub, options->against);
+  add_value(
+      sub, "-o,--output", "OUT",
+      "write the pairs to a file .csv, .json or .vtp, CSV without a suffix; - is standard output",
+      [options](const std::string& text) { options->output = text; });
+  add_value(sub, "--format", "NAME",
+            "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_data, lammps_dump, xyz; "
+            "default by suffix, then by content",
+            [format](const std::string& text) { *format = text; });
+  CLI::Option* ids = add_switch(sub, "--ids", "add the file's own ids to OUT", options->ids, true);
+  ids->needs(sub.get_option("--output"));
+  add_report(sub, options->report);
+  add_detection(sub, options->detection);
+  add_rule(sub, options->input, options->rule);
+  add_frame_and_radius(sub, options->input);
+  add_domain(sub, options->input.domain);
+  add_console(sub, options->console);
+  sub.callback([&command, options, format] {
+    const bool of_output = !options->output.empty() && is_contact_format(*format);
+    (of_output ? options->output_format : options->input.format) = *format;
+    command = *options;
+  });
+}
+
+void add_neighbors(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("neighbors", "finds the centers within a cutoff of each");
+  sub.footer(
+      "abut neighbors atoms.xyz --cutoff 3.5\n"
+      "abut neighbors pour.dump --cutoff 2.5 --full -o neighbors.csv\n"
+      "abut neighbors probes.csv --against atoms.xyz --cutoff 3.5");
+  auto options = hand_over<NeighborsOptions>(sub, command);
+  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_value(sub, "--cutoff", "C", "neighbors are centers at most C apart",
+            [options](const std::string& text) { options->cutoff = length("--cutoff", text); })
+      ->required();
+  CLI::Option* against = add_against(sub, options->against);
+  CLI::Option* full =
+      add_switch(sub, "--full", "each pair from both sides", options->kind, NeighborListKind::full);
+  add_switch(sub, "--half", "each pair once, at its smaller number: the default", options->kind,
+             NeighborListKind::half)
+      ->excludes(full)
+      ->excludes(against);
+  full->excludes(against);
+  add_value(sub, "-o,--output", "OUT", "write the neighbors as CSV; - is standard output",
+            [options](const std::string& text) { options->output = text; });
+  add_search(sub, options->detection);
+  add_limits(sub, options->detection);
+  add_rule(sub, options->input, options->rule);
+  add_input(sub, options->input);
+  add_console(sub, options->console);
+}
+
+void add_info(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("info", "says what is in a file");
+  sub.footer("abut info packing.csv");
+  auto options = hand_over<InfoOptions>(sub, command);
+  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_input_format(sub, options->input);
+  add_json(sub, options->listing);
+  add_frame_and_radius(sub, options->input);
+  add_console(sub, options->console);
+}
+
+void add_generate(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("generate", "writes the elements of a scene");
+  sub.footer(
+      "abut generate --list\n"
+      "abut generate dense --count 100000 -o dense.csv");
+  auto options = std::make_shared<GenerateOptions>();
+  auto list = std::make_shared<SceneListOptions>();
+  CLI::Option* scene = sub.add_option("SCENE", options->scene, "one of 'abut generate --list'");
+  CLI::Option* all = add_mark(sub, "--list", "list the scenes");
+  CLI::Option* count =
+      add_value(sub, "--count", "N", "number of elements", [options](const std::string& text) {
+        options->count = number<std::uint64_t>("--count", text, "a whole number");
+      });
+  add_value(sub, "--seed", "S", "seed of the random numbers; default 1",
+            [options](const std::string& text) {
+              options->seed = number<std::uint64_t>("--seed", text, "a whole number");
+            });
+  add_value(sub, "-o,--output", "FILE", "default - is standard output, as CSV",
+            [options](const std::string& text) { options->output = text; });
+  add_value(sub, "--format", "NAME", "csv, lammps_dump or xyz; default by suffix",
+            [options](const std::string& text) { options->output_format = text; });
+  add_switch(sub, "--json", "with --list: one JSON object", list->listing, Listing::json);
+  add_quiet(sub, options->console);
+  sub.callback([&command, options, list, scene, all, count] {
+    if (all->count() > 0) {
+      command = *list;
+      return;
+    }
+    if (scene->count() == 0 || count->count() == 0) {
+      throw Error(ErrorCode::wrong_usage,
+                  "generate: name a scene and say how many elements with --count; "
+                  "'abut generate --list' shows the scenes");
+    }
+    command = *options;
+  });
+}
+
+void add_compare(CLI::App& app, Command& command) {
+  CLI::App& sub =
+      *app.add_subcommand("compare", "runs all algorithms on a file or scene and compares them");
+  sub.footer(
+      "abut compare packing.csv\n"
+      "abut compare gas --count 20000 --algorithms munjiza_nbs,sorting_array");
+  auto options = hand_over<CompareOptions>(sub, command);
+  add_file_or_scene(sub, options->source);
+  add_algorithm_list(sub, options->algorithms, "only these; default all that can");
+  add_json(sub, options->listing);
+  add_margin(sub, options->margin);
+  add_max_memory(sub, options->max_bytes);
+  add_input(sub, options->source.input);
+  add_console(sub, options->console);
+}
+
+void add_bench(CLI::App& app, Command& command) {
+  CLI::App& sub =
+      *app.add_subcommand("bench", "measures algorithms on a file or scene, in a few seconds");
+  sub.footer(
+      "abut bench packing.csv\n"
+      "abut bench dense --count 1000000 --algorithms rows --threads 1,2,4");
+  auto options = hand_over<BenchOptions>(sub, command);
+  add_file_or_scene(sub, options->source);
+  add_algorithm_list(sub, options->algorithms,
+                     "only these; default rows, and the others unless their first call takes "
+                     "longer than 0.5 s");
+  add_value(sub, "--threads", "N,M", "numbers of threads; default 1 and what OpenMP takes",
+            [options](const std::string& text) {
+              for (const std::string& one : CLI::detail::split(text, ',')) {
+                options->threads.push_back(positive<int>("--threads", one));
+              }
+            });
+  add_value(sub, "--repetitions", "R", "calls after the first; default as many as 4 s in all allow",
+            [options](const std::string& text) {
+              options->repetitions = positive<std::size_t>("--repetitions", text);
+            });
+  add_json(sub, options->listing);
+  add_margin(sub, options->margin);
+  add_max_memory(sub, options->max_bytes);
+  add_rule(sub, options->source.input, options->rule);
+  add_input(sub, options->source.input);
+  add_console(sub, options->console);
+}
+
+void add_explain(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("explain", "walks through an algorithm of the book");
+  sub.footer(
+      "abut explain munjiza_nbs --book\n"
+      "abut explain sorting_array few_elements.csv");
+  auto options = std::make_shared<ExplainOptions>();
+  add_value(sub, "ALGORITHM", "NAME", "one of 'abut algorithms'",
+            [options](const std::string& text) {
+              options->algorithm = info(algorithm_named(text)).algorithm;
+            })
+      ->required();
+  CLI::Option* file =
+      sub.add_option("FILE", options->input.path, "a small file; - is standard input");
+  CLI::Option* book = add_mark(sub, "--book", "the book's own example, numbered as in the book");
+  add_margin(sub, options->margin);
+  add_input(sub, options->input);
+  add_console(sub, options->console);
+  sub.callback([&command, options, file, book] {
+    if ((file->count() > 0) == (book->count() > 0)) {
+      throw Error(ErrorCode::wrong_usage,
+                  "explain: give either FILE or --book, the book's own example");
+    }
+    command = *options;
+  });
+}
+
+void add_algorithms(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand("algorithms", "lists the algorithms");
+  sub.footer("abut algorithms");
+  auto options = hand_over<AlgorithmsOptions>(sub, command);
+  add_json(sub, options->listing);
+}
+
+void add_version(CLI::App& app, Command& command) {
+  CLI::Option* version = add_mark(app, "--version", "print the version");
+  CLI::Option* verbose = add_mark(app, "--verbose", "with --version: how abut was built");
+  verbose->needs(version);
+  app.callback([&app, &command, version, verbose] {
+    if (!app.get_subcommands().empty()) return;
+    if (version->count() == 0) {
+      throw Error(ErrorCode::wrong_usage, "name a command; 'abut --help' lists them");
+    }
+    const auto detail = verbose->count() > 0 ? VersionDetail::build : VersionDetail::number;
+    command = VersionOptions{detail};
+  });
+}
+
+std::string name_of_help(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? "abut --help" : "abut " + chosen.front()->get_name() + " --help";
+}
+
+}  // namespace
+
+Command parse(int argc, const char* const* argv) {
+  Command command;
+  CLI::App app("which discrete elements touch?", "abut");
+  app.formatter_fn(help_text);
+  app.set_help_flag("-h,--help", "show this text");
+  app.footer(
+      "abut contacts packing.csv\nabut generate dense --count 10000 | abut contacts -\nabut "
+      "explain munjiza_nbs --book");
+  app.require_subcommand(0, 1);
+  add_contacts(app, command);
+  add_neighbors(app, command);
+  add_info(app, command);
+  add_generate(app, command);
+  add_compare(app, command);
+  add_bench(app, command);
+  add_explain(app, command);
+  add_algorithms(app, command);
+  add_version(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return HelpText{app.help()};
+  } catch (const CLI::ParseError& error) {
+    throw Error(ErrorCode::wrong_usage,
+                fmt::format("{}; see '{}'", error.what(), name_of_help(app)));
+  }
+  return command;
+}
+
+}  // namespace abut::cli

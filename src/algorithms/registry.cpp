@@ -1,0 +1,162 @@
+// The table of algorithms. Conformance tests, benchmarks and the tool read it: a new algorithm is
+// one file and one row here.
+
+#include "algorithms/registry.hpp"
+
+#include "periodic/periodic_rows.hpp"
+#include "reference/algorithms.hpp"
+#include "reference/direct_check_images.hpp"
+
+#include <abut/error.hpp>
+
+#include <array>
+#include <string>
+
+namespace abut::api {
+namespace {
+
+using namespace reference;
+
+template <int Dim>
+void direct_check_elements(const System<Dim>& system, base::PairSink& sink,
+                           base::DetectionContext& context) {
+  sink.expect_workers(1);
+  base::PairWriter pairs(sink);
+  ContactTest<Dim> test(system.elements, system.settings.margin, pairs, context);
+  direct_check(system.elements.size(), test, context);
+  pairs.finish();
+}
+
+template <int Dim>
+void direct_check_all_images(const System<Dim>& system, const base::Lattice& lattice,
+                             base::PairSink& sink, base::DetectionContext& context) {
+  sink.expect_workers(1);
+  base::ImagePairWriter pairs(sink);
+  direct_check_images<Dim>(system.elements, lattice, system.settings.margin, pairs, context);
+  pairs.finish();
+}
+
+template <int Dim>
+void trace_direct_check(const grid::CellCoordinates<Dim>& cells, CandidateRecorder& recorder,
+                        base::DetectionContext& context) {
+  direct_check(cells.element_count(), recorder, context);
+}
+
+template <int Dim>
+void rows(const System<Dim>& system, base::PairSink& sink, base::DetectionContext& context) {
+  engine::rows(system.elements, system.bounds, system.settings, system.workspace, sink, context);
+}
+
+template <int Dim>
+constexpr Runs<Dim> direct_check_runs{.on_elements = direct_check_elements<Dim>,
+                                      .on_images = direct_check_all_images<Dim>,
+                                      .trace = trace_direct_check<Dim>};
+
+template <int Dim>
+constexpr Runs<Dim> binary_tree_runs{.on_cells = binary_tree<Dim, ContactTest<Dim>>,
+                                     .trace = binary_tree<Dim, CandidateRecorder>};
+
+template <int Dim>
+constexpr Runs<Dim> screening_array_runs{.on_cells = screening_array<Dim, ContactTest<Dim>>,
+                                         .trace = screening_array<Dim, CandidateRecorder>,
+                                         .grid_bytes = screening_array_bytes<Dim>};
+
+template <int Dim>
+constexpr Runs<Dim> sorting_array_runs{.on_cells = sorting_array<Dim, ContactTest<Dim>>,
+                                       .trace = sorting_array<Dim, CandidateRecorder>};
+
+constexpr Runs<2> munjiza_nbs_2d_runs{.on_cells = munjiza_nbs_2d<ContactTest<2>>,
+                                      .trace = munjiza_nbs_2d<CandidateRecorder>,
+                                      .grid_bytes = munjiza_nbs_bytes<2>};
+
+constexpr Runs<3> munjiza_nbs_3d_runs{.on_cells = munjiza_nbs_3d<ContactTest<3>>,
+                                      .trace = munjiza_nbs_3d<CandidateRecorder>,
+                                      .grid_bytes = munjiza_nbs_bytes<3>};
+
+template <int Dim>
+void periodic_rows(const System<Dim>& system, const base::Lattice& lattice, base::PairSink& sink,
+                   base::DetectionContext& context) {
+  engine::periodic_rows<Dim>(system.spheres, system.elements.boxes, system.bounds, lattice,
+                             system.settings, system.workspace, system.periodic_workspace, sink,
+                             context);
+}
+
+template <int Dim>
+constexpr Runs<Dim> rows_runs{.on_elements = rows<Dim>, .on_images = periodic_rows<Dim>};
+
+constexpr std::array<RegistryRow, 6> table{{
+    {{Algorithm::direct_check, "direct_check", "every element against every other", "N^2", "0",
+      "77-80", 2, 3, true, true},
+     direct_check_runs<2>,
+     direct_check_runs<3>},
+    {{Algorithm::binary_tree, "binary_tree", "occupied cells as leaves of a tree of halvings",
+      "N log N", "at most 2 N b + 2 N (b levels)", "81-87", 2, 3, false, true},
+     binary_tree_runs<2>,
+     binary_tree_runs<3>},
+    {{Algorithm::screening_array, "screening_array", "one list for each cell, empty or not",
+      "N + cells", "cells + N", "89-94", 2, 3, false, true},
+     screening_array_runs<2>,
+     screening_array_runs<3>},
+    {{Algorithm::sorting_array, "sorting_array", "elements sorted by cell, cells found by halving",
+      "N log N", "3 N in 2D, 4 N in 3D", "94-102, 120", 2, 3, false, true},
+     sorting_array_runs<2>,
+     sorting_array_runs<3>},
+    {{Algorithm::munjiza_nbs, "munjiza_nbs", "lists of rows, then of the cells of two rows only",
+      "N", "2 N + n_y + 2 n_x in 2D, 3 N + n_z + 2 n_y + 2 n_x in 3D", "102-127", 2, 3, false,
+      true},
+     munjiza_nbs_2d_runs,
+     munjiza_nbs_3d_runs},
+    {{Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N",
+      "at most 32 N + 32768, and 131072 a further thread", "", 2, 3, true, false},
+     rows_runs<2>,
+     rows_runs<3>},
+}};
+
+constexpr auto infos = [] {
+  std::array<AlgorithmInfo, table.size()> result{};
+  for (std::size_t k = 0; k < table.size(); ++k) result[k] = table[k].info;
+  return result;
+}();
+
+}  // namespace
+
+std::span<const RegistryRow> registry() {
+  return table;
+}
+
+const RegistryRow& row_of(Algorithm algorithm) {
+  for (const RegistryRow& row : table) {
+    if (row.info.algorithm == algorithm) return row;
+  }
+  throw Error(ErrorCode::wrong_usage,
+              "'auto' stands for a choice, not for one algorithm; name one");
+}
+
+}  // namespace abut::api
+
+namespace abut {
+
+std::span<const AlgorithmInfo> algorithms() {
+  return api::infos;
+}
+
+const AlgorithmInfo& info(Algorithm algorithm) {
+  return api::row_of(algorithm).info;
+}
+
+std::string_view name_of(Algorithm algorithm) {
+  return algorithm == Algorithm::automatic ? "auto" : info(algorithm).name;
+}
+
+Algorithm algorithm_named(std::string_view name) {
+  if (name == "auto") return Algorithm::automatic;
+  std::string known = "auto";
+  for (const AlgorithmInfo& row : algorithms()) {
+    if (row.name == name) return row.algorithm;
+    known += ", " + std::string(row.name);
+  }
+  throw Error(ErrorCode::wrong_usage,
+              "no algorithm is called '" + std::string(name) + "'; there are " + known);
+}
+
+}  // namespace abut

@@ -1,0 +1,95 @@
+#include <abut/detect.hpp>
+#include <abut/two_sets.hpp>
+
+#include "detect/detection.hpp"
+#include "detect/validate_options.hpp"
+
+#include <utility>
+
+namespace abut {
+
+PairList find_contact_pairs(const ElementView& elements, const Domain& domain,
+                            const Options& options) {
+  PairArray pairs;
+  ShiftArray shifts;
+  Statistics statistics = api::Detection().list_pairs({elements, domain, options}, pairs, shifts);
+  return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
+}
+
+Statistics for_each_batch(const ElementView& elements, const Domain& domain, const Options& options,
+                          const PairBatchVisitor& visitor) {
+  return api::Detection().visit_batches({elements, domain, options}, api::visitors_of(visitor));
+}
+
+Statistics for_each_shifted_batch(const ElementView& elements, const Domain& domain,
+                                  const Options& options, const ShiftedBatchVisitor& visitor) {
+  return api::Detection().visit_batches({elements, domain, options}, api::visitors_of(visitor));
+}
+
+Statistics count_contact_pairs(const ElementView& elements, const Domain& domain,
+                               const Options& options) {
+  return api::Detection().visit_batches({elements, domain, options}, {});
+}
+
+namespace {
+
+NeighborList neighbor_list_of(const api::Request& request, NeighborListKind kind) {
+  NeighborList::Offsets offsets;
+  NeighborList::Neighbors neighbors;
+  ShiftArray shifts;
+  NeighborList::Distances distances;
+  NeighborList::Vectors vectors;
+  Statistics statistics = api::Detection().list_neighbors(
+      request, kind, {offsets, neighbors, shifts, distances, vectors});
+  return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
+                      std::move(distances), std::move(vectors), std::move(statistics));
+}
+
+}  // namespace
+
+NeighborList build_neighbor_list(const ElementView& elements, const Domain& domain,
+                                 NeighborListKind kind, const Options& options) {
+  return neighbor_list_of({elements, domain, options}, kind);
+}
+
+NeighborList neighbors(const ElementView& points, double cutoff, const Domain& domain,
+                       NeighborListKind kind, const Options& options) {
+  api::require_points(points, cutoff);
+  Options with_cutoff = options;
+  with_cutoff.margin = cutoff;
+  return neighbor_list_of({points, domain, with_cutoff}, kind);
+}
+
+PairList find_contact_pairs(const ElementView& first, const ElementView& second,
+                            const Domain& domain, const Options& options) {
+  PairArray pairs;
+  ShiftArray shifts;
+  Statistics statistics =
+      api::Detection().list_pairs({first, domain, options, &second}, pairs, shifts);
+  return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
+}
+
+Statistics for_each_batch(const ElementView& first, const ElementView& second, const Domain& domain,
+                          const Options& options, const PairBatchVisitor& visitor) {
+  return api::Detection().visit_batches({first, domain, options, &second},
+                                        api::visitors_of(visitor));
+}
+
+Statistics for_each_shifted_batch(const ElementView& first, const ElementView& second,
+                                  const Domain& domain, const Options& options,
+                                  const ShiftedBatchVisitor& visitor) {
+  return api::Detection().visit_batches({first, domain, options, &second},
+                                        api::visitors_of(visitor));
+}
+
+Statistics count_contact_pairs(const ElementView& first, const ElementView& second,
+                               const Domain& domain, const Options& options) {
+  return api::Detection().visit_batches({first, domain, options, &second}, {});
+}
+
+NeighborList build_neighbor_list(const ElementView& first, const ElementView& second,
+                                 const Domain& domain, const Options& options) {
+  return neighbor_list_of({first, domain, options, &second}, NeighborListKind::half);
+}
+
+}  // namespace abut

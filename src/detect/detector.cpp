@@ -1,0 +1,114 @@
+#include <abut/detector.hpp>
+
+#include "detect/detection.hpp"
+
+#include <utility>
+
+namespace abut {
+
+struct Detector::State {
+  explicit State(Options given) : options(std::move(given)) {}
+
+  Options options;
+  api::Detection detection;
+  PairList pairs;
+  NeighborList neighbors;
+};
+
+Detector::Detector(Options options) : state_(std::make_unique<State>(std::move(options))) {}
+Detector::~Detector() = default;
+Detector::Detector(Detector&&) noexcept = default;
+Detector& Detector::operator=(Detector&&) noexcept = default;
+
+const Options& Detector::options() const noexcept {
+  return state_->options;
+}
+
+void Detector::set_options(Options options) {
+  state_->options = std::move(options);
+}
+
+void Detector::set_skin(Skin skin) {
+  state_->detection.set_skin(skin);
+}
+
+void Detector::set_ids(std::span<const std::uint64_t> ids) {
+  state_->detection.set_ids(ids);
+}
+
+Skin Detector::skin() const noexcept {
+  return state_->detection.skin();
+}
+
+const SkinStatistics& Detector::skin_statistics() const noexcept {
+  return state_->detection.skin_statistics();
+}
+
+const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain) {
+  PairList& list = state_->pairs;
+  list.statistics_ =
+      state_->detection.list_pairs({elements, domain, state_->options}, list.pairs_, list.shifts_);
+  return list;
+}
+
+Statistics Detector::count_contact_pairs(const ElementView& elements, const Domain& domain) {
+  return state_->detection.visit_batches({elements, domain, state_->options}, {});
+}
+
+Statistics Detector::for_each_batch(const ElementView& elements, const Domain& domain,
+                                    const PairBatchVisitor& visitor) {
+  return state_->detection.visit_batches({elements, domain, state_->options},
+                                         api::visitors_of(visitor));
+}
+
+Statistics Detector::for_each_shifted_batch(const ElementView& elements, const Domain& domain,
+                                            const ShiftedBatchVisitor& visitor) {
+  return state_->detection.visit_batches({elements, domain, state_->options},
+                                         api::visitors_of(visitor));
+}
+
+const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain& domain,
+                                                  NeighborListKind kind) {
+  NeighborList& list = state_->neighbors;
+  list.statistics_ = state_->detection.list_neighbors(
+      {elements, domain, state_->options}, kind,
+      {list.offsets_, list.neighbors_, list.shifts_, list.distances_, list.vectors_});
+  return list;
+}
+
+const PairList& Detector::find_contact_pairs(const ElementView& first, const ElementView& second,
+                                             const Domain& domain) {
+  PairList& list = state_->pairs;
+  list.statistics_ = state_->detection.list_pairs({first, domain, state_->options, &second},
+                                                  list.pairs_, list.shifts_);
+  return list;
+}
+
+Statistics Detector::count_contact_pairs(const ElementView& first, const ElementView& second,
+                                         const Domain& domain) {
+  return state_->detection.visit_batches({first, domain, state_->options, &second}, {});
+}
+
+Statistics Detector::for_each_batch(const ElementView& first, const ElementView& second,
+                                    const Domain& domain, const PairBatchVisitor& visitor) {
+  return state_->detection.visit_batches({first, domain, state_->options, &second},
+                                         api::visitors_of(visitor));
+}
+
+Statistics Detector::for_each_shifted_batch(const ElementView& first, const ElementView& second,
+                                            const Domain& domain,
+                                            const ShiftedBatchVisitor& visitor) {
+  return state_->detection.visit_batches({first, domain, state_->options, &second},
+                                         api::visitors_of(visitor));
+}
+
+const NeighborList& Detector::build_neighbor_list(const ElementView& first,
+                                                  const ElementView& second, const Domain& domain) {
+  NeighborList& list = state_->neighbors;
+  list.statistics_ = state_->detection.list_neighbors(
+      {first, domain, state_->options, &second}, NeighborListKind::half,
+      {list.offsets_, list.neighbors_, list.shifts_, list.distances_, list.vectors_});
+  return list;
+}
+
+}  // namespace abut

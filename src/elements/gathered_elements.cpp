@@ -1,0 +1,257 @@
+#include "elements/gathered_elements.hpp"
+
+#include "base/workers.hpp"
+#include "base/written.hpp"
+#include "grid/kernel_bounds.hpp"
+#include "kernels/element_kernels.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abut::api {
+namespace {
+
+constexpr std::size_t elements_between_polls = 4096;
+
+[[noreturn]] void reject(std::size_t element, const char* field, double value, const char* rule) {
+  throw Error(ErrorCode::invalid_input, "element " + std::to_string(element) + " has " + field +
+                                            " = " + base::written(value) + "; " + rule);
+}
+
+/// Names what is wrong with an element, x before y before z before the radius.
+template <int Dim>
+[[noreturn]] void reject(std::size_t number, const base::Sphere<Dim>& sphere) {
+  static constexpr const char* axis_name[] = {"x", "y", "z"};
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!std::isfinite(sphere.center[axis])) {
+      reject(number, axis_name[axis], sphere.center[axis],
+             "positions must be finite: correct or remove this element");
+    }
+  }
+  reject(number, "radius", sphere.radius,
+         "radii must be finite and not negative: correct or remove this element");
+}
+
+/// The same for a box: the lower corner's axes, then the upper's, then their order.
+template <int Dim>
+[[noreturn]] void reject(std::size_t number, const base::Box<Dim>& box) {
+  static constexpr const char* lower_name[] = {"xmin", "ymin", "zmin"};
+  static constexpr const char* upper_name[] = {"xmax", "ymax", "zmax"};
+  constexpr const char* rule = "corners must be finite: correct or remove this element";
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!std::isfinite(box.lower[axis])) reject(number, lower_name[axis], box.lower[axis], rule);
+  }
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!std::isfinite(box.upper[axis])) reject(number, upper_name[axis], box.upper[axis], rule);
+  }
+  int axis = 0;
+  while (box.lower[axis] <= box.upper[axis]) ++axis;
+  reject(number, lower_name[axis], box.lower[axis],
+         ("more than " + std::string(upper_name[axis]) + " = " + base::written(box.upper[axis]) +
+          "; exchange them or correct this element")
+             .c_str());
+}
+
+/// Reads strided numbers of one type.
+template <Real T>
+class Reader {
+ public:
+  explicit Reader(const ElementView::Numbers& numbers) : numbers_(numbers) {}
+  double operator[](std::size_t k) const {
+    T value;
+    std::memcpy(&value, numbers_.first + static_cast<std::ptrdiff_t>(k) * numbers_.stride_bytes,
+                sizeof value);
+    return static_cast<double>(value);
+  }
+
+ private:
+  ElementView::Numbers numbers_;
+};
+
+template <int Dim, Real T>
+base::Sphere<Dim> read_sphere(const ElementView& elements, std::size_t k) {
+  base::Sphere<Dim> sphere{};
+  for (int axis = 0; axis < Dim; ++axis) sphere.center[axis] = Reader<T>(elements.center(axis))[k];
+  sphere.radius =
+      elements.has_common_radius() ? elements.common_radius() : Reader<T>(elements.radii())[k];
+  return sphere;
+}
+
+template <int Dim, Real T>
+base::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
+  base::Box<Dim> box{};
+  for (int axis = 0; axis < Dim; ++axis) {
+    box.lower[axis] = Reader<T>(elements.lower(axis))[k];
+    box.upper[axis] = Reader<T>(elements.upper(axis))[k];
+  }
+  return box;
+}
+
+template <int Dim>
+bool valid(const base::Box<Dim>& box) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  bool result = true;
+  for (int axis = 0; axis < Dim; ++axis) {
+    result = result && std::fabs(box.lower[axis]) <= largest &&
+             std::fabs(box.upper[axis]) <= largest && box.lower[axis] <= box.upper[axis];
+  }
+  return result;
+}
+
+/// Halves are subtracted, since a width may exceed the largest double.
+template <int Dim>
+base::Sphere<Dim> stand_in(const base::Box<Dim>& box) {
+  base::Sphere<Dim> sphere{};
+  for (int axis = 0; axis < Dim; ++axis) {
+    sphere.center[axis] = box.lower[axis];
+    sphere.radius = std::max(sphere.radius, 0.5 * box.upper[axis] - 0.5 * box.lower[axis]);
+  }
+  return sphere;
+}
+
+template <int Dim>
+bool valid(const base::Sphere<Dim>& sphere) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  bool finite = sphere.radius >= 0.0 && sphere.radius <= largest;
+  for (const double x : sphere.center) finite = finite && std::fabs(x) <= largest;
+  return finite;
+}
+
+/// The columns that the vector kernels can read: contiguous doubles.
+std::optional<kernels::ElementColumns> contiguous_columns(const ElementView& elements) {
+  if (elements.shape() != Shape::sphere || elements.precision() != Precision::float64 ||
+      elements.has_common_radius()) {
+    return {};
+  }
+  kernels::ElementColumns columns{};
+  bool contiguous = true;
+  const auto column = [&](const ElementView::Numbers& numbers) {
+    contiguous = contiguous && numbers.stride_bytes == sizeof(double) &&
+                 reinterpret_cast<std::uintptr_t>(numbers.first) % alignof(double) == 0;
+    return reinterpret_cast<const double*>(numbers.first);
+  };
+  for (int axis = 0; axis < elements.dimensions(); ++axis) {
+    columns.center[axis] = column(elements.center(axis));
+  }
+  columns.radius = column(elements.radii());
+  return contiguous ? std::optional(columns) : std::nullopt;
+}
+
+/// Reads parts of the elements, one part a worker.
+template <int Dim>
+class Gatherer {
+ public:
+  Gatherer(const ElementView& elements, GatheredElements<Dim>& gathered, Simd simd)
+      : elements_(elements),
+        spheres_(gathered.spheres),
+        boxes_(gathered.boxes),
+        columns_(contiguous_columns(elements)),
+        kernels_(kernels::element_kernels(simd)) {}
+
+  /// Bounds of the elements [first, last). Throws at the first bad one.
+  [[nodiscard]] grid::Bounds<Dim> read(std::size_t first, std::size_t last) const {
+    grid::Bounds<Dim> bounds;
+    if (elements_.shape() == Shape::box) {
+      read_boxes(first, last, bounds);
+    } else {
+      read_spheres(first, last, bounds);
+    }
+    return bounds;
+  }
+
+ private:
+  void read_spheres(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
+    std::size_t k = first;
+    if (columns_) k += pack(first, last - first, bounds);
+    for (; k < last; ++k) {
+      const base::Sphere<Dim> sphere = sphere_at<Dim>(elements_, k);
+      if (!valid(sphere)) reject(k, sphere);
+      bounds.include_center(sphere);
+      bounds.include_radius(sphere.radius);
+      spheres_[k] = sphere;
+    }
+  }
+
+  void read_boxes(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
+    for (std::size_t k = first; k < last; ++k) {
+      const base::Box<Dim> box = box_at<Dim>(elements_, k);
+      if (!valid(box)) reject(k, box);
+      boxes_[k] = box;
+      spheres_[k] = stand_in(box);
+      bounds.include_center(spheres_[k]);
+      bounds.include_radius(spheres_[k].radius);
+    }
+  }
+
+  std::size_t pack(std::size_t first, std::size_t count, grid::Bounds<Dim>& bounds) const {
+    kernels::ElementColumns columns = *columns_;
+    for (int axis = 0; axis < Dim; ++axis) columns.center[axis] += first;
+    columns.radius += first;
+    return engine::widen(bounds, [&](kernels::ElementBounds& packed) {
+      return kernels_.pack(columns, count, Dim, spheres_[first].center, packed);
+    });
+  }
+
+  const ElementView& elements_;
+  std::span<base::Sphere<Dim>> spheres_;
+  std::span<base::Box<Dim>> boxes_;
+  std::optional<kernels::ElementColumns> columns_;
+  kernels::ElementKernels kernels_;
+};
+
+}  // namespace
+
+template <int Dim>
+void gather(const ElementView& elements, const GatherSettings& settings,
+            GatheredElements<Dim>& gathered, base::DetectionContext& context) {
+  base::resize_for_overwrite(gathered.spheres, elements.size());
+  base::resize_for_overwrite(gathered.boxes, elements.shape() == Shape::box ? elements.size() : 0);
+  gathered.bounds = {.lower = {}, .upper = {}, .smallest_radius = 0.0};
+  if (elements.size() == 0) return;
+
+  const Gatherer<Dim> gatherer(elements, gathered, settings.simd);
+  gathered.parts.assign(settings.workers, {});
+  // Each worker its part in order, and of two exceptions the first worker's is thrown: that of the
+  // first bad element.
+  base::for_each_worker(settings.workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, settings.workers, elements.size());
+    for (std::size_t k = first; k < last; k += elements_between_polls) {
+      if (worker == 0) context.progress.report(k);
+      gathered.parts[worker].include(gatherer.read(k, std::min(k + elements_between_polls, last)));
+    }
+  });
+  gathered.bounds = {};
+  for (const grid::Bounds<Dim>& part : gathered.parts) gathered.bounds.include(part);
+  if (elements.shape() == Shape::box) gathered.bounds.count_largest_twice();
+}
+
+template <int Dim>
+base::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number) {
+  return elements.precision() == Precision::float32 ? read_sphere<Dim, float>(elements, number)
+                                                    : read_sphere<Dim, double>(elements, number);
+}
+
+template <int Dim>
+base::Box<Dim> box_at(const ElementView& elements, std::size_t number) {
+  return elements.precision() == Precision::float32 ? read_box<Dim, float>(elements, number)
+                                                    : read_box<Dim, double>(elements, number);
+}
+
+template void gather(const ElementView&, const GatherSettings&, GatheredElements<2>&,
+                     base::DetectionContext&);
+template void gather(const ElementView&, const GatherSettings&, GatheredElements<3>&,
+                     base::DetectionContext&);
+template base::Sphere<2> sphere_at(const ElementView&, std::size_t);
+template base::Sphere<3> sphere_at(const ElementView&, std::size_t);
+template base::Box<2> box_at(const ElementView&, std::size_t);
+template base::Box<3> box_at(const ElementView&, std::size_t);
+
+}  // namespace abut::api

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "base/detection_context.hpp"
+#include "elements/gathered_elements.hpp"
+#include "lattice/reach_mask.hpp"
+
+#include <abut/element_view.hpp>
+#include <abut/pair.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace abut::api {
+
+/// Two sets of elements as one system: those of the first set, then those of the second; without
+/// such as cannot be within reach of any of the other set. It keeps its memory.
+template <int Dim>
+class JoinedSets {
+ public:
+  explicit JoinedSets(base::MemoryMeter& memory)
+      : first_(memory),
+        second_(memory),
+        mask_(memory),
+        numbers_(base::make_array_for_overwrite<ElementIndex>(memory, 0)) {}
+
+  /// What sets are searched for.
+  struct Search {
+    GatherSettings gather;
+    double margin = 0.0;
+    bool open_space = true;  ///< whether nothing is periodic
+  };
+
+  /// Reads both sets into `joined`. Throws as `gather` does, naming the set too.
+  void gather(const ElementView& first, const ElementView& second, const Search& search,
+              GatheredElements<Dim>& joined, base::DetectionContext& context);
+
+  /// How many elements of the first set are among those joined.
+  [[nodiscard]] std::size_t first_count() const noexcept { return first_.count; }
+
+  /// All elements of the sets, also those left out.
+  [[nodiscard]] std::span<const base::Sphere<Dim>> first() const noexcept {
+    return first_.elements.spheres;
+  }
+  [[nodiscard]] std::span<const base::Sphere<Dim>> second() const noexcept {
+    return second_.elements.spheres;
+  }
+
+  /// What the joined elements are called in their sets; empty where none was left out.
+  [[nodiscard]] std::span<const ElementIndex> numbers() const noexcept {
+    return std::span(numbers_).first(all_there_ ? 0 : first_.count + second_.count);
+  }
+
+ private:
+  /// One set, and which of its elements are joined.
+  struct Set {
+    explicit Set(base::MemoryMeter& memory)
+        : elements(memory), kept(base::make_array_for_overwrite<ElementIndex>(memory, 0)) {}
+
+    [[nodiscard]] std::size_t size() const noexcept { return elements.spheres.size(); }
+
+    GatheredElements<Dim> elements;
+    base::Array<ElementIndex> kept;   ///< each worker's at the beginning of its share
+    std::vector<std::size_t> counts;  ///< of each worker
+    std::size_t count = 0;            ///< of all
+  };
+
+  void leave_out(const Search& search);
+  void keep_all(Set& set, std::size_t workers);
+  void keep_some(Set& set, std::size_t workers);
+  void join(std::size_t workers, GatheredElements<Dim>& joined);
+  void place(const Set& set, std::size_t worker, std::size_t begin, GatheredElements<Dim>& joined);
+
+  Set first_;
+  Set second_;
+  grid::ReachMask<Dim> mask_;
+  bool all_there_ = true;
+  base::Array<ElementIndex> numbers_;
+};
+
+}  // namespace abut::api

@@ -1,0 +1,91 @@
+#include "elements/validate_rule.hpp"
+
+#include <abut/error.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace abut::api {
+namespace {
+
+/// One set's traits, and what they are called in errors.
+struct SetOfRule {
+  std::string name;  ///< "rule.elements" or "rule.others"
+  const PairTraits& traits;
+  std::size_t elements;
+};
+
+void require_length(const SetOfRule& set, const char* array, std::size_t length) {
+  if (length == set.elements) return;
+  throw Error(ErrorCode::invalid_input, set.name + "." + array + " has " + std::to_string(length) +
+                                            " numbers for " + std::to_string(set.elements) +
+                                            " elements; give one for each, or none at all");
+}
+
+/// What is used holds a number for each element.
+void require_lengths(const SetOfRule& set, bool groups, bool categories) {
+  if (groups) require_length(set, "groups", set.traits.groups.size());
+  if (!categories) return;
+  require_length(set, "categories", set.traits.categories.size());
+  require_length(set, "accepts", set.traits.accepts.size());
+}
+
+void require_groups_in_table(const SetOfRule& set, const GroupTable& table) {
+  for (std::size_t k = 0; k < set.elements; ++k) {
+    if (set.traits.groups[k] < table.size()) continue;
+    throw Error(ErrorCode::invalid_input,
+                set.name + ".groups says that element " + std::to_string(k) + " is of group " +
+                    std::to_string(set.traits.groups[k]) + "; the table has " +
+                    std::to_string(table.size()) + " groups, numbered from 0");
+  }
+}
+
+void require_fit(const ExclusionList& exclusions, const ElementView& first,
+                 const ElementView* second) {
+  if (exclusions.size() == 0) return;
+  if (exclusions.is_of_two_sets() != (second != nullptr)) {
+    throw Error(ErrorCode::wrong_usage,
+                std::string("exclusions ") +
+                    (second == nullptr ? "of two sets for one set; make them with one number"
+                                       : "of one set for two sets; make them with two numbers") +
+                    " of elements");
+  }
+  const std::size_t second_elements = second == nullptr ? first.size() : second->size();
+  if (exclusions.first_elements() <= first.size() &&
+      exclusions.second_elements() <= second_elements) {
+    return;
+  }
+  const std::string made_for = second == nullptr
+                                   ? std::to_string(exclusions.first_elements())
+                                   : std::to_string(exclusions.first_elements()) + " and " +
+                                         std::to_string(exclusions.second_elements());
+  const std::string there_are =
+      second == nullptr ? std::to_string(first.size())
+                        : std::to_string(first.size()) + " and " + std::to_string(second->size());
+  throw Error(ErrorCode::invalid_input, "exclusions that were made for " + made_for +
+                                            " elements; there are " + there_are +
+                                            ": make them for these");
+}
+
+}  // namespace
+
+void validate(const PairRule& rule, const ElementView& first, const ElementView* second) {
+  if (rule.is_empty()) return;
+  const auto any = [&](const auto& member) {
+    return !(rule.elements.*member).empty() || !(rule.others.*member).empty();
+  };
+  const bool groups = any(&PairTraits::groups) || rule.table != nullptr;
+  const bool categories = any(&PairTraits::categories) || any(&PairTraits::accepts);
+  const SetOfRule elements{"rule.elements", rule.elements, first.size()};
+  const SetOfRule others{"rule.others", rule.others, second == nullptr ? 0 : second->size()};
+  require_lengths(elements, groups, categories);
+  require_lengths(others, groups, categories);
+  if (rule.table != nullptr) {
+    require_groups_in_table(elements, *rule.table);
+    require_groups_in_table(others, *rule.table);
+  }
+  if (rule.exclusions != nullptr) require_fit(*rule.exclusions, first, second);
+}
+
+}  // namespace abut::api

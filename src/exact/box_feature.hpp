@@ -1,0 +1,48 @@
+#pragma once
+
+#include "exact/box.hpp"
+#include "exact/lattice.hpp"
+#include "exact/sphere_predicate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace abut::base {
+
+/// For each axis: the point lies on the lower bound (-1), on the upper one (1) or between them (0).
+template <int Dim>
+using BoxSides = std::array<std::int8_t, Dim>;
+
+/// If the box, a solid, lies within radius + margin of the center, which of its bounds the point
+/// nearest to the center lies on; both in real arithmetic. The nearest point has coordinates of the
+/// center or of the corners, so that the contract of two spheres decides. Where a box is flat its
+/// two bounds are one: the lower.
+template <int Dim>
+[[nodiscard]] inline std::optional<BoxSides<Dim>> sides_within_reach(
+    const Sphere<Dim>& sphere, const Box<Dim>& box, double margin,
+    std::uint64_t& exact_decisions) noexcept {
+  Sphere<Dim> nearest{};
+  BoxSides<Dim> sides{};
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double x = std::clamp(sphere.center[axis], box.lower[axis], box.upper[axis]);
+    nearest.center[axis] = x;
+    sides[static_cast<std::size_t>(axis)] = x == box.lower[axis]   ? -1
+                                            : x == box.upper[axis] ? 1
+                                                                   : 0;
+  }
+  if (!within_reach(sphere, nearest, margin, exact_decisions)) return std::nullopt;
+  return sides;
+}
+
+/// The same with the box moved by the shift n of a lattice A. On each axis it is decided exactly on
+/// which side of the bounds + n A the center lies; the distance is that to the bounds of those axes
+/// where it does not lie between them, by the contract of two spheres with a lattice.
+template <int Dim>
+[[nodiscard]] std::optional<BoxSides<Dim>> sides_within_reach(
+    const Sphere<Dim>& sphere, const Box<Dim>& box, const ImageShift& shift, const Lattice& lattice,
+    double margin, std::uint64_t& exact_decisions) noexcept;
+
+}  // namespace abut::base

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "exact/sphere_predicate.hpp"
+
+#include <cstdint>
+#include <optional>
+
+/// The stages of within_reach_exactly, cheapest first, each with a name of its own so that tests
+/// can enter it. A stage that cannot tell returns nothing; the last always decides.
+namespace abut::base {
+
+/// A number with none of these bits has at most 26 significant ones, and its square at most 52.
+inline constexpr std::uint64_t bits_that_squares_lose = (std::uint64_t{1} << 27) - 1;
+/// Smaller squares leave the normal range.
+inline constexpr double smallest_exact_root = 0x1p-480;
+
+/// Reaches whose squares doubled precision knows, and differences by which it decides, in units of
+/// the squared reach: see THE ERROR in sphere_predicate.cpp.
+inline constexpr double smallest_doubled_reach = 0x1p-400;
+inline constexpr double largest_doubled_reach = 0x1p400;
+inline constexpr double doubled_band = 0x1p-95;
+
+/// The filter's own operations, if none of them rounds.
+template <int Dim>
+[[nodiscard]] std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a,
+                                                            const Sphere<Dim>& b,
+                                                            double margin) noexcept;
+
+/// Pairs of doubles, unless distance and reach are equal to some 28 digits.
+template <int Dim>
+[[nodiscard]] std::optional<bool> decide_doubled(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                 double margin) noexcept;
+
+/// 128-bit integers, if all numbers fit into 61 bits over a common power of two.
+template <int Dim>
+[[nodiscard]] std::optional<bool> decide_scaled(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                double margin) noexcept;
+
+/// The long accumulator.
+template <int Dim>
+[[nodiscard]] bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                      double margin) noexcept;
+
+}  // namespace abut::base

@@ -1,0 +1,195 @@
+// The slow path of the triangles: all numbers of one decision become whole numbers over a common
+// power of two, and the signs of the polynomials are those of whole numbers. Nothing is divided:
+// comparisons are multiplied by the squared length of a side or of the normal. A triangle that is
+// moved by n A is seen from x - n A instead of x.
+//
+// Short numbers, such as those of a grid, fit into 128 bits with all that is made of them, and are
+// decided several times as fast as others.
+
+#include "exact/image_difference.hpp"
+#include "exact/nearest_part.hpp"
+#include "exact/numbers/big_integer.hpp"
+#include "exact/numbers/bit_range.hpp"
+#include "exact/numbers/bits.hpp"
+#include "exact/triangle_predicate.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace abut::base {
+namespace {
+
+__extension__ using Int128 = __int128;
+
+/// Whole numbers below 2^19. Differences are below 2^20, components of vector products below 2^41,
+/// the product of three below 2^63, its square below 2^126.
+class SmallInteger {
+ public:
+  static constexpr int most_bits = 19;
+
+  /// value / 2^exponent
+  SmallInteger(double value, int exponent) noexcept
+      : value_(static_cast<Int128>(std::ldexp(value, -exponent))) {}
+
+  [[nodiscard]] int sign() const noexcept { return (value_ > 0) - (value_ < 0); }
+
+  friend SmallInteger operator+(SmallInteger a, SmallInteger b) noexcept {
+    return SmallInteger(a.value_ + b.value_);
+  }
+  friend SmallInteger operator-(SmallInteger a, SmallInteger b) noexcept {
+    return SmallInteger(a.value_ - b.value_);
+  }
+  friend SmallInteger operator*(SmallInteger a, SmallInteger b) noexcept {
+    return SmallInteger(a.value_ * b.value_);
+  }
+  friend bool operator<=(SmallInteger a, SmallInteger b) noexcept { return a.value_ <= b.value_; }
+
+ private:
+  explicit SmallInteger(Int128 value) noexcept : value_(value) {}
+
+  Int128 value_;
+};
+
+template <class Integer>
+struct Vector {
+  Integer x, y, z;
+
+  Vector(const double (&point)[3], int exponent) noexcept
+      : x(point[0], exponent), y(point[1], exponent), z(point[2], exponent) {}
+  Vector(const Integer& x_given, const Integer& y_given, const Integer& z_given) noexcept
+      : x(x_given), y(y_given), z(z_given) {}
+};
+
+template <class Integer>
+Vector<Integer> operator-(const Vector<Integer>& a, const Vector<Integer>& b) noexcept {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class Integer>
+Integer dot(const Vector<Integer>& a, const Vector<Integer>& b) noexcept {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class Integer>
+Vector<Integer> cross(const Vector<Integer>& a, const Vector<Integer>& b) noexcept {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Corners seen from the center.
+template <class Integer>
+class ExactSigns {
+ public:
+  ExactSigns(const Vector<Integer>& center, const Triangle& triangle, int exponent) noexcept
+      : corners_{Vector<Integer>(triangle.corner[0], exponent) - center,
+                 Vector<Integer>(triangle.corner[1], exponent) - center,
+                 Vector<Integer>(triangle.corner[2], exponent) - center},
+        normal_(cross(corners_[1] - corners_[0], corners_[2] - corners_[0])) {}
+
+  [[nodiscard]] int along(std::size_t from, std::size_t to) const noexcept {
+    return dot(corners_[to] - corners_[from], corners_[from]).sign();
+  }
+
+  [[nodiscard]] int turn(std::size_t from, std::size_t to) const noexcept {
+    return dot(normal_, cross(corners_[from], corners_[to])).sign();
+  }
+
+  [[nodiscard]] bool is_within(const Integer& reach, TrianglePart nearest) const noexcept {
+    const Integer reach_squared = reach * reach;
+    if (nearest == TrianglePart::face) {
+      const Integer height = dot(corners_[0], normal_);
+      return height * height <= reach_squared * dot(normal_, normal_);
+    }
+    if (nearest <= TrianglePart::corner_2) {
+      const Vector<Integer>& corner = corners_[static_cast<std::size_t>(nearest)];
+      return dot(corner, corner) <= reach_squared;
+    }
+    const auto [from, to] = ends_of(nearest);
+    const Vector<Integer> edge = corners_[to] - corners_[from];
+    const Vector<Integer> moment = cross(corners_[from], edge);
+    return dot(moment, moment) <= reach_squared * dot(edge, edge);
+  }
+
+ private:
+  Vector<Integer> corners_[3];
+  Vector<Integer> normal_;
+};
+
+/// The radius and the margin are those of the sphere; where it is, `center` says.
+template <class Integer>
+std::optional<TrianglePart> decide(const Vector<Integer>& center, const Sphere<3>& sphere,
+                                   const Triangle& triangle, double margin, int exponent) noexcept {
+  const ExactSigns<Integer> signs(center, triangle, exponent);
+  const auto nearest = nearest_part(signs);
+  const Integer reach = Integer(sphere.radius, exponent) + Integer(margin, exponent);
+  return nearest && signs.is_within(reach, *nearest) ? nearest : std::nullopt;
+}
+
+void include(BitRange& range, const double (&point)[3]) noexcept {
+  for (const double x : point) range.include(x);
+}
+
+BitRange range_of(const Sphere<3>& sphere, const Triangle& triangle, double margin) noexcept {
+  BitRange range;
+  for (const auto& corner : triangle.corner) include(range, corner);
+  include(range, sphere.center);
+  range.include(sphere.radius);
+  range.include(margin);
+  return range;
+}
+
+/// x - n A, if it is three doubles and no step towards them rounds.
+std::optional<Sphere<3>> moved_back(const Sphere<3>& sphere,
+                                    const LatticeSteps<3>& steps) noexcept {
+  const Sphere<3> origin{};
+  Sphere<3> moved{{}, sphere.radius};
+  for (int axis = 0; axis < 3; ++axis) {
+    const CompensatedSum sum = image_difference(sphere, origin, steps, axis);
+    if (sum.rounded()) return std::nullopt;
+    moved.center[axis] = sum.value().high;
+  }
+  return moved;
+}
+
+Vector<BigInteger> moved_back(const Sphere<3>& sphere, const LatticeSteps<3>& steps,
+                              int exponent) noexcept {
+  Vector<BigInteger> center(sphere.center, exponent);
+  for (const auto& step : steps) {
+    const auto product = [&](int axis) {
+      return BigInteger(step.number, 0) * BigInteger(step.vector[axis], exponent);
+    };
+    center = center - Vector<BigInteger>(product(0), product(1), product(2));
+  }
+  return center;
+}
+
+}  // namespace
+
+std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
+                                                      const Triangle& triangle,
+                                                      double margin) noexcept {
+  const BitRange range = range_of(sphere, triangle, margin);
+  const int exponent = range.lowest();
+  if (range.bits() <= SmallInteger::most_bits) {
+    return decide(Vector<SmallInteger>(sphere.center, exponent), sphere, triangle, margin,
+                  exponent);
+  }
+  return decide(Vector<BigInteger>(sphere.center, exponent), sphere, triangle, margin, exponent);
+}
+
+/// Where it is three doubles from which the triangle is seen: the question without a lattice.
+std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
+                                                      const Triangle& triangle,
+                                                      const LatticeSteps<3>& steps,
+                                                      double margin) noexcept {
+  if (const auto moved = moved_back(sphere, steps)) {
+    return part_within_reach_exactly(*moved, triangle, margin);
+  }
+  BitRange range = range_of(sphere, triangle, margin);
+  for (const auto& step : steps) {
+    for (int axis = 0; axis < 3; ++axis) range.include(step.vector[axis]);
+  }
+  const int exponent = range.lowest();
+  return decide(moved_back(sphere, steps, exponent), sphere, triangle, margin, exponent);
+}
+
+}  // namespace abut::base

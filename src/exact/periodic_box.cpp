@@ -1,0 +1,120 @@
+// What doubles cannot decide about boxes with a lattice between them
+// (docs/derivations/periodic_predicate.md).
+
+#include "exact/periodic_box.hpp"
+
+#include "exact/numbers/doubled.hpp"
+#include "exact/numbers/exact_accumulator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace abut::base {
+namespace {
+
+/// Which box of a pair is moved.
+enum class Moved { first, second };
+
+/// How far, on one axis, the first box begins behind the end of the second: lower - upper, and n A
+/// for the box that is moved by it.
+template <int Dim>
+class Excess {
+ public:
+  Excess(double lower, double upper, const LatticeSteps<Dim>& steps, int axis, Moved moved) noexcept
+      : lower_(lower),
+        upper_(upper),
+        steps_(steps),
+        axis_(axis),
+        sign_(moved == Moved::first ? 1 : -1) {}
+
+  /// Whether it is, in real arithmetic.
+  [[nodiscard]] bool at_most(double margin) const noexcept {
+    const CompensatedSum sum = in_doubles(margin);
+    return sum.rounded() ? accumulated(margin).sign() <= 0 : sum.value().high <= 0.0;
+  }
+
+  /// To the nearest double, ties to even.
+  [[nodiscard]] double rounded() const noexcept {
+    const CompensatedSum sum = in_doubles(0.0);
+    return sum.rounded() ? accumulated(0.0).rounded() : sum.value().high;
+  }
+
+ private:
+  /// Less the margin. Products of an integer and a double lose nothing by underflow: all are
+  /// multiples of the last bit of the double. An overflow leaves an infinity or a NaN among the
+  /// rounding errors.
+  [[nodiscard]] CompensatedSum in_doubles(double margin) const noexcept {
+    CompensatedSum sum;
+    sum.add(lower_);
+    sum.add(-upper_);
+    for (const auto& step : steps_) {
+      sum.add(two_product(sign_ * static_cast<double>(step.number), step.vector[axis_]));
+    }
+    sum.add(-margin);
+    return sum;
+  }
+
+  [[nodiscard]] ExactAccumulator<1> accumulated(double margin) const noexcept {
+    ExactAccumulator<1> sum;
+    sum.add(lower_, 1);
+    sum.add(upper_, -1);
+    for (const auto& step : steps_) {
+      sum.add(step.vector[axis_], std::int64_t{sign_} * step.number);
+    }
+    sum.add(margin, -1);
+    return sum;
+  }
+
+  double lower_;
+  double upper_;
+  const LatticeSteps<Dim>& steps_;
+  int axis_;
+  int sign_;
+};
+
+/// Both on one axis: a behind the image of b, the image of b behind a.
+template <int Dim>
+std::array<Excess<Dim>, 2> excesses(const Box<Dim>& a, const Box<Dim>& b,
+                                    const LatticeSteps<Dim>& steps, int axis) noexcept {
+  return {Excess<Dim>(a.lower[axis], b.upper[axis], steps, axis, Moved::second),
+          Excess<Dim>(b.lower[axis], a.upper[axis], steps, axis, Moved::first)};
+}
+
+}  // namespace
+
+template <int Dim>
+bool within_reach_exactly(const Box<Dim>& a, const Box<Dim>& b, const LatticeSteps<Dim>& steps,
+                          double margin) noexcept {
+  for (int axis = 0; axis < Dim; ++axis) {
+    for (const Excess<Dim>& excess : excesses(a, b, steps, axis)) {
+      if (!excess.at_most(margin)) return false;
+    }
+  }
+  return true;
+}
+
+template <int Dim>
+double gap(const Box<Dim>& a, const Box<Dim>& b, const ImageShift& shift,
+           const Lattice& lattice) noexcept {
+  constexpr double largest = std::numeric_limits<double>::max();
+  const LatticeSteps<Dim> steps(shift, lattice);
+  double result = -largest;
+  for (int axis = 0; axis < Dim; ++axis) {
+    for (const Excess<Dim>& excess : excesses(a, b, steps, axis)) {
+      result = std::max(result, excess.rounded());
+    }
+  }
+  // Of two zeros of different sign max may take either.
+  return std::min(result, largest) + 0.0;
+}
+
+template bool within_reach_exactly(const Box<2>&, const Box<2>&, const LatticeSteps<2>&,
+                                   double) noexcept;
+template bool within_reach_exactly(const Box<3>&, const Box<3>&, const LatticeSteps<3>&,
+                                   double) noexcept;
+template double gap(const Box<2>&, const Box<2>&, const ImageShift&, const Lattice&) noexcept;
+template double gap(const Box<3>&, const Box<3>&, const ImageShift&, const Lattice&) noexcept;
+
+}  // namespace abut::base

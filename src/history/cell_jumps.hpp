@@ -1,0 +1,46 @@
+#pragma once
+
+#include "exact/lattice.hpp"
+
+#include <abut/domain.hpp>
+#include <abut/element_view.hpp>
+#include <abut/image_shift.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace abut::api {
+
+/// Where elements were a step ago, and by which lattice vectors they have been moved since, beside
+/// their own small motion.
+class CellJumps {
+ public:
+  /// Compares the elements with those remembered: element k was number `before[k]`, or not there;
+  /// where `before` is empty, k. Forgets what it cannot compare.
+  void find(const ElementView& elements, const Domain& domain,
+            std::span<const std::uint32_t> before);
+
+  /// Whether any was moved.
+  [[nodiscard]] bool any() const noexcept { return any_; }
+  [[nodiscard]] const ImageShift& of(std::size_t number) const noexcept { return jumps_[number]; }
+
+  /// What was found last is what to compare with from now on.
+  void accept() noexcept;
+
+ private:
+  using Position = std::array<double, 3>;
+
+  template <int Dim, class T>
+  void find_in(const ElementView& elements, const Domain& domain,
+               std::span<const std::uint32_t> before);
+
+  bool any_ = false;
+  std::vector<ImageShift> jumps_;  ///< one for each element where there are any
+  std::vector<Position> positions_;
+  std::vector<Position> now_;
+};
+
+}  // namespace abut::api

@@ -1,0 +1,163 @@
+#include "io/number_text.hpp"
+#include "io/read/column_roles.hpp"
+#include "io/read/dump_box.hpp"
+#include "io/read/element_count.hpp"
+#include "io/read/read_format.hpp"
+#include "io/read/row_parser.hpp"
+#include "io/read/select_frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::io {
+namespace {
+
+constexpr AxisNames axis_names[] = {
+    {"x", "y", "z"}, {"xu", "yu", "zu"}, {"xs", "ys", "zs"}, {"xsu", "ysu", "zsu"}};
+constexpr std::size_t first_scaled = 2;
+
+/// What stands above the atoms of a frame.
+struct FrameHeader {
+  std::optional<std::uint64_t> count;
+  std::optional<DumpBox> box;
+  std::vector<std::string> columns;
+};
+
+std::string_view require_line(LineReader& reader, std::string_view where) {
+  const std::optional<std::string_view> line = reader.next();
+  if (!line) reader.fail(fmt::format("ends {}; the file is cut off", where));
+  return *line;
+}
+
+std::string one_field(LineReader& reader, std::string_view line) {
+  const std::vector<std::string> fields = split(line, Separator::blanks);
+  if (fields.size() != 1) {
+    reader.fail_at_line(fmt::format("{} is not one number; correct the line", quoted(line)));
+  }
+  return fields[0];
+}
+
+/// If the line is the section of that name, the rest of the line.
+std::optional<std::string_view> section(std::string_view line, std::string_view name) {
+  if (!line.starts_with(name)) return std::nullopt;
+  const std::string_view rest = line.substr(name.size());
+  if (!rest.empty() && rest.front() != ' ' && rest.front() != '\t') return std::nullopt;
+  return rest;
+}
+
+/// Treats one section; whether it was the atoms, the last of a frame.
+bool read_section(LineReader& reader, std::string_view line, FrameHeader& header) {
+  if (section(line, "ITEM: TIMESTEP") || section(line, "ITEM: TIME") ||
+      section(line, "ITEM: UNITS")) {
+    static_cast<void>(require_line(reader, "inside the header of a frame"));
+  } else if (section(line, "ITEM: NUMBER OF ATOMS")) {
+    const std::string_view text = require_line(reader, "before the number of atoms");
+    header.count = parse_element_count(reader, one_field(reader, text));
+  } else if (const auto words = section(line, "ITEM: BOX BOUNDS")) {
+    header.box = read_dump_box(reader, std::string(*words));
+  } else if (const auto names = section(line, "ITEM: ATOMS")) {
+    header.columns = split(*names, Separator::blanks);
+    return true;
+  } else {
+    reader.fail_at_line(fmt::format(
+        "{} is not a section of a dump of atoms (TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS, ATOMS); "
+        "correct it, or the number of atoms of the frame before",
+        quoted(line)));
+  }
+  return false;
+}
+
+FrameHeader read_frame_header(LineReader& reader) {
+  FrameHeader header;
+  while (!read_section(reader, require_line(reader, "inside the header of a frame"), header)) {
+  }
+  if (!header.count) {
+    reader.fail_at_line("the atoms come without ITEM: NUMBER OF ATOMS before them; add it");
+  }
+  if (!header.box) {
+    reader.fail_at_line("the atoms come without ITEM: BOX BOUNDS before them; add it");
+  }
+  return header;
+}
+
+void skip_frame(LineReader& reader) {
+  reader.skip(*read_frame_header(reader).count);
+}
+
+bool names_only_x_and_y(const std::vector<std::string>& names) {
+  const auto named = [&](std::size_t axis) {
+    return std::any_of(std::begin(axis_names), std::end(axis_names), [&](const AxisNames& axes) {
+      return std::find(names.begin(), names.end(), axes[axis]) != names.end();
+    });
+  };
+  return named(0) && named(1) && !named(2);
+}
+
+void unscale_last(const LineReader& reader, const DumpBox& box, Snapshot& snapshot) {
+  const bool flat = snapshot.dimensions == 2;
+  const std::array<double, 3> scaled{snapshot.x.back(), snapshot.y.back(),
+                                     flat ? 0.0 : snapshot.z.back()};
+  const std::array<double, 3> point = box.unscaled(scaled);
+  for (const double value : point) {
+    if (!std::isfinite(value)) {
+      reader.fail_at_line("a scaled coordinate lies beyond the range of a double; correct it");
+    }
+  }
+  snapshot.x.back() = point[0];
+  snapshot.y.back() = point[1];
+  if (!flat) snapshot.z.back() = point[2];
+}
+
+void read_atoms(LineReader& reader, const FrameHeader& header, const ReadOptions& options,
+                Snapshot& snapshot) {
+  const TableColumns columns =
+      find_columns(reader, header.columns, axis_names, wanted_columns(options));
+  const bool scaled = columns.axis_names >= first_scaled;
+  if (scaled && header.box->kind == DumpBox::Kind::general) {
+    reader.fail_at_line("scaled coordinates in a general triclinic box; dump x y z instead");
+  }
+  RowParser rows(reader, columns, Separator::blanks, options.radius, IdRule::must_be_integers,
+                 snapshot);
+  rows.reserve(room_for(reader, *header.count, columns.names.size()));
+  for (std::uint64_t k = 0; k < *header.count; ++k) {
+    const std::optional<std::string_view> line = reader.next();
+    if (!line) {
+      reader.fail(
+          fmt::format("ends after {} of the {} atoms of its last frame; the file is cut off", k,
+                      *header.count));
+    }
+    if (section(*line, "ITEM:")) {
+      reader.fail_at_line(
+          fmt::format("a section begins after {} of the {} atoms of the frame; the "
+                      "number of atoms is wrong or lines are missing",
+                      k, *header.count));
+    }
+    rows.append(*line);
+    if (scaled) unscale_last(reader, *header.box, snapshot);
+  }
+}
+
+Snapshot read_frame(LineReader& reader, const ReadOptions& options) {
+  const FrameHeader header = read_frame_header(reader);
+  Snapshot snapshot;
+  snapshot.periodic = header.box->periodic;
+  snapshot.box = header.box->edges;
+  if (*header.count == 0) {
+    snapshot.dimensions = names_only_x_and_y(header.columns) ? 2 : 3;
+  } else {
+    read_atoms(reader, header, options, snapshot);
+  }
+  return snapshot;
+}
+
+}  // namespace
+
+Snapshot read_lammps_dump(LineReader& reader, const ReadOptions& options) {
+  return select_frame(reader, options, {skip_frame, [&options](LineReader& from) {
+                                          return read_frame(from, options);
+                                        }});
+}
+
+}  // namespace abut::io

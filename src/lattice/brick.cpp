@@ -1,0 +1,134 @@
+#include "lattice/brick.hpp"
+
+#include "lattice/dot.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <span>
+
+namespace abut::grid {
+namespace {
+
+template <int Dim>
+using Vectors = std::array<std::array<double, Dim>, Dim>;
+
+template <int Dim>
+double length_of(const std::array<double, Dim>& vector) {
+  return std::sqrt(dot<Dim>(vector, vector));
+}
+
+/// Sides along the axes of space, the last side first: of a vector that leads along one axis only,
+/// axes of sides that are there already aside. Exact. False where there is no such vector.
+template <int Dim>
+bool align(std::span<const std::array<double, Dim>> vectors, Brick<Dim>& brick) {
+  std::array<bool, Dim> has_side{};
+  std::array<bool, Dim> is_taken{};
+  for (std::size_t side = vectors.size(); side-- > 0;) {
+    bool found = false;
+    for (std::size_t v = 0; v < vectors.size() && !found; ++v) {
+      if (is_taken[v]) continue;
+      std::size_t axis_of_side = 0;
+      std::size_t axes = 0;
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        if (has_side[axis] || vectors[v][axis] == 0.0) continue;
+        axis_of_side = axis;
+        ++axes;
+      }
+      if (axes != 1) continue;
+      found = true;
+      brick.vector_of[side] = v;
+      brick.coefficients[side][axis_of_side] = 1.0 / vectors[v][axis_of_side];
+      is_taken[v] = has_side[axis_of_side] = true;
+    }
+    if (!found) return false;
+  }
+  return true;
+}
+
+/// Sides of any direction. Of a reduced basis no vector is close to the span of the others, so that
+/// little is lost by taking their parts away from it.
+template <int Dim>
+void orthogonalise(std::span<const std::array<double, Dim>> vectors, Brick<Dim>& brick) {
+  Vectors<Dim> directions{};
+  brick.coefficients = {};
+  for (std::size_t side = vectors.size(); side-- > 0;) {
+    const std::size_t v = side;
+    brick.vector_of[side] = v;
+    const double length = length_of<Dim>(vectors[v]);
+    std::array<double, Dim> left = vectors[v];
+    for (double& x : left) x /= length;
+    const std::array<double, Dim> unit = left;
+    for (std::size_t later = side + 1; later < vectors.size(); ++later) {
+      const double part = dot<Dim>(left, directions[later]);
+      for (std::size_t axis = 0; axis < Dim; ++axis) left[axis] -= part * directions[later][axis];
+    }
+    const double height = length_of<Dim>(left);
+    for (std::size_t axis = 0; axis < Dim; ++axis) directions[side][axis] = left[axis] / height;
+    const double along = dot<Dim>(directions[side], unit) * length;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      brick.coefficients[side][axis] = directions[side][axis] / along;
+    }
+  }
+}
+
+/// What docs/derivations/periodic_images.md takes from the coordinates: earlier ones do not notice
+/// a vector, its own is moved by 1, later ones by the offset, but for 2^-46 of the lengths; the
+/// sides are perpendicular, and none is longer than its vector.
+template <int Dim>
+bool is_sound(std::span<const std::array<double, Dim>> vectors, const Brick<Dim>& brick) {
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    const double own = brick.dual_length[k];
+    for (std::size_t l = 0; l <= k; ++l) {
+      const auto& vector = vectors[brick.vector_of[k]];
+      const double error = dot<Dim>(brick.coefficients[l], vector) - (l == k ? 1.0 : 0.0);
+      const double product = brick.dual_length[l] * length_of<Dim>(vector);
+      if (!(std::fabs(error) <= 0x1p-46 * product)) return false;
+      if (l == k) {
+        if (!(product >= 1.0 - 0x1p-40)) return false;
+        continue;
+      }
+      const double cosine = dot<Dim>(brick.coefficients[k], brick.coefficients[l]);
+      if (!(std::fabs(cosine) <= 0x1p-40 * own * brick.dual_length[l])) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+template <int Dim>
+Brick<Dim>::Brick(const ReducedLattice<Dim>& lattice, double unit) : count(lattice.count) {
+  Vectors<Dim> scaled{};
+  for (std::size_t v = 0; v < count; ++v) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      scaled[v][axis] = lattice.vectors[v][axis] * lattice.scale;
+    }
+  }
+  const auto vectors = std::span<const Vector>(scaled).first(count);
+  if (!align<Dim>(vectors, *this)) orthogonalise<Dim>(vectors, *this);
+  for (std::size_t k = 0; k < count; ++k) {
+    dual_length[k] = length_of<Dim>(coefficients[k]) * (1.0 + 0x1p-40);
+    for (const double x : coefficients[k]) (x > 0.0 ? rise : fall)[k] += std::fabs(x);
+    rise[k] *= 1.0 + 0x1p-40;
+    fall[k] *= 1.0 + 0x1p-40;
+    for (std::size_t later = k + 1; later < count; ++later) {
+      offset[k][later] = dot<Dim>(coefficients[later], vectors[vector_of[k]]);
+    }
+  }
+  if (!is_sound<Dim>(vectors, *this)) {
+    throw Error(ErrorCode::invalid_input,
+                "the lattice vectors are so unequal in length that the shape of their cell exceeds "
+                "the range of numbers; give vectors of more equal lengths");
+  }
+  for (Vector& row : coefficients) {
+    for (double& x : row) {
+      if (x != 0.0) x *= lattice.scale / unit;
+    }
+  }
+}
+
+template struct Brick<2>;
+template struct Brick<3>;
+
+}  // namespace abut::grid

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "exact/sphere.hpp"
+#include "grid/bounds.hpp"
+#include "lattice/brick.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+namespace abut::grid {
+
+/// The coordinates along the sides of a brick that occur among some elements, and how far these lie
+/// from the origin.
+template <int Dim>
+struct CellExtent {
+  using Vector = std::array<double, Dim>;
+
+  Vector lower = filled(std::numeric_limits<double>::infinity());
+  Vector upper = filled(-std::numeric_limits<double>::infinity());
+  Vector farthest{};  ///< on each axis of space, of either sign
+
+  void include(const CellExtent& others) noexcept {
+    for (std::size_t k = 0; k < Dim; ++k) {
+      lower[k] = std::min(lower[k], others.lower[k]);
+      upper[k] = std::max(upper[k], others.upper[k]);
+      farthest[k] = std::max(farthest[k], others.farthest[k]);
+    }
+  }
+
+ private:
+  static constexpr Vector filled(double value) noexcept {
+    Vector result{};
+    result.fill(value);
+    return result;
+  }
+};
+
+template <int Dim>
+[[nodiscard]] CellExtent<Dim> extent_of(std::span<const base::Sphere<Dim>> spheres,
+                                        const Brick<Dim>& brick) noexcept {
+  return with_count<Dim>(brick.count, [&](auto count) {
+    const Brick<Dim> map = brick;  // a copy that nothing can change
+    CellExtent<Dim> extent;
+    for (const base::Sphere<Dim>& sphere : spheres) {
+      for (std::size_t k = 0; k < count(); ++k) {
+        const double place = map.coordinate(k, sphere.center);
+        extent.lower[k] = std::min(extent.lower[k], place);
+        extent.upper[k] = std::max(extent.upper[k], place);
+      }
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        extent.farthest[axis] = std::max(extent.farthest[axis], std::fabs(sphere.center[axis]));
+      }
+    }
+    return extent;
+  });
+}
+
+/// Where sides are aligned the box of the elements has their extent, in rounded numbers too.
+template <int Dim>
+[[nodiscard]] CellExtent<Dim> extent_of(const Bounds<Dim>& bounds,
+                                        const Brick<Dim>& brick) noexcept {
+  std::array<base::Sphere<Dim>, 2> corners{};
+  std::copy(bounds.lower.begin(), bounds.lower.end(), corners[0].center);
+  std::copy(bounds.upper.begin(), bounds.upper.end(), corners[1].center);
+  return extent_of<Dim>(std::span<const base::Sphere<Dim>>(corners), brick);
+}
+
+}  // namespace abut::grid

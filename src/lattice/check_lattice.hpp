@@ -1,0 +1,12 @@
+#pragma once
+
+#include "exact/lattice.hpp"
+
+namespace abut::grid {
+
+/// Throws Error{invalid_input} unless the periodic vectors are finite and linearly independent, in
+/// real arithmetic.
+template <int Dim>
+void check_lattice(const base::Lattice& lattice);
+
+}  // namespace abut::grid

@@ -1,0 +1,64 @@
+#include "lattice/check_range.hpp"
+
+#include "base/written.hpp"
+#include "lattice/brick.hpp"
+#include "lattice/wrapper.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace abut::grid {
+namespace {
+
+[[noreturn]] void refuse_reach(std::size_t number, double radius, Shape shape) {
+  const bool box = shape == Shape::box;
+  const double side = std::min(2.0 * radius, std::numeric_limits<double>::max());
+  throw Error(ErrorCode::invalid_input,
+              "element " + std::to_string(number) +
+                  (box ? " has a side of " + base::written(side)
+                       : " has radius = " + base::written(radius)) +
+                  "; it reaches over more than 2147483647 cells: make the lattice vectors longer, "
+                  "or " +
+                  (box ? "sides" : "radii") + " and margin smaller");
+}
+
+}  // namespace
+
+template <int Dim>
+void check_range(std::span<const base::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
+                 double margin, Shape shape) {
+  if (spheres.empty() || lattice.count == 0) return;
+  const Brick<Dim> brick(lattice, 1.0);
+  std::array<bool, Dim> along{};
+  along.fill(true);
+  const Wrapper<Dim> wrapper(lattice, brick, along, shape);
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    base::Sphere<Dim> moved = spheres[i];
+    static_cast<void>(wrapper.wrap(moved, i));
+  }
+  const auto largest =
+      std::max_element(spheres.begin(), spheres.end(),
+                       [](const auto& a, const auto& b) { return a.radius < b.radius; });
+  const double reach = 2.0 * (largest->radius * lattice.scale) + margin * lattice.scale;
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    if (brick.dual_length[k] * reach <= most_cells_away) continue;
+    refuse_reach(static_cast<std::size_t>(largest - spheres.begin()), largest->radius, shape);
+  }
+}
+
+void refuse_shift(std::size_t i, std::size_t j) {
+  throw Error(ErrorCode::invalid_input,
+              "elements " + std::to_string(std::min(i, j)) + " and " +
+                  std::to_string(std::max(i, j)) +
+                  " pair across more than 2147483647 lattice vectors; move them into one cell");
+}
+
+template void check_range(std::span<const base::Sphere<2>>, const ReducedLattice<2>&, double,
+                          Shape);
+template void check_range(std::span<const base::Sphere<3>>, const ReducedLattice<3>&, double,
+                          Shape);
+
+}  // namespace abut::grid

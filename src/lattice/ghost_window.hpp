@@ -1,0 +1,183 @@
+#pragma once
+
+#include "exact/sphere.hpp"
+#include "lattice/brick.hpp"
+#include "lattice/cell_extent.hpp"
+
+#include <abut/element_view.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::grid {
+
+/// What reaches are made of, in the unit of the natives.
+struct Reaches {
+  double largest_radius;
+  double margin;
+  Shape shape = Shape::sphere;
+};
+
+/// Which images: of m and -m the one whose first number that is not 0 is positive, or both.
+enum class Shell { half, full };
+
+/// Says which images of an element may be within reach of some native: those whose coordinates
+/// along the brick are nowhere farther outside of the natives' than the reach. A little is added
+/// for all that is rounded (docs/derivations/periodic_images.md, 3 and 5).
+template <int Dim>
+class GhostWindow {
+ public:
+  /// `extent` holds all natives, which are given times `unit`.
+  GhostWindow(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
+              const CellExtent<Dim>& extent, const Reaches& reaches, double unit) noexcept
+      : brick_(brick), extent_(extent) {
+    const double scale = lattice.scale / unit;
+    const double common = reaches.largest_radius * scale + reaches.margin * scale;
+    double lengths = common + reaches.largest_radius * scale;
+    for (std::size_t k = 0; k < lattice.count; ++k) lengths += lattice.length[k] * lattice.scale;
+    lengths += 0x1p-20 * (farthest_along(lattice, extent) * scale);
+    for (std::size_t k = 0; k < brick.count; ++k) {
+      const double dual_length = brick.dual_length[k];
+      const double magnitude = brick.magnitude(k, extent.farthest) + dual_length * lengths;
+      const double rounding = 0x1p-38 * magnitude + 0x1p-40;
+      if (reaches.shape == Shape::sphere) {
+        above_[k] = {dual_length * scale * (1.0 + 0x1p-38), dual_length * common + rounding};
+        below_[k] = above_[k];
+      } else {
+        above_[k] = width_of_boxes(brick.rise[k], brick.fall[k], reaches, scale, rounding);
+        below_[k] = width_of_boxes(brick.fall[k], brick.rise[k], reaches, scale, rounding);
+      }
+      const double widest_above = above_[k].at(reaches.largest_radius);
+      widest_[k] = std::max(widest_above, below_[k].at(reaches.largest_radius));
+      outer_below_[k] = extent.upper[k] + widest_above - 1.0;
+      most_cells_[k] = extent.upper[k] - extent.lower[k] + widest_[k] + 2.0;
+      for (std::size_t l = 0; l < k; ++l) {
+        most_cells_[k] += std::fabs(brick.offset[l][k]) * most_cells_[l];
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t sides() const noexcept { return brick_.count; }
+
+  /// How far outside of the natives an image may be along side k, in sides, with the largest
+  /// radius.
+  [[nodiscard]] double widest(std::size_t k) const noexcept { return widest_[k]; }
+
+  /// Numbers of images along the vector of side k are less than this.
+  [[nodiscard]] double most_cells(std::size_t k) const noexcept { return most_cells_[k]; }
+
+  /// No native has more images in its window.
+  [[nodiscard]] double most_images() const noexcept {
+    double images = 1.0;
+    for (std::size_t k = 0; k < brick_.count; ++k) {
+      images *= extent_.upper[k] - extent_.lower[k] + 2.0 * widest_[k] + 1.0;
+    }
+    return images;
+  }
+
+  /// A native may have ghosts only if its coordinate on some side is at most this: of a ghost's
+  /// numbers, the first that is not 0 is at least 1, and earlier ones do not move it along that
+  /// side.
+  [[nodiscard]] const std::array<double, Dim>& outer_below() const noexcept { return outer_below_; }
+
+  /// Calls visit(first, last, numbers) for rows of images of a native that may be within reach, by
+  /// their numbers along the sides, the last of which runs from first to last.
+  template <class Visit>
+  void for_each_row(const base::Sphere<Dim>& native, Shell shell, Visit&& visit) const {
+    std::array<double, Dim> places{};
+    Limits limits;
+    for (std::size_t k = 0; k < brick_.count; ++k) {
+      places[k] = brick_.coordinate(k, native.center);
+      limits.lower[k] = extent_.lower[k] - below_[k].at(native.radius);
+      limits.upper[k] = extent_.upper[k] + above_[k].at(native.radius);
+    }
+    ImageNumbers numbers{};
+    if (shell == Shell::half) return walk<0, Shell::half>(places, limits, true, numbers, visit);
+    walk<0, Shell::full>(places, limits, true, numbers, visit);
+  }
+
+ private:
+  /// How far outside of the natives images of a radius may be, in sides.
+  struct Width {
+    double per_radius = 0.0;
+    double least = 0.0;
+
+    [[nodiscard]] double at(double radius) const noexcept { return per_radius * radius + least; }
+  };
+
+  /// Coordinates between which images may be.
+  struct Limits {
+    std::array<double, Dim> lower{};
+    std::array<double, Dim> upper{};
+  };
+
+  /// Of boxes beyond the natives in a direction along which the axes of space ascend by `ahead`,
+  /// taken together, and descend by `back`. An image ahead on an axis is within reach as far as a
+  /// native is wide, one that lies back as far as it is wide itself.
+  static Width width_of_boxes(double ahead, double back, const Reaches& reaches, double scale,
+                              double rounding) noexcept {
+    const double natives = ahead * (2.0 * (reaches.largest_radius * scale));
+    const double margin = (ahead + back) * (reaches.margin * scale);
+    return {2.0 * (back * scale) * (1.0 + 0x1p-38), natives + margin + rounding};
+  }
+
+  template <std::size_t k, Shell shell, class Visit>
+  void walk(const std::array<double, Dim>& places, const Limits& limits, bool all_zero,
+            ImageNumbers& numbers, Visit& visit) const {
+    const std::int64_t last = below(limits.upper[k] - places[k]);
+    std::int64_t first = -below(places[k] - limits.lower[k]);
+    const bool is_last = k + 1 == brick_.count;
+    if (all_zero && shell == Shell::half) first = 0;
+    if (is_last) {
+      // The native itself is no image.
+      const std::int64_t last_before = std::min(last, std::int64_t{-1});
+      if (all_zero && first <= last_before) visit(first, last_before, numbers);
+      if (all_zero) first = std::max(first, std::int64_t{1});
+      if (first <= last) visit(first, last, numbers);
+      return;
+    }
+    if constexpr (k + 1 < Dim) {
+      for (std::int64_t number = first; number <= last; ++number) {
+        std::array<double, Dim> moved = places;
+        for (std::size_t l = k + 1; l < Dim; ++l) {
+          moved[l] += static_cast<double>(number) * brick_.offset[k][l];
+        }
+        numbers[k] = number;
+        walk<k + 1, shell>(moved, limits, all_zero && number == 0, numbers, visit);
+      }
+      numbers[k] = 0;
+    }
+  }
+
+  /// The largest whole number that is not above x, where |x| < 2^62: without a call to the library.
+  static std::int64_t below(double x) noexcept {
+    const auto whole = static_cast<std::int64_t>(x);
+    return whole - static_cast<std::int64_t>(static_cast<double>(whole) > x);
+  }
+
+  /// The farthest coordinate on an axis along which some vector leads.
+  static double farthest_along(const ReducedLattice<Dim>& lattice,
+                               const CellExtent<Dim>& extent) noexcept {
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < lattice.count; ++k) {
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        if (lattice.vectors[k][axis] == 0.0) continue;
+        farthest = std::max(farthest, extent.farthest[axis]);
+      }
+    }
+    return farthest;
+  }
+
+  Brick<Dim> brick_;
+  CellExtent<Dim> extent_;
+  std::array<Width, Dim> above_{};
+  std::array<Width, Dim> below_{};
+  std::array<double, Dim> widest_{};
+  std::array<double, Dim> outer_below_{};
+  std::array<double, Dim> most_cells_{};
+};
+
+}  // namespace abut::grid

@@ -1,0 +1,102 @@
+#include "lattice/wrapper.hpp"
+
+#include "base/written.hpp"
+#include "exact/numbers/doubled.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace abut::grid {
+namespace {
+
+/// Names the coordinate that is farthest out.
+template <int Dim>
+[[noreturn]] void refuse(std::size_t number, const base::Sphere<Dim>& sphere, Shape shape) {
+  static constexpr const char* axis_names[] = {"x", "y", "z"};
+  std::size_t farthest = 0;
+  for (std::size_t axis = 1; axis < Dim; ++axis) {
+    if (std::fabs(sphere.center[axis]) > std::fabs(sphere.center[farthest])) farthest = axis;
+  }
+  throw Error(ErrorCode::invalid_input,
+              "element " + std::to_string(number) + " has " + axis_names[farthest] +
+                  (shape == Shape::box ? "min = " : " = ") +
+                  base::written(sphere.center[farthest]) +
+                  "; it lies more than 2147483647 cells outside of the periodic cell: move it into "
+                  "the cell, or correct the lattice");
+}
+
+}  // namespace
+
+template <int Dim>
+Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
+                      const std::array<bool, Dim>& along, Shape shape) noexcept
+    : brick_(brick), along_(along), shape_(shape), scale_(lattice.scale) {
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    const std::size_t v = brick.vector_of[k];
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      vectors_[k][axis] = lattice.vectors[v][axis] * scale_;
+      remainders_[k][axis] = lattice.remainders[v][axis] * scale_;
+    }
+  }
+}
+
+template <int Dim>
+typename Wrapper<Dim>::Cells Wrapper<Dim>::cells_of(const double* position) const noexcept {
+  Cells cells{};
+  for (std::size_t k = 0; k < brick_.count; ++k) {
+    if (!along_[k]) continue;
+    double place = brick_.coordinate(k, position);
+    for (std::size_t l = 0; l < k; ++l) place -= cells[l] * brick_.offset[l][k];
+    cells[k] = std::floor(place);
+  }
+  return cells;
+}
+
+template <int Dim>
+void Wrapper<Dim>::move(const double* from, const Cells& cells, double* to) const noexcept {
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    base::CompensatedSum sum;
+    sum.add(from[axis] * scale_);
+    for (std::size_t k = 0; k < brick_.count; ++k) {
+      // Mostly, vectors lie along axes and are not rounded.
+      if (cells[k] == 0.0 || vectors_[k][axis] == 0.0) continue;
+      sum.add(base::two_product(-cells[k], vectors_[k][axis]));
+      if (remainders_[k][axis] != 0.0) sum.add(-cells[k] * remainders_[k][axis]);
+    }
+    to[axis] = sum.value().high * (1.0 / scale_);
+  }
+}
+
+template <int Dim>
+CellsMoved Wrapper<Dim>::wrap(base::Sphere<Dim>& sphere, std::size_t number) const {
+  Cells cells = cells_of(sphere.center);
+  if (cells == Cells{}) return {};
+  base::Sphere<Dim> moved = sphere;
+  const auto require_fit = [&] {
+    for (const double count : cells) {
+      if (!(std::fabs(count) <= most_cells_away)) refuse(number, sphere, shape_);
+    }
+  };
+  require_fit();
+  move(sphere.center, cells, moved.center);
+  // Far outside, the quotient is off by some cells' hundredth: once more, from close by.
+  const Cells rest = cells_of(moved.center);
+  if (rest != Cells{}) {
+    for (std::size_t k = 0; k < Dim; ++k) cells[k] += rest[k];
+    require_fit();
+    if (cells == Cells{}) return {};
+    move(sphere.center, cells, moved.center);
+  }
+  sphere = moved;
+  CellsMoved result{};
+  for (std::size_t k = 0; k < Dim; ++k) result[k] = static_cast<std::int32_t>(cells[k]);
+  return result;
+}
+
+template class Wrapper<2>;
+template class Wrapper<3>;
+
+}  // namespace abut::grid

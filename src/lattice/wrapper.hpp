@@ -1,0 +1,47 @@
+#pragma once
+
+#include "exact/sphere.hpp"
+#include "lattice/brick.hpp"
+
+#include <abut/element_view.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::grid {
+
+/// How many cells an element was moved, along the vector of each side of a brick.
+using CellsMoved = std::array<std::int32_t, 3>;
+
+/// Moves elements into the brick at the origin, 0 <= coordinate < 1 but for the rounding of the
+/// coordinate, along some of its sides.
+template <int Dim>
+class Wrapper {
+ public:
+  /// `brick` is for positions as given, and must live on. If one of its sides is wrapped along, so
+  /// must those be that it has an offset on. `shape` says what errors call a position.
+  Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
+          const std::array<bool, Dim>& along, Shape shape = Shape::sphere) noexcept;
+
+  /// Moves a center by minus the cells returned, in doubled precision: the new coordinates are off
+  /// by at most half of their last place and 2^-55 of the cell, however far they were moved, and
+  /// not at all where nothing was moved. Throws Error{invalid_input} naming element `number` when
+  /// it lies more than 2^31 - 1 cells outside.
+  CellsMoved wrap(base::Sphere<Dim>& sphere, std::size_t number) const;
+
+ private:
+  using Cells = std::array<double, Dim>;  ///< of the sides
+
+  [[nodiscard]] Cells cells_of(const double* position) const noexcept;
+  void move(const double* from, const Cells& cells, double* to) const noexcept;
+
+  const Brick<Dim>& brick_;
+  std::array<bool, Dim> along_;
+  Shape shape_;
+  double scale_;
+  std::array<std::array<double, Dim>, Dim> vectors_{};  ///< of the sides, times the scale
+  std::array<std::array<double, Dim>, Dim> remainders_{};
+};
+
+}  // namespace abut::grid

@@ -1,0 +1,146 @@
+#include "lists/found_pairs.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace abut::api {
+namespace {
+
+/// Chunks double up to 2 MiB, one large page.
+constexpr std::size_t smallest_chunk = 4096;
+constexpr std::size_t largest_chunk = std::size_t{1} << 18;
+
+}  // namespace
+
+FoundPairs::~FoundPairs() {
+  for (const auto& worker : workers_) {
+    for (const Chunk& chunk : worker->chunks) {
+      memory_.give_back_pairs(chunk.pairs.size() * sizeof(ContactPair));
+      memory_.give_back_pairs(chunk.shifts.size() * sizeof(ImageShift));
+    }
+  }
+}
+
+void FoundPairs::start_anew(PairCount limit, Shifts shifts, LentRoom lent) {
+  limit_ = limit;
+  shifts_ = shifts;
+  lend(lent);
+  lent_filled_ = 0;
+  total_ = 0;
+  for (const auto& worker : workers_) {
+    worker->current = 0;
+    worker->segments.clear();
+    for (Chunk& chunk : worker->chunks) chunk.filled = 0;
+  }
+}
+
+void FoundPairs::expect_workers(std::size_t count) {
+  while (workers_.size() < count) workers_.push_back(std::make_unique<Worker>());
+  if (count > 1) lent_ = {};
+}
+
+std::span<ContactPair> FoundPairs::room(std::size_t number) {
+  if (is_lent_next()) return lent_.pairs.subspan(lent_filled_);
+  Worker& worker = *workers_[number];
+  const auto free_in = [&](std::size_t k) {
+    return worker.chunks[k].pairs.size() - worker.chunks[k].filled;
+  };
+  while (worker.current < worker.chunks.size() && free_in(worker.current) < smallest_room) {
+    ++worker.current;
+  }
+  if (worker.current == worker.chunks.size()) add_chunk(worker);
+  Chunk& chunk = worker.chunks[worker.current];
+  return std::span(chunk.pairs).subspan(chunk.filled);
+}
+
+std::span<ImageShift> FoundPairs::shift_room(std::size_t number) {
+  if (shifts_ == Shifts::none) return {};
+  if (is_lent_next()) return lent_.shifts.subspan(lent_filled_);
+  Worker& worker = *workers_[number];
+  Chunk& chunk = worker.chunks[worker.current];
+  if (chunk.shifts.empty()) make_room_for_shifts(chunk);
+  return std::span(chunk.shifts).subspan(chunk.filled);
+}
+
+void FoundPairs::make_room_for_shifts(Chunk& chunk) {
+  const std::size_t bytes = chunk.pairs.size() * sizeof(ImageShift);
+  memory_.take_for_pairs(bytes);
+  try {
+    chunk.shifts.resize(chunk.pairs.size());
+  } catch (...) {
+    memory_.give_back_pairs(bytes);
+    throw;
+  }
+}
+
+void FoundPairs::add_chunk(Worker& worker) {
+  const std::size_t size = worker.chunks.empty()
+                               ? smallest_chunk
+                               : std::min(2 * worker.chunks.back().pairs.size(), largest_chunk);
+  memory_.take_for_pairs(size * sizeof(ContactPair));
+  try {
+    worker.chunks.push_back({PairArray(size), 0, {}});
+  } catch (...) {
+    memory_.give_back_pairs(size * sizeof(ContactPair));
+    throw;
+  }
+}
+
+std::pair<std::span<const ContactPair>, const ImageShift*> FoundPairs::take(Worker& worker,
+                                                                            std::size_t count) {
+  const bool with_shifts = shifts_ == Shifts::stored;
+  if (is_lent_next()) {
+    const std::size_t begin = std::exchange(lent_filled_, lent_filled_ + count);
+    return {lent_.pairs.subspan(begin, count), with_shifts ? &lent_.shifts[begin] : nullptr};
+  }
+  Chunk& chunk = worker.chunks[worker.current];
+  const std::size_t begin = std::exchange(chunk.filled, chunk.filled + count);
+  return {std::span<const ContactPair>(chunk.pairs).subspan(begin, count),
+          with_shifts ? chunk.shifts.data() + begin : nullptr};
+}
+
+void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
+  if ((total_ += count) > limit_) {
+    throw Error(ErrorCode::limit_exceeded,
+                "there are more than " + std::to_string(limit_) +
+                    " contact pairs, the limit that was set; raise it, or count the pairs "
+                    "without storing them");
+  }
+  Worker& worker = *workers_[origin.worker];
+  const auto [added, shifts] = take(worker, count);
+  if (!worker.segments.empty()) {
+    Segment& last = worker.segments.back();
+    // What follows the room that was lent does not belong to it.
+    const bool is_elsewhere = added.data() == lent_.pairs.data() + lent_.pairs.size();
+    if (last.unit == origin.unit && last.pairs.data() + last.pairs.size() == added.data() &&
+        !is_elsewhere) {
+      last.pairs = {last.pairs.data(), last.pairs.size() + count};
+      return;
+    }
+  }
+  worker.segments.push_back({origin.unit, worker.segments.size(), added, shifts});
+}
+
+std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
+  segments_.clear();
+  for (const auto& worker : workers_) {
+    segments_.insert(segments_.end(), worker->segments.begin(), worker->segments.end());
+  }
+  // The segments of a unit are all one worker's.
+  std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
+    return a.unit != b.unit ? a.unit < b.unit : a.number < b.number;
+  });
+  pieces_.clear();
+  shift_pieces_.clear();
+  for (const Segment& segment : segments_) {
+    pieces_.push_back(segment.pairs);
+    if (shifts_ == Shifts::stored) {
+      shift_pieces_.emplace_back(segment.shifts, segment.pairs.size());
+    }
+  }
+  return pieces_;
+}
+
+}  // namespace abut::api

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/radius_histogram.hpp"
+#include "exact/sphere.hpp"
+#include "grid/bounds.hpp"
+#include "lattice/reduced_lattice.hpp"
+
+#include <span>
+
+namespace abut::engine {
+
+/// GhostWindows::cut: the radius from which on spheres should be large; infinite where that saves
+/// little.
+///
+/// The estimate: elements fill the cell evenly, and a ghost costs as much as a native.
+template <int Dim>
+[[nodiscard]] double choose_ghost_cut(std::span<const base::Sphere<Dim>> spheres,
+                                      const grid::Bounds<Dim>& bounds,
+                                      const grid::ReducedLattice<Dim>& lattice, double margin,
+                                      RadiusHistogram& histogram);
+
+}  // namespace abut::engine

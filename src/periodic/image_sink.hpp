@@ -1,0 +1,55 @@
+#pragma once
+
+#include "base/pair_sink.hpp"
+#include "kernels/image_kernels.hpp"
+#include "periodic/images.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace abut::engine {
+
+/// Turns pairs of natives and ghosts into pairs of elements with their image shifts, and hands them
+/// on to another sink. Numbers from the count of natives on are those of ghosts. It keeps its
+/// memory.
+template <int Dim>
+class ImageSink final : public base::PairSink {
+ public:
+  /// Sink and images must live until the last pairs are committed.
+  void start_anew(base::PairSink& next, const Images<Dim>& images,
+                  const kernels::ImageKernels& kernels);
+
+  void expect_workers(std::size_t count) override;
+  [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
+  void commit(std::size_t count, const base::Origin& origin) override;
+
+ private:
+  struct NamedShift {
+    std::size_t place;
+    ImageShift shift;
+  };
+
+  /// A worker's own, on cache lines of its own.
+  struct alignas(128) Room {
+    std::span<ContactPair> pairs;
+    std::span<ImageShift> shifts;
+    std::vector<NamedShift> of_ghosts;  ///< shifts of pairs with a ghost
+  };
+
+  /// Pairs of two ghosts, and of a native with one that does not count for it, are dropped: they
+  /// are found elsewhere, too. Returns how many pairs are left.
+  std::size_t name(Room& room, std::size_t count) const;
+  std::size_t name_block(Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
+  void list_ghosts(std::span<const ContactPair> pairs, kernels::BlockList& list) const;
+  void move_natives(const Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
+  bool name_ghost(Room& room, std::size_t from, std::size_t to) const;
+  void name_shifts(const Room& room, std::size_t count) const;
+
+  base::PairSink* next_ = nullptr;
+  const Images<Dim>* images_ = nullptr;
+  kernels::ImageKernels kernels_{};
+  std::vector<Room> rooms_;
+};
+
+}  // namespace abut::engine

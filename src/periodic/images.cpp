@@ -1,0 +1,390 @@
+#include "periodic/images.hpp"
+
+#include "base/workers.hpp"
+#include "lattice/check_range.hpp"
+#include "periodic/place_natives.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace abut::engine {
+namespace {
+
+/// Beyond this, sums could leave the exponent range; natives and ghosts are scaled down.
+constexpr double largest_unscaled = 0x1p960;
+constexpr double scale_down = 0x1p-128;
+
+template <int Dim>
+double largest_number(const grid::Bounds<Dim>& bounds, const grid::ReducedLattice<Dim>& lattice,
+                      double margin) {
+  double largest = std::max(bounds.largest_radius, margin);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
+  }
+  for (std::size_t k = 0; k < lattice.count; ++k) largest = std::max(largest, lattice.length[k]);
+  return largest;
+}
+
+/// Relative to magnitude_of (docs/derivations/periodic_images.md, 4).
+constexpr double slack_of_ghosts = 0x1p-48;
+constexpr double slack_of_quick_moves = 0x1p-47;
+
+/// That many of any value, without a copy where it must grow.
+template <class T>
+void overwrite(base::Array<T>& array, std::size_t size, std::size_t room) {
+  if (array.capacity() < size) {
+    array.clear();
+    array.reserve(room);
+  }
+  array.resize(size);
+}
+
+template <int Dim>
+std::array<bool, Dim> all_sides() {
+  std::array<bool, Dim> along{};
+  along.fill(true);
+  return along;
+}
+
+}  // namespace
+
+template <int Dim>
+Images<Dim>::Images(base::MemoryMeter& memory)
+    : memory_(memory),
+      own_natives_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
+      cells_moved_(memory),
+      own_ghosts_(base::make_array_for_overwrite<Ghost>(memory, 0)) {}
+
+template <int Dim>
+void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
+                       const grid::ReducedLattice<Dim>& lattice, const ImageSettings& settings) {
+  start_anew(elements, bounds, lattice, settings);
+  if (elements.empty() || lattice.count == 0) return;
+  const grid::Brick<Dim> brick(lattice, 1.0);
+  measure(elements, brick, settings.workers);
+  const grid::Reaches reaches{bounds.largest_radius, settings.margin, settings.shape};
+  const Windows windows(lattice, brick, extent_, reaches, settings.size_cut, 1.0);
+  if (!is_in_range(brick, windows.of_large)) {
+    grid::check_range<Dim>(elements, lattice, settings.margin, settings.shape);
+  }
+  const Along along = sides_to_wrap(brick, windows.of_large);
+  moved_any_ = std::count(along.begin(), along.end(), true) > 0;
+  if (!moved_any_ && unit_ == 1.0) {
+    slack_ = slack_of_ghosts * magnitude_of(windows.of_large);
+    return add_ghosts(elements, {brick, windows, {}, {}}, settings);
+  }
+  overwrite(own_natives_, elements.size(), elements.size() + elements.size() / 8);
+  if (unit_ == 1.0) {
+    const Journey<Dim> journey(lattice, brick, extent_, along);
+    const Windows after(lattice, brick, journey.extent, reaches, settings.size_cut, 1.0);
+    if (move_quickly_if_near(elements, journey, {brick, after, along, elements}, settings)) return;
+  }
+  move_exactly(elements, brick, along, settings.workers);
+  const grid::Brick<Dim> scaled_brick(lattice, unit_);
+  const grid::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_,
+                             settings.shape};
+  const Windows after(lattice, scaled_brick, extent_, scaled, size_cut_, unit_);
+  slack_ = slack_of_ghosts * magnitude_of(after.of_large);
+  add_ghosts(own_natives_, {scaled_brick, after, {}, {}}, settings);
+}
+
+template <int Dim>
+void Images<Dim>::start_anew(std::span<const base::Sphere<Dim>> elements,
+                             const grid::Bounds<Dim>& bounds,
+                             const grid::ReducedLattice<Dim>& lattice,
+                             const ImageSettings& settings) {
+  while (parts_.size() < settings.workers) parts_.emplace_back(memory_);
+  lattice_ = &lattice;
+  natives_and_ghosts_ = elements;
+  native_count_ = elements.size();
+  ghosts_ = {};
+  bounds_ = bounds;
+  places_ = {};
+  steps_ = {};
+  unit_ = largest_number(bounds, lattice, settings.margin) > largest_unscaled ? scale_down : 1.0;
+  size_cut_ = settings.size_cut * unit_;
+  slack_ = 0.0;
+  moved_any_ = false;
+  cells_moved_at_most_ = {};
+  shifts_always_fit_ = true;
+}
+
+/// The extent of the elements as given.
+template <int Dim>
+void Images<Dim>::measure(std::span<const base::Sphere<Dim>> elements,
+                          const grid::Brick<Dim>& brick, std::size_t workers) {
+  vector_of_ = brick.vector_of;
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      steps_[k][axis] = lattice_->vectors[vector_of_[k]][axis] * unit_;
+    }
+  }
+  if (brick.is_aligned()) {
+    extent_ = grid::extent_of(bounds_, brick);
+    return;
+  }
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, elements.size());
+    parts_[worker].extent = grid::extent_of(elements.subspan(first, last - first), brick);
+  });
+  extent_ = {};
+  for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(parts_[worker].extent);
+}
+
+/// Whether all elements are far from what grid::check_range refuses.
+template <int Dim>
+bool Images<Dim>::is_in_range(const grid::Brick<Dim>& brick, const Window& window) const {
+  const Journey<Dim> journey(*lattice_, brick, extent_, all_sides<Dim>());
+  bool in_range = true;
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    in_range = in_range && journey.most_cells[k] <= 0x1p30 && window.widest(k) <= 0x1p30;
+  }
+  return in_range;
+}
+
+/// Elements are moved along the sides that they spread over more than a cell of. A little more, a
+/// quarter of what ghosts are within, costs fewer ghosts than moving elements costs time. What
+/// overflows is left to the wrapper, which knows the element.
+template <int Dim>
+typename Images<Dim>::Along Images<Dim>::sides_to_wrap(const grid::Brick<Dim>& brick,
+                                                       const Window& window) const {
+  Along along{};
+  for (std::size_t k = 0; k < brick.count; ++k) {
+    const double spread = extent_.upper[k] - extent_.lower[k];
+    const bool overflows = !std::isfinite(brick.magnitude(k, extent_.farthest));
+    along[k] = overflows || !(spread <= 1.0 + 0.25 * std::min(window.widest(k), 1.0));
+    // Moved along an earlier side, elements move along this one, too.
+    for (std::size_t l = 0; l < k; ++l) {
+      along[k] = along[k] || (along[l] && brick.offset[l][k] != 0.0);
+    }
+  }
+  return along;
+}
+
+/// Where rounding would make the search use larger cells than the reach asks for, or images must be
+/// counted one by one, nothing is done.
+template <int Dim>
+bool Images<Dim>::move_quickly_if_near(std::span<const base::Sphere<Dim>> elements,
+                                       const Journey<Dim>& journey, const Plan& plan,
+                                       const ImageSettings& settings) {
+  const double images = static_cast<double>(elements.size()) * plan.windows.of_large.most_images();
+  if (!journey.is_short || !(images <= most_natives_and_ghosts)) return false;
+  const grid::CellExtent<Dim> as_given = extent_;
+  extent_ = journey.extent;
+  slack_ = slack_of_quick_moves * magnitude_of(plan.windows.of_large);
+  if (!(least_cell() <= bounds_.largest_radius + bounds_.second_largest_radius + settings.margin)) {
+    extent_ = as_given;
+    return false;
+  }
+  cells_moved_at_most_ = journey.most_cells;
+  cells_moved_.make_room(elements.size(),
+                         std::all_of(journey.most_cells.begin(), journey.most_cells.end(),
+                                     [](double n) { return n <= MovedCells::most_packed; }));
+  add_ghosts(own_natives_, plan, settings);
+  return true;
+}
+
+template <int Dim>
+void Images<Dim>::move_exactly(std::span<const base::Sphere<Dim>> elements,
+                               const grid::Brick<Dim>& brick, const Along& along,
+                               std::size_t workers) {
+  const grid::Wrapper<Dim> wrapper(*lattice_, brick, along);
+  cells_moved_.make_room(elements.size(), false);
+  const grid::Brick<Dim> scaled_brick(*lattice_, unit_);
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, elements.size());
+    Part& part = parts_[worker];
+    part.farthest = {};
+    part.bounds = {};
+    for (std::size_t i = first; i < last; ++i) {
+      base::Sphere<Dim> sphere = elements[i];
+      const grid::CellsMoved moved = wrapper.wrap(sphere, i);
+      cells_moved_.triples()[i] = moved;
+      for (std::size_t k = 0; k < 3; ++k) {
+        part.farthest[k] = std::max(part.farthest[k], std::abs(moved[k]));
+      }
+      for (double& x : sphere.center) x *= unit_;
+      sphere.radius *= unit_;
+      own_natives_[i] = sphere;
+      part.bounds.include_center(sphere);
+      part.bounds.include_radius(sphere.radius);
+    }
+    const std::span<const base::Sphere<Dim>> natives = own_natives_;
+    part.extent = grid::extent_of(natives.subspan(first, last - first), scaled_brick);
+  });
+  extent_ = {};
+  bounds_ = {};
+  for (std::size_t worker = 0; worker < workers; ++worker) {
+    const Part& part = parts_[worker];
+    extent_.include(part.extent);
+    bounds_.include(part.bounds);
+    for (std::size_t k = 0; k < Dim; ++k) {
+      cells_moved_at_most_[k] =
+          std::max(cells_moved_at_most_[k], static_cast<double>(part.farthest[k]));
+    }
+  }
+}
+
+/// Of the first elements of `home`, which are the natives, or will be when they have been moved.
+template <int Dim>
+void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& plan,
+                             const ImageSettings& settings) {
+  require_countable<Dim>(home, plan.windows);
+  note_shifts(plan.windows.of_large);
+  kernels::BrickMap map = map_of<Dim>(*lattice_, plan.brick, plan.along, plan.windows);
+  map.pack = cells_moved_.is_packed();
+  const std::size_t workers = settings.workers;
+  const bool moves = !plan.to_move.empty();
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, native_count_);
+    Part& part = parts_[worker];
+    part.bounds = {};
+    part.ghosts.clear();
+    for (std::size_t begin = first; begin < last; begin += kernels::BlockList::room) {
+      const std::size_t count = std::min(last - begin, kernels::BlockList::room);
+      const auto natives = std::span(home).subspan(begin, count);
+      kernels::BlockList outer;
+      if (moves) {
+        move_quickly<Dim>(plan.to_move.subspan(begin, count), map, settings.kernels, natives,
+                          cells_moved_, begin, part.bounds, outer);
+      } else {
+        list_outer<Dim>(natives, map, settings.kernels, outer);
+      }
+      list_ghosts<Dim>(natives, outer, begin, plan.windows, part.ghosts);
+    }
+  });
+  if (moves) join_boxes(workers);
+  join_ghosts(workers);
+  append_ghosts(home, workers);
+}
+
+/// The radii stay what they are.
+template <int Dim>
+void Images<Dim>::join_boxes(std::size_t workers) {
+  grid::Bounds<Dim> box;
+  for (std::size_t worker = 0; worker < workers; ++worker) box.include(parts_[worker].bounds);
+  bounds_.lower = box.lower;
+  bounds_.upper = box.upper;
+}
+
+template <int Dim>
+void Images<Dim>::join_ghosts(std::size_t workers) {
+  if (workers == 1) {
+    ghosts_ = parts_[0].ghosts;
+    return;
+  }
+  std::size_t count = 0;
+  for (std::size_t worker = 0; worker < workers; ++worker) count += parts_[worker].ghosts.size();
+  base::make_room(own_ghosts_, count);
+  auto end = own_ghosts_.begin();
+  for (std::size_t worker = 0; worker < workers; ++worker) {
+    end = std::copy(parts_[worker].ghosts.begin(), parts_[worker].ghosts.end(), end);
+  }
+  ghosts_ = {own_ghosts_.data(), count};
+}
+
+/// Behind the natives.
+template <int Dim>
+void Images<Dim>::append_ghosts(base::Array<base::Sphere<Dim>>& home, std::size_t workers) {
+  const std::size_t all = native_count_ + ghosts_.size();
+  if (home.capacity() < all) home.reserve(all + ghosts_.size() / 4);
+  home.resize(all);
+  natives_and_ghosts_ = home;
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, ghosts_.size());
+    parts_[worker].places = place_ghosts<Dim>(
+        ghosts_.subspan(first, last - first), std::span(home).first(native_count_), steps_, bounds_,
+        std::span(home).subspan(native_count_ + first, last - first));
+  });
+  for (std::size_t worker = 0; worker < workers; ++worker) {
+    places_.bounds.include(parts_[worker].places.bounds);
+    places_.all_outside = places_.all_outside && parts_[worker].places.all_outside;
+  }
+}
+
+/// What rounding is relative to. Where no vector leads along an axis, nothing is added to
+/// coordinates on it.
+template <int Dim>
+double Images<Dim>::magnitude_of(const Window& window) const {
+  double magnitude = 0.0;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    double moved = 0.0;
+    for (std::size_t k = 0; k < lattice_->count; ++k) {
+      moved += window.most_cells(k) * std::fabs(steps_[k][axis]);
+    }
+    if (moved > 0.0) magnitude += extent_.farthest[axis] + moved;
+  }
+  return magnitude;
+}
+
+/// By upper bounds; the roundings of doubles are far below the half that is left.
+template <int Dim>
+void Images<Dim>::note_shifts(const Window& window) {
+  std::array<double, 3> shift{};
+  std::array<std::size_t, 3> side_of_axis{2, 2, 2};
+  bool as_given = true;
+  for (std::size_t k = 0; k < lattice_->count; ++k) {
+    const std::size_t vector = vector_of_[k];
+    side_of_axis[lattice_->axis_of[vector]] = k;
+    for (std::size_t l = 0; l < lattice_->count; ++l) {
+      const std::int64_t taken = lattice_->to_given[vector][l];
+      as_given = as_given && taken == (l == vector ? 1 : 0);
+      shift[l] += (window.most_cells(k) + 2.0 * cells_moved_at_most_[k]) *
+                  std::fabs(static_cast<double>(taken));
+    }
+  }
+  shifts_always_fit_ = std::all_of(shift.begin(), shift.end(), [](double n) { return n < 0x1p30; });
+  side_of_axis_.reset();
+  if (shifts_always_fit_ && as_given) side_of_axis_ = side_of_axis;
+}
+
+template <int Dim>
+void Images<Dim>::shifts_between(std::span<const ContactPair> pairs,
+                                 std::span<base::ImageShift> shifts) const {
+  if (!moved_any_) {
+    std::fill(shifts.begin(), shifts.end(), base::ImageShift{});
+  } else if (side_of_axis_ && cells_moved_.is_packed()) {
+    packed_shifts_between(pairs, shifts);
+  } else {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      shifts[k] = shift_between(pairs[k].first, pairs[k].second, {});
+    }
+  }
+}
+
+template <int Dim>
+void Images<Dim>::packed_shifts_between(std::span<const ContactPair> pairs,
+                                        std::span<base::ImageShift> shifts) const {
+  const std::uint32_t* const words = cells_moved_.words();
+  const auto [x, y, z] = *side_of_axis_;
+  const int bits[3] = {MovedCells::bits_of(x), MovedCells::bits_of(y), MovedCells::bits_of(z)};
+  constexpr std::size_t fetched_ahead = 64;  // enough to hide the way to memory
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const ContactPair& later = pairs[std::min(k + fetched_ahead, pairs.size() - 1)];
+    __builtin_prefetch(words + later.first);
+    __builtin_prefetch(words + later.second);
+    const std::uint32_t word =
+        MovedCells::difference(words[pairs[k].first], words[pairs[k].second]);
+    shifts[k] = {MovedCells::along(word, bits[0]), MovedCells::along(word, bits[1]),
+                 MovedCells::along(word, bits[2])};
+  }
+}
+
+template <int Dim>
+base::ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
+                                            const std::array<std::int32_t, 3>& image) const {
+  grid::ImageNumbers numbers{};
+  for (std::size_t k = 0; k < lattice_->count; ++k) {
+    std::int64_t& number = numbers[vector_of_[k]];
+    number = image[k];
+    if (moved_any_) number += std::int64_t{cells_moved_[i][k]} - cells_moved_[j][k];
+  }
+  if (const auto shift = lattice_->shift_of(numbers)) return *shift;
+  grid::refuse_shift(i, j);
+}
+
+template class Images<2>;
+template class Images<3>;
+
+}  // namespace abut::engine

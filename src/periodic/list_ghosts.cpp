@@ -1,0 +1,74 @@
+#include "periodic/list_ghosts.hpp"
+
+#include <abut/error.hpp>
+
+namespace abut::engine {
+namespace {
+
+[[noreturn]] void refuse_number_of_images() {
+  throw Error(ErrorCode::limit_exceeded,
+              "more than 4294967294 periodic images are within reach of the cell; make the lattice "
+              "vectors longer, or elements and margin smaller");
+}
+
+}  // namespace
+
+/// A bound from the widest window; where it is too large, the exact number.
+template <int Dim>
+void require_countable(std::span<const base::Sphere<Dim>> natives,
+                       const GhostWindows<Dim>& windows) {
+  const grid::GhostWindow<Dim>& window = windows.of_large;
+  for (std::size_t k = 0; k < window.sides(); ++k) {
+    if (!(window.most_cells(k) <= grid::most_cells_away)) refuse_number_of_images();
+  }
+  double count = static_cast<double>(natives.size());
+  if (count * window.most_images() <= most_natives_and_ghosts) return;
+  for (const base::Sphere<Dim>& native : natives) {
+    windows.for_each_row(native, [&](std::int64_t first, std::int64_t last, const auto&) {
+      count += static_cast<double>(last - first + 1);
+      if (count > most_natives_and_ghosts) refuse_number_of_images();
+    });
+  }
+}
+
+template <int Dim>
+void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
+                const kernels::ImageKernels& kernels, kernels::BlockList& outer) {
+  std::size_t k = kernels.list_outer(natives[0].center, natives.size(), Dim, map, outer);
+  for (; k < natives.size(); ++k) {
+    if (kernels::is_outer<Dim>(map, natives[k].center)) outer.push(k);
+  }
+}
+
+template <int Dim>
+void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::BlockList& outer,
+                 std::size_t first_number, const GhostWindows<Dim>& windows,
+                 base::Array<Ghost>& ghosts) {
+  const std::size_t last_side = windows.of_large.sides() - 1;
+  for (const std::uint32_t k : std::span(outer.number, outer.count)) {
+    Ghost ghost{static_cast<std::uint32_t>(first_number + k), {}};
+    windows.for_each_row(natives[k],
+                         [&](std::int64_t first, std::int64_t last, const grid::ImageNumbers& row) {
+                           for (std::size_t side = 0; side < 3; ++side) {
+                             ghost.image[side] = static_cast<std::int32_t>(row[side]);
+                           }
+                           for (std::int64_t m = first; m <= last; ++m) {
+                             ghost.image[last_side] = static_cast<std::int32_t>(m);
+                             ghosts.push_back(ghost);
+                           }
+                         });
+  }
+}
+
+template void require_countable(std::span<const base::Sphere<2>>, const GhostWindows<2>&);
+template void require_countable(std::span<const base::Sphere<3>>, const GhostWindows<3>&);
+template void list_outer(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
+                         const kernels::ImageKernels&, kernels::BlockList&);
+template void list_outer(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
+                         const kernels::ImageKernels&, kernels::BlockList&);
+template void list_ghosts(std::span<const base::Sphere<2>>, const kernels::BlockList&, std::size_t,
+                          const GhostWindows<2>&, base::Array<Ghost>&);
+template void list_ghosts(std::span<const base::Sphere<3>>, const kernels::BlockList&, std::size_t,
+                          const GhostWindows<3>&, base::Array<Ghost>&);
+
+}  // namespace abut::engine

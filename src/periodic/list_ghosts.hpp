@@ -1,0 +1,71 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "exact/sphere.hpp"
+#include "kernels/image_kernels.hpp"
+#include "lattice/ghost_window.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace abut::engine {
+
+/// The periodic image of an element moved by `image` vectors of the sides of the brick.
+struct Ghost {
+  std::uint32_t element;
+  std::array<std::int32_t, 3> image;
+
+  /// Whether the first of these numbers that is not 0 is.
+  [[nodiscard]] bool is_positive() const noexcept { return image > std::array<std::int32_t, 3>{}; }
+};
+
+/// Which images of natives are ghosts. Those of small elements, positive ones only, that small
+/// natives may reach; all those of large elements, of a radius of at least `cut`, that any native
+/// may reach. So the few large elements do not make ghosts of all that they might reach.
+template <int Dim>
+struct GhostWindows {
+  grid::GhostWindow<Dim> of_small;
+  grid::GhostWindow<Dim> of_large;
+  double cut;  ///< infinite: all are small
+
+  GhostWindows(const grid::ReducedLattice<Dim>& lattice, const grid::Brick<Dim>& brick,
+               const grid::CellExtent<Dim>& extent, const grid::Reaches& reaches,
+               double least_large, double unit)
+      : of_small(lattice, brick, extent,
+                 {std::min(reaches.largest_radius, least_large), reaches.margin, reaches.shape},
+                 unit),
+        of_large(lattice, brick, extent, reaches, unit),
+        cut(least_large) {}
+
+  /// Calls visit(first, last, numbers) as GhostWindow does.
+  template <class Visit>
+  void for_each_row(const base::Sphere<Dim>& native, Visit&& visit) const {
+    if (native.radius >= cut) return of_large.for_each_row(native, grid::Shell::full, visit);
+    of_small.for_each_row(native, grid::Shell::half, visit);
+  }
+};
+
+/// Natives and ghosts are numbered by 32 bits.
+inline constexpr double most_natives_and_ghosts = 4294967294.0;
+
+/// Throws Error{limit_exceeded} where there would be more.
+template <int Dim>
+void require_countable(std::span<const base::Sphere<Dim>> natives,
+                       const GhostWindows<Dim>& windows);
+
+/// Lists those of a block of natives that may have ghosts.
+template <int Dim>
+void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
+                const kernels::ImageKernels& kernels, kernels::BlockList& outer);
+
+/// Appends the ghosts of the outer ones of a block of natives, which are numbered from
+/// `first_number` on.
+template <int Dim>
+void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::BlockList& outer,
+                 std::size_t first_number, const GhostWindows<Dim>& windows,
+                 base::Array<Ghost>& ghosts);
+
+}  // namespace abut::engine

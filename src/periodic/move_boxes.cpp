@@ -1,0 +1,42 @@
+#include "periodic/move_boxes.hpp"
+
+#include "base/workers.hpp"
+
+namespace abut::engine {
+namespace {
+
+/// Where nothing was moved nothing is rounded.
+template <int Dim>
+base::Box<Dim> moved_to(const double* corner, const base::Box<Dim>& box, double unit) {
+  base::Box<Dim> result;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double lower = box.lower[axis] * unit;
+    const double upper = box.upper[axis] * unit;
+    result.lower[axis] = corner[axis];
+    result.upper[axis] = corner[axis] == lower ? upper : corner[axis] + (upper - lower);
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int Dim>
+void move_boxes(std::span<const base::Box<Dim>> boxes, const Images<Dim>& images,
+                std::size_t workers, base::Array<base::Box<Dim>>& moved) {
+  const std::span corners = images.natives_and_ghosts();
+  base::resize_for_overwrite(moved, corners.size());
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, corners.size());
+    for (std::size_t k = first; k < last; ++k) {
+      const std::size_t element = k < boxes.size() ? k : images.ghosts()[k - boxes.size()].element;
+      moved[k] = moved_to(corners[k].center, boxes[element], images.unit());
+    }
+  });
+}
+
+template void move_boxes(std::span<const base::Box<2>>, const Images<2>&, std::size_t,
+                         base::Array<base::Box<2>>&);
+template void move_boxes(std::span<const base::Box<3>>, const Images<3>&, std::size_t,
+                         base::Array<base::Box<3>>&);
+
+}  // namespace abut::engine

@@ -1,0 +1,51 @@
+#include "periodic/place_ghosts.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace abut::engine {
+namespace {
+
+template <int Dim>
+bool is_outside(const base::Sphere<Dim>& sphere, const grid::Bounds<Dim>& box) {
+  bool outside = false;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    outside |= sphere.center[axis] < box.lower[axis] || sphere.center[axis] > box.upper[axis];
+  }
+  return outside;
+}
+
+}  // namespace
+
+template <int Dim>
+GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
+                              std::span<const base::Sphere<Dim>> natives,
+                              const std::array<std::array<double, Dim>, Dim>& steps,
+                              const grid::Bounds<Dim>& box_of_natives,
+                              std::span<base::Sphere<Dim>> spheres) {
+  constexpr std::size_t fetched_ahead = 16;  // enough to hide the way to memory
+  GhostPlaces<Dim> places;
+  for (std::size_t g = 0; g < ghosts.size(); ++g) {
+    __builtin_prefetch(&natives[ghosts[std::min(g + fetched_ahead, ghosts.size() - 1)].element]);
+    base::Sphere<Dim> sphere = natives[ghosts[g].element];
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      for (std::size_t k = 0; k < Dim; ++k) {
+        sphere.center[axis] += ghosts[g].image[k] * steps[k][axis];
+      }
+    }
+    places.bounds.include_center(sphere);
+    places.bounds.include_radius(sphere.radius);
+    places.all_outside = places.all_outside && is_outside(sphere, box_of_natives);
+    spheres[g] = sphere;
+  }
+  return places;
+}
+
+template GhostPlaces<2> place_ghosts<2>(std::span<const Ghost>, std::span<const base::Sphere<2>>,
+                                        const std::array<std::array<double, 2>, 2>&,
+                                        const grid::Bounds<2>&, std::span<base::Sphere<2>>);
+template GhostPlaces<3> place_ghosts<3>(std::span<const Ghost>, std::span<const base::Sphere<3>>,
+                                        const std::array<std::array<double, 3>, 3>&,
+                                        const grid::Bounds<3>&, std::span<base::Sphere<3>>);
+
+}  // namespace abut::engine

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "exact/sphere.hpp"
+#include "grid/bounds.hpp"
+#include "periodic/list_ghosts.hpp"
+
+#include <array>
+#include <span>
+
+namespace abut::engine {
+
+/// Where some ghosts are.
+template <int Dim>
+struct GhostPlaces {
+  grid::Bounds<Dim> bounds;
+
+  /// Whether each lies strictly outside of the natives' box.
+  bool all_outside = true;
+};
+
+/// spheres[g] = the image of a native that is ghosts[g]; `steps` are the vectors of the sides, 0
+/// where there are fewer sides than axes.
+template <int Dim>
+[[nodiscard]] GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
+                                            std::span<const base::Sphere<Dim>> natives,
+                                            const std::array<std::array<double, Dim>, Dim>& steps,
+                                            const grid::Bounds<Dim>& box_of_natives,
+                                            std::span<base::Sphere<Dim>> spheres);
+
+}  // namespace abut::engine

@@ -1,0 +1,171 @@
+#include "skin/candidate_layout.hpp"
+
+#include "base/workers.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace abut::api {
+namespace {
+
+constexpr std::uint32_t no_slot = std::numeric_limits<std::uint32_t>::max();
+
+/// Ascend as the candidates of one first element do in canonical order.
+std::uint64_t key_of(ElementIndex second, ShiftNumber shift) {
+  return std::uint64_t{second} << 16 | shift;
+}
+ElementIndex second_of(std::uint64_t key) {
+  return static_cast<ElementIndex>(key >> 16);
+}
+ShiftNumber shift_of(std::uint64_t key) {
+  return static_cast<ShiftNumber>(key);
+}
+
+/// Mostly a few.
+void sort_run(std::uint64_t* keys, std::size_t count) {
+  constexpr std::size_t few = 24;
+  if (count > few) return std::sort(keys, keys + count);
+  for (std::size_t k = 1; k < count; ++k) {
+    const std::uint64_t key = keys[k];
+    std::size_t place = k;
+    for (; place > 0 && key < keys[place - 1]; --place) keys[place] = keys[place - 1];
+    keys[place] = key;
+  }
+}
+
+}  // namespace
+
+CandidateLayout::CandidateLayout(base::MemoryMeter& memory)
+    : slot_of_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+      elements_(base::make_array_for_overwrite<ElementIndex>(memory, 0)),
+      end_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+      keys_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
+      candidates_(base::make_array_for_overwrite<SlotPair>(memory, 0)),
+      shifts_(base::make_array_for_overwrite<ShiftNumber>(memory, 0)),
+      pairs_(base::make_array_for_overwrite<ContactPair>(memory, 0)),
+      places_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+      canonical_shifts_(base::make_array_for_overwrite<ShiftNumber>(memory, 0)) {}
+
+void CandidateLayout::arrange(PairPieces found, std::span<const ShiftNumber> shifts,
+                              std::size_t element_count, std::size_t workers) {
+  with_shifts_ = !shifts.empty();
+  size_ = 0;
+  for (const auto& piece : found) size_ += piece.size();
+  give_slots(found, element_count);
+  base::make_room(keys_, size_);
+  collect_runs(found, shifts);
+  base::make_room(candidates_, size_);
+  if (with_shifts_) base::make_room(shifts_, size_);
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, slot_count_);
+    sort_runs(first, last);
+  });
+  list_canonically(element_count, workers);
+}
+
+/// Without branches: whether an element was met before cannot be guessed. Counts the candidates of
+/// each slot, two places behind its own: where the next is to begin when they are summed up.
+void CandidateLayout::give_slots(PairPieces found, std::size_t element_count) {
+  base::make_room(slot_of_, element_count);
+  base::make_room(elements_, element_count + 1);
+  base::make_room(end_, element_count + 2);
+  std::fill_n(slot_of_.begin(), element_count, no_slot);
+  std::fill_n(end_.begin(), element_count + 2, 0u);
+  std::uint32_t next = 0;
+  const auto meet = [&](ElementIndex element) {
+    std::uint32_t slot = slot_of_[element];
+    const bool is_new = slot == no_slot;
+    slot = is_new ? next : slot;
+    elements_[next] = element;
+    slot_of_[element] = slot;
+    next += is_new ? 1 : 0;
+    return slot;
+  };
+  for (const auto& piece : found) {
+    for (const ContactPair& pair : piece) {
+      ++end_[meet(pair.first) + 2];
+      meet(pair.second);
+    }
+  }
+  slot_count_ = next;
+}
+
+/// Before, end_[slot + 1] is where the slot's candidates begin; behind it, where they end.
+void CandidateLayout::collect_runs(PairPieces found, std::span<const ShiftNumber> shifts) {
+  for (std::size_t slot = 2; slot < slot_count_ + 2; ++slot) end_[slot] += end_[slot - 1];
+  std::size_t number = 0;
+  for (const auto& piece : found) {
+    for (const ContactPair& pair : piece) {
+      const ShiftNumber shift = with_shifts_ ? shifts[number++] : ShiftNumber{0};
+      keys_[end_[slot_of_[pair.first] + 1]++] = key_of(pair.second, shift);
+    }
+  }
+}
+
+void CandidateLayout::sort_runs(std::size_t first_slot, std::size_t last_slot) {
+  for (std::size_t slot = first_slot; slot < last_slot; ++slot) {
+    const std::uint32_t begin = end_[slot];
+    const std::uint32_t end = end_[slot + 1];
+    sort_run(keys_.data() + begin, end - begin);
+    for (std::uint32_t k = begin; k < end; ++k) {
+      candidates_[k] = {static_cast<std::uint32_t>(slot), slot_of_[second_of(keys_[k])]};
+      if (with_shifts_) shifts_[k] = shift_of(keys_[k]);
+    }
+  }
+}
+
+/// Of the elements [first, last).
+std::size_t CandidateLayout::candidates_of(std::size_t first, std::size_t last) const {
+  std::size_t sum = 0;
+  for (std::size_t element = first; element < last; ++element) {
+    const std::uint32_t slot = slot_of_[element];
+    if (slot != no_slot) sum += end_[slot + 1] - end_[slot];
+  }
+  return sum;
+}
+
+void CandidateLayout::list_canonically(std::size_t element_count, std::size_t workers) {
+  base::make_room(pairs_, size_);
+  base::make_room(places_, size_);
+  if (with_shifts_) base::make_room(canonical_shifts_, size_);
+  if (workers == 1) return list_canonically(0, element_count, 0);
+  begins_.assign(workers, 0);
+  const auto share = [&](std::size_t worker) {
+    return base::share_of(worker, workers, element_count);
+  };
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    begins_[worker] = candidates_of(share(worker).first, share(worker).second);
+  });
+  std::size_t end = 0;
+  for (std::size_t& place : begins_) end += std::exchange(place, end);
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    list_canonically(share(worker).first, share(worker).second, begins_[worker]);
+  });
+}
+
+/// Numbers need not follow space: what each of them finds lies elsewhere in memory, and is fetched
+/// some elements ahead.
+void CandidateLayout::list_canonically(std::size_t first_element, std::size_t last_element,
+                                       std::size_t place) {
+  constexpr std::size_t ahead = 16;
+  const auto slot_at = [&](std::size_t element) {
+    return element < last_element ? slot_of_[element] : no_slot;
+  };
+  for (std::size_t element = first_element; element < last_element; ++element) {
+    const std::uint32_t far = slot_at(element + 2 * ahead);
+    if (far != no_slot) __builtin_prefetch(end_.data() + far);
+    const std::uint32_t next = slot_at(element + ahead);
+    if (next != no_slot) __builtin_prefetch(keys_.data() + end_[next]);
+    const std::uint32_t slot = slot_of_[element];
+    if (slot == no_slot) continue;
+    const std::uint32_t end = end_[slot + 1];
+    for (std::uint32_t k = end_[slot]; k < end; ++k, ++place) {
+      pairs_[place] = {static_cast<ElementIndex>(element), second_of(keys_[k])};
+      places_[place] = k;
+      if (with_shifts_) canonical_shifts_[place] = shift_of(keys_[k]);
+    }
+  }
+}
+
+}  // namespace abut::api

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "kernels/candidate_kernels.hpp"
+#include "lists/order_pairs.hpp"
+
+#include <abut/pair.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace abut::api {
+
+using kernels::SlotPair;
+
+/// Number of an image shift in a list in ascending order of the few different ones.
+using ShiftNumber = std::uint16_t;
+
+/// Candidates in two orders. They are tested in that of space, in which partners are at hand,
+/// though numbers need not follow space: elements that have candidates stand in *slots*, in the
+/// order in which the search came across them, and the candidates of which an element is the first
+/// lie together where it does. They are delivered in canonical order.
+class CandidateLayout {
+ public:
+  explicit CandidateLayout(base::MemoryMeter& memory);
+
+  /// Of candidates as they were found, fewer than 2^32, with the numbers of their shifts one after
+  /// the other, or none.
+  void arrange(PairPieces found, std::span<const ShiftNumber> shifts, std::size_t element_count,
+               std::size_t workers);
+
+  /// The elements in the slots.
+  [[nodiscard]] std::span<const ElementIndex> elements() const noexcept {
+    return {elements_.data(), slot_count_};
+  }
+  /// In the order of space, with the numbers of their shifts.
+  [[nodiscard]] std::span<const SlotPair> candidates() const noexcept {
+    return {candidates_.data(), size_};
+  }
+  [[nodiscard]] const ShiftNumber* shifts() const noexcept { return shifts_.data(); }
+
+  /// In canonical order: candidates, their places in the order of space, their shifts.
+  struct Canonical {
+    const ContactPair* pairs;
+    const std::uint32_t* places;
+    const ShiftNumber* shifts;
+  };
+  [[nodiscard]] Canonical canonical() const noexcept {
+    return {pairs_.data(), places_.data(), canonical_shifts_.data()};
+  }
+
+ private:
+  void give_slots(PairPieces found, std::size_t element_count);
+  void collect_runs(PairPieces found, std::span<const ShiftNumber> shifts);
+  void sort_runs(std::size_t first_slot, std::size_t last_slot);
+  void list_canonically(std::size_t element_count, std::size_t workers);
+  void list_canonically(std::size_t first_element, std::size_t last_element, std::size_t place);
+  [[nodiscard]] std::size_t candidates_of(std::size_t first, std::size_t last) const;
+
+  bool with_shifts_ = false;
+  std::size_t slot_count_ = 0;
+  std::size_t size_ = 0;
+  base::Array<std::uint32_t> slot_of_;  ///< of each element; no_slot without candidates
+  base::Array<ElementIndex> elements_;
+  base::Array<std::uint32_t> end_;   ///< of each slot's candidates, behind the begin of the first
+  base::Array<std::uint64_t> keys_;  ///< second element, then shift; in the order of space
+  base::Array<SlotPair> candidates_;
+  base::Array<ShiftNumber> shifts_;
+  base::Array<ContactPair> pairs_;
+  base::Array<std::uint32_t> places_;
+  base::Array<ShiftNumber> canonical_shifts_;
+  std::vector<std::size_t> begins_;  ///< of each worker's share in canonical order
+};
+
+}  // namespace abut::api

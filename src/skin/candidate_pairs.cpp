@@ -1,0 +1,217 @@
+#include "skin/candidate_pairs.hpp"
+
+#include "base/workers.hpp"
+#include "skin/candidate_insertion.hpp"
+#include "skin/candidate_writer.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace abut::api {
+namespace {
+
+/// Words of candidates, and candidates in canonical order, that a worker takes at a time.
+constexpr std::size_t candidates_of_word = 64;
+constexpr std::size_t words_of_unit = 128;
+constexpr std::size_t candidates_of_unit = 64 * CandidateWriter::most;
+
+/// The least and the largest number on each axis.
+struct ShiftRange {
+  std::array<std::int64_t, 3> lower{};
+  std::array<std::int64_t, 3> upper{};
+  bool empty = true;
+
+  void include(const std::array<std::int64_t, 3>& shift) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      lower[k] = empty ? shift[k] : std::min(lower[k], shift[k]);
+      upper[k] = empty ? shift[k] : std::max(upper[k], shift[k]);
+    }
+    empty = false;
+  }
+
+  [[nodiscard]] double count() const {
+    double product = 1.0;
+    for (std::size_t k = 0; k < 3; ++k) product *= static_cast<double>(upper[k] - lower[k] + 1);
+    return product;
+  }
+
+  [[nodiscard]] std::int64_t number_of(const std::array<std::int64_t, 3>& shift) const {
+    std::int64_t number = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      number = number * (upper[k] - lower[k] + 1) + shift[k] - lower[k];
+    }
+    return number;
+  }
+};
+
+/// The shift between elements as they are placed.
+template <int Dim>
+std::array<std::int64_t, 3> placed_shift(const ContactPair& pair, const ImageShift& shift,
+                                         const Displacement<Dim>& placing) {
+  if (!placing.moved(pair.first) && !placing.moved(pair.second)) return {shift.x, shift.y, shift.z};
+  const CellNumbers& first = placing.cells(pair.first);
+  const CellNumbers& second = placing.cells(pair.second);
+  return {std::int64_t{shift.x} - first[0] + second[0],
+          std::int64_t{shift.y} - first[1] + second[1],
+          std::int64_t{shift.z} - first[2] + second[2]};
+}
+
+}  // namespace
+
+template <int Dim>
+CandidatePairs<Dim>::CandidatePairs(base::MemoryMeter& memory)
+    : found_(memory),
+      layout_(memory),
+      found_shifts_(base::make_array_for_overwrite<ShiftNumber>(memory, 0)),
+      slots_(base::make_array_for_overwrite<kernels::QuantumSphere>(memory, 0)),
+      survivors_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
+
+template <int Dim>
+base::PairSink& CandidatePairs<Dim>::start_anew(bool periodic) {
+  periodic_ = periodic;
+  size_ = 0;
+  shift_list_.clear();
+  found_.start_anew(unlimited_pairs, periodic ? Shifts::stored : Shifts::none);
+  return found_;
+}
+
+/// In the order of space, so that new slots follow it as the old ones did.
+template <int Dim>
+base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> numbers,
+                                                const Displacement<Dim>& placing) {
+  size_ = 0;
+  found_.start_anew(unlimited_pairs, periodic_ ? Shifts::stored : Shifts::none);
+  found_.expect_workers(1);
+  base::ImagePairWriter writer(found_);
+  const auto candidates = layout_.candidates();
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    ContactPair pair{numbers[layout_.elements()[candidates[k].first]],
+                     numbers[layout_.elements()[candidates[k].second]]};
+    if (pair.first == ElementIds::none || pair.second == ElementIds::none) continue;
+    ImageShift shift = periodic_ ? shift_list_[layout_.shifts()[k]] : ImageShift{};
+    if (pair.first > pair.second) {
+      std::swap(pair.first, pair.second);
+      shift = opposite(shift);
+    }
+    writer.push(pair, periodic_ ? placing.shift_as_given(pair, shift) : shift);
+  }
+  writer.finish();
+  return found_;
+}
+
+template <int Dim>
+bool CandidatePairs<Dim>::finish(const Snapshot<Dim>& now, const Displacement<Dim>& placing) {
+  if (found_.size() > std::numeric_limits<std::uint32_t>::max()) return false;
+  if (periodic_ && !number_shifts(placing)) return false;
+  size_ = found_.size();
+  layout_.arrange(found_.pieces(),
+                  std::span<const ShiftNumber>(found_shifts_).first(periodic_ ? size_ : 0),
+                  now.spheres.size(), now.workers);
+  return true;
+}
+
+/// Of the same two elements, numbers ascend with shifts.
+template <int Dim>
+bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing) {
+  const auto pieces = found_.pieces();
+  const auto shift_pieces = found_.shift_pieces();
+  const auto for_each_shift = [&](auto&& body) {
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      for (std::size_t k = 0; k < pieces[p].size(); ++k) {
+        body(placed_shift(pieces[p][k], shift_pieces[p][k], placing));
+      }
+    }
+  };
+  ShiftRange range;
+  for_each_shift([&](const auto& shift) { range.include(shift); });
+  if (range.count() > std::numeric_limits<ShiftNumber>::max()) return false;
+  base::make_room(found_shifts_, found_.size());
+  std::size_t next = 0;
+  for_each_shift([&](const auto& shift) {
+    found_shifts_[next++] = static_cast<ShiftNumber>(range.number_of(shift));
+  });
+  shift_list_.clear();
+  for (std::int64_t x = range.lower[0]; x <= range.upper[0]; ++x) {
+    for (std::int64_t y = range.lower[1]; y <= range.upper[1]; ++y) {
+      for (std::int64_t z = range.lower[2]; z <= range.upper[2]; ++z) {
+        shift_list_.push_back({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
+                               static_cast<std::int32_t>(z)});
+      }
+    }
+  }
+  return true;
+}
+
+template <int Dim>
+void CandidatePairs<Dim>::fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta,
+                                     std::size_t workers) {
+  const auto elements = layout_.elements();
+  base::make_room(slots_, elements.size());
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, elements.size());
+    quanta.fill(placing.placed().data(), elements.subspan(first, last - first),
+                slots_.data() + first);
+  });
+}
+
+template <int Dim>
+void CandidatePairs<Dim>::test(const CandidateTest<Dim>& test, std::size_t workers,
+                               base::DetectionContext& context) {
+  const std::size_t words = (size_ + candidates_of_word - 1) / candidates_of_word;
+  const std::size_t units = (words + words_of_unit - 1) / words_of_unit;
+  base::make_room(survivors_, words);
+  std::atomic<std::uint64_t> exact_decisions = 0;
+  base::for_each_index(workers, units, [&](std::size_t worker, std::size_t unit) {
+    if (worker == 0) context.progress.poll();
+    std::uint64_t exact = 0;
+    const std::size_t first = unit * words_of_unit;
+    const std::size_t count = std::min(words_of_unit, words - first);
+    test.run(first, std::span(survivors_).subspan(first, count), slots_.data(), exact);
+    exact_decisions += exact;
+  });
+  context.candidate_tests += size_;
+  context.exact_decisions += exact_decisions;
+}
+
+/// shift_at(k) is the image shift of candidate k in canonical order.
+template <int Dim>
+template <class ShiftAt>
+void CandidatePairs<Dim>::write(std::size_t workers, base::PairSink& sink,
+                                base::DetectionContext& context, const ShiftAt& shift_at) {
+  sink.expect_workers(workers);
+  const std::size_t units = (size_ + candidates_of_unit - 1) / candidates_of_unit;
+  base::for_each_index(workers, units, [&](std::size_t worker, std::size_t unit) {
+    if (worker == 0) context.progress.poll();
+    CandidateWriter writer(sink, {worker, unit}, survivors_.data());
+    const std::size_t last = std::min<std::size_t>(size_, (unit + 1) * candidates_of_unit);
+    for (std::size_t k = unit * candidates_of_unit; k < last; k += CandidateWriter::most) {
+      writer.write(layout_.canonical(), k, std::min(CandidateWriter::most, last - k), shift_at);
+    }
+    writer.finish();
+  });
+}
+
+template <int Dim>
+void CandidatePairs<Dim>::deliver_contacts(const Snapshot<Dim>& now,
+                                           const Displacement<Dim>& placing, base::PairSink& sink,
+                                           base::DetectionContext& context) {
+  const CandidateTest<Dim> decide(now, placing,
+                                  {layout_.candidates(), layout_.elements(), shift_list_,
+                                   periodic_ ? layout_.shifts() : nullptr},
+                                  images_);
+  fill_slots(placing, decide.quanta(), now.workers);
+  test(decide, now.workers, context);
+  const CandidateLayout::Canonical canonical = layout_.canonical();
+  write(now.workers, sink, context, [&](std::size_t k) {
+    return periodic_ ? placing.shift_as_given(canonical.pairs[k], shift_list_[canonical.shifts[k]])
+                     : ImageShift{};
+  });
+}
+
+template class CandidatePairs<2>;
+template class CandidatePairs<3>;
+
+}  // namespace abut::api

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "base/detection_context.hpp"
+#include "base/pair_sink.hpp"
+#include "kernels/candidate_kernels.hpp"
+#include "lists/found_pairs.hpp"
+#include "skin/candidate_layout.hpp"
+#include "skin/candidate_test.hpp"
+#include "skin/displacement.hpp"
+#include "skin/snapshot.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace abut::api {
+
+/// Candidate pairs, kept from call to call: tested in the order of space, delivered in canonical
+/// order. In a periodic domain with the image shift between the elements as they are placed
+/// (Displacement), by number in a list of the few different ones.
+template <int Dim>
+class CandidatePairs {
+ public:
+  explicit CandidatePairs(base::MemoryMeter& memory);
+
+  /// Where a search puts them; those there were are dropped.
+  [[nodiscard]] base::PairSink& start_anew(bool periodic);
+
+  /// Starts with those there were, of the elements that are still there and as they are called now:
+  /// element i is `numbers[i]`, or gone where that is ElementIds::none. More may be put beside.
+  [[nodiscard]] base::PairSink& carry_over(std::span<const std::uint32_t> numbers,
+                                           const Displacement<Dim>& placing);
+
+  /// Puts what the search found in order. False if there are too many of them or of different
+  /// image shifts.
+  [[nodiscard]] bool finish(const Snapshot<Dim>& now, const Displacement<Dim>& placing);
+
+  [[nodiscard]] PairCount size() const noexcept { return size_; }
+
+  /// Delivers those that are contact pairs now, in canonical order, whatever the number of workers.
+  void deliver_contacts(const Snapshot<Dim>& now, const Displacement<Dim>& placing,
+                        base::PairSink& sink, base::DetectionContext& context);
+
+ private:
+  [[nodiscard]] bool number_shifts(const Displacement<Dim>& placing);
+  void fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta, std::size_t workers);
+  void test(const CandidateTest<Dim>& test, std::size_t workers, base::DetectionContext& context);
+  template <class ShiftAt>
+  void write(std::size_t workers, base::PairSink& sink, base::DetectionContext& context,
+             const ShiftAt& shift_at);
+
+  FoundPairs found_;
+  bool periodic_ = false;
+  PairCount size_ = 0;
+  CandidateLayout layout_;
+  base::Array<ShiftNumber> found_shifts_;      ///< only while candidates are put in order
+  base::Array<kernels::QuantumSphere> slots_;  ///< elements as they are placed now
+  base::Array<std::uint64_t> survivors_;       ///< a bit for each candidate, in the order of space
+  std::vector<ImageShift> shift_list_;
+  typename CandidateTest<Dim>::Images images_;
+};
+
+}  // namespace abut::api

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "base/pair_sink.hpp"
+#include "skin/candidate_layout.hpp"
+
+#include <abut/image_shift.hpp>
+#include <abut/pair.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace abut::api {
+
+/// Writes the candidates that survived into a sink, one unit of work long.
+class CandidateWriter {
+ public:
+  /// Candidates written at a time.
+  static constexpr std::size_t most = 256;
+  static_assert(base::PairSink::smallest_room >= most);
+
+  /// `survivors` has a bit for each candidate, by its place in the order of space.
+  CandidateWriter(base::PairSink& sink, const base::Origin& origin, const std::uint64_t* survivors)
+      : sink_(sink), origin_(origin), survivors_(survivors) {}
+
+  /// Those of `count` candidates that survived, from `first` on in canonical order; shift_at(k) is
+  /// the image shift of the k-th of all.
+  template <class ShiftAt>
+  void write(const CandidateLayout::Canonical& candidates, std::size_t first, std::size_t count,
+             ShiftAt&& shift_at) {
+    if (room_.size() - filled_ < count) take_room();
+    // Without a branch: whether it survives cannot be guessed.
+    std::size_t kept = 0;
+    if (shifts_.empty()) {
+      ContactPair* const pairs = room_.data() + filled_;
+      for (std::size_t k = first; k < first + count; ++k) {
+        pairs[kept] = candidates.pairs[k];
+        kept += survives(candidates.places[k]) ? 1 : 0;
+      }
+    } else {
+      std::array<std::uint32_t, most> survivors;
+      for (std::size_t k = first; k < first + count; ++k) {
+        survivors[kept] = static_cast<std::uint32_t>(k);
+        kept += survives(candidates.places[k]) ? 1 : 0;
+      }
+      for (std::size_t k = 0; k < kept; ++k) {
+        room_[filled_ + k] = candidates.pairs[survivors[k]];
+        shifts_[filled_ + k] = shift_at(survivors[k]);
+      }
+    }
+    filled_ += kept;
+  }
+
+  void finish() {
+    const std::size_t count = filled_;
+    filled_ = 0;
+    room_ = {};
+    if (count > 0) sink_.commit(count, origin_);
+  }
+
+ private:
+  [[nodiscard]] bool survives(std::uint32_t place) const noexcept {
+    return (survivors_[place / 64] >> (place % 64) & 1) != 0;
+  }
+
+  void take_room() {
+    finish();
+    room_ = sink_.room(origin_.worker);
+    shifts_ = sink_.shift_room(origin_.worker);
+  }
+
+  base::PairSink& sink_;
+  base::Origin origin_;
+  const std::uint64_t* survivors_;
+  std::span<ContactPair> room_;
+  std::span<ImageShift> shifts_;
+  std::size_t filled_ = 0;
+};
+
+}  // namespace abut::api

@@ -1,0 +1,179 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "base/pair_sink.hpp"
+#include "elements/element_ids.hpp"
+#include "skin/candidate_insertion.hpp"
+#include "skin/candidate_pairs.hpp"
+#include "skin/displacement.hpp"
+#include "skin/skin_choice.hpp"
+#include "skin/snapshot.hpp"
+
+#include <abut/error.hpp>
+#include <abut/pair.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace abut::api {
+
+/// What elements are called; another version where that changed.
+struct NamedElements {
+  const ElementIds& ids;
+  std::uint64_t version;
+};
+
+/// Candidate pairs found once, with a skin, for as many calls as they last: until two elements may
+/// have come closer by more than the skin (docs/derivations/skin.md).
+template <int Dim>
+class SkinSearch {
+ public:
+  explicit SkinSearch(base::MemoryMeter& memory) : memory_(memory) { release(); }
+
+  /// Whether the candidates that are kept hold all contact pairs of these elements. Throws as a
+  /// detection does where the domain is none.
+  [[nodiscard]] bool covers(const Snapshot<Dim>& now, const NamedElements& named);
+
+  /// New elements at their anchors, which are to be searched for against all.
+  struct Insertion {
+    std::span<const base::Sphere<Dim>> added;
+    std::span<const base::Sphere<Dim>> all;
+    const Domain& domain;
+    double margin;
+    base::PairSink& sink;
+  };
+
+  /// The same where elements came, went or have other numbers: takes the candidates over to them.
+  /// `search(insertion)` is called where some are new, but few. False if that is not worth while.
+  template <class Search>
+  [[nodiscard]] bool carry_over(const Snapshot<Dim>& now, const NamedElements& named,
+                                Search&& search);
+
+  /// How many elements were new when candidates were carried over.
+  [[nodiscard]] std::size_t added() const noexcept { return added_.size(); }
+
+  /// How much closer two elements may have come, as covers() found; infinite where that is unknown.
+  [[nodiscard]] double approach() const noexcept { return approach_; }
+
+  /// Keeps what `search(margin, sink)` finds with the skin of `choice`. False if that cannot be
+  /// kept, because the memory bound or the range of image shifts leave no room for more than was
+  /// asked for; it is not tried again for some calls then.
+  template <class Search>
+  [[nodiscard]] bool find_candidates(const Snapshot<Dim>& now, const NamedElements& named,
+                                     SkinChoice& choice, Search&& search);
+
+  /// After covers() or find_candidates() for the same elements.
+  void deliver_contacts(const Snapshot<Dim>& now, base::PairSink& sink,
+                        base::DetectionContext& context) {
+    candidates_->deliver_contacts(now, *displacement_, sink, context);
+  }
+
+  [[nodiscard]] PairCount candidates() const noexcept { return candidates_->size(); }
+  [[nodiscard]] double skin() const noexcept { return skin_; }
+
+  /// Drops the candidates and their memory.
+  void release();
+
+ private:
+  static constexpr int calls_without = 64;
+
+  /// Where more than one element in so many is new, all are searched for anew.
+  static constexpr std::size_t elements_for_a_new_one = 16;
+
+  [[nodiscard]] double allowed(const Snapshot<Dim>& now) const noexcept;
+  [[nodiscard]] bool follow(const Snapshot<Dim>& now, const NamedElements& named);
+  void list_added();
+  void remember(const NamedElements& named);
+
+  /// What `body` returns; false, and no candidates, where there is no room for what it keeps.
+  template <class Body>
+  [[nodiscard]] bool if_there_is_room(Body&& body);
+
+  [[nodiscard]] bool give_up() {
+    release();
+    pause_ = calls_without;
+    return false;
+  }
+
+  base::MemoryMeter& memory_;
+  std::optional<Displacement<Dim>> displacement_;
+  std::optional<CandidatePairs<Dim>> candidates_;
+  bool valid_ = false;
+  double margin_ = 0.0;  ///< that candidates were found with, skin included
+  double skin_ = 0.0;
+  double approach_ = std::numeric_limits<double>::infinity();
+  int pause_ = 0;  ///< calls before candidates are tried again
+
+  ElementIds ids_;  ///< of the elements that candidates are kept of
+  std::uint64_t version_ = 0;
+  std::vector<std::uint32_t> before_;  ///< for each element now its number then
+  std::vector<std::uint32_t> after_;   ///< for each element then its number now
+  std::vector<ElementIndex> added_;
+  std::vector<base::Sphere<Dim>> added_spheres_;
+  CandidateInsertion<Dim> insertion_;
+};
+
+template <int Dim>
+template <class Body>
+bool SkinSearch<Dim>::if_there_is_room(Body&& body) {
+  try {
+    return body() || give_up();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::limit_exceeded && error.code() != ErrorCode::invalid_input) {
+      throw;
+    }
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return give_up();
+}
+
+template <int Dim>
+template <class Search>
+bool SkinSearch<Dim>::find_candidates(const Snapshot<Dim>& now, const NamedElements& named,
+                                      SkinChoice& choice, Search&& search) {
+  valid_ = false;
+  if (pause_ > 0) {
+    --pause_;
+    return false;
+  }
+  return if_there_is_room([&] {
+    if (!displacement_->start(now)) return false;
+    skin_ = choice.next_length(2.0 * displacement_->mean_radius() + now.margin, Dim);
+    margin_ = now.margin + skin_;
+    if (!(margin_ < std::numeric_limits<double>::infinity())) return false;
+    search(margin_, candidates_->start_anew(now.domain.is_periodic()));
+    if (!candidates_->finish(now, *displacement_)) return false;
+    remember(named);
+    return valid_ = true;
+  });
+}
+
+template <int Dim>
+template <class Search>
+bool SkinSearch<Dim>::carry_over(const Snapshot<Dim>& now, const NamedElements& named,
+                                 Search&& search) {
+  if (!valid_ || version_ == named.version) return false;
+  valid_ = false;
+  return if_there_is_room([&] {
+           if (!follow(now, named)) return true;
+           base::PairSink& sink = candidates_->carry_over(after_, *displacement_);
+           if (!added_.empty()) {
+             insertion_.start_anew(sink, added_, before_, *displacement_);
+             search(Insertion{added_spheres_, displacement_->anchors(),
+                              displacement_->domain_then(), margin_, insertion_});
+           }
+           if (!candidates_->finish(now, *displacement_)) return false;
+           remember(named);
+           return valid_ = true;
+         }) &&
+         valid_;
+}
+
+}  // namespace abut::api

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "exact/sphere.hpp"
+#include "grid/bounds.hpp"
+
+#include <abut/domain.hpp>
+#include <abut/simd.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace abut::api {
+
+/// The elements of one call, checked, and what is asked about them.
+template <int Dim>
+struct Snapshot {
+  std::span<const base::Sphere<Dim>> spheres;
+  const grid::Bounds<Dim>& bounds;
+  const Domain& domain;
+  double margin;
+  std::size_t workers;
+  Simd simd;  ///< an available level
+
+  /// No two elements are within a larger reach.
+  [[nodiscard]] double largest_reach() const noexcept {
+    return (2.0 * bounds.largest_radius + margin) * (1.0 + 0x1p-50);
+  }
+};
+
+}  // namespace abut::api

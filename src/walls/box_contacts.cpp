@@ -1,0 +1,78 @@
+#include <abut/box_contacts.hpp>
+
+#include "base/float_environment.hpp"
+#include "elements/gathered_elements.hpp"
+#include "elements/lattice_of.hpp"
+#include "exact/box_feature.hpp"
+#include "walls/feature_search.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace abut {
+namespace {
+
+void require_shapes(const ElementView& spheres, const ElementView& boxes) {
+  if (spheres.shape() != Shape::sphere || boxes.shape() != Shape::box) {
+    throw Error(ErrorCode::wrong_usage,
+                "contacts with boxes are those of spheres, given first, and boxes, given second; "
+                "take find_contact_pairs for elements of one shape");
+  }
+  if (spheres.dimensions() == boxes.dimensions()) return;
+  throw Error(ErrorCode::wrong_usage, "the spheres have " + std::to_string(spheres.dimensions()) +
+                                          " dimensions and the boxes " +
+                                          std::to_string(boxes.dimensions()) +
+                                          "; give both the same number of dimensions");
+}
+
+/// By the number of bounds that the point lies on.
+template <int Dim>
+FeatureKind kind_of(const base::BoxSides<Dim>& sides) {
+  constexpr FeatureKind kinds_2d[] = {FeatureKind::interior, FeatureKind::edge,
+                                      FeatureKind::vertex};
+  constexpr FeatureKind kinds_3d[] = {FeatureKind::interior, FeatureKind::face, FeatureKind::edge,
+                                      FeatureKind::vertex};
+  const auto bounds = std::count_if(sides.begin(), sides.end(), [](int side) { return side != 0; });
+  return Dim == 2 ? kinds_2d[bounds] : kinds_3d[bounds];
+}
+
+template <int Dim>
+BoxContactList find(const ElementView& spheres, const ElementView& boxes, const Domain& domain,
+                    const Options& options) {
+  const base::Lattice lattice = api::lattice_of(domain);
+  api::FeatureSearch<Dim> search(spheres, boxes, domain, options);
+  return search.template contacts<BoxContact>(
+      [&](const api::Candidates<Dim>& candidates, api::FoundContacts<BoxContact>& found) {
+        for (std::size_t k = 0; k < candidates.pairs.size(); ++k) {
+          const ElementIndex number = candidates.pairs[k].second;
+          const ImageShift shift = candidates.shift(k);
+          const auto sides =
+              base::sides_within_reach(candidates.sphere, api::box_at<Dim>(boxes, number), shift,
+                                       lattice, options.margin, found.exact_decisions);
+          if (!sides) continue;
+          BoxContact contact{candidates.number, number, {kind_of<Dim>(*sides), {}}};
+          std::copy(sides->begin(), sides->end(), contact.feature.side.begin());
+          found.contacts.push_back({contact, shift});
+        }
+      });
+}
+
+}  // namespace
+
+BoxContactList find_box_contacts(const ElementView& spheres, const ElementView& boxes,
+                                 const Domain& domain, const Options& options) {
+  const base::FloatEnvironment environment;
+  require_shapes(spheres, boxes);
+  return spheres.dimensions() == 2 ? find<2>(spheres, boxes, domain, options)
+                                   : find<3>(spheres, boxes, domain, options);
+}
+
+BoxContactList find_box_contacts(const ElementView& spheres, const ElementView& boxes,
+                                 const Options& options) {
+  return find_box_contacts(spheres, boxes, Domain::open(), options);
+}
+
+}  // namespace abut

@@ -1,0 +1,39 @@
+#include "walls/box_cover.hpp"
+
+#include "base/workers.hpp"
+#include "elements/gathered_elements.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace abut::api {
+
+template <int Dim>
+BoxCover<Dim>::BoxCover(const ElementView& boxes, std::size_t workers)
+    : count_(std::min(most, boxes.size())) {
+  base::for_each_index(workers, count_, [&](std::size_t, std::size_t run) {
+    const auto [first, last] = base::share_of(run, count_, boxes.size());
+    base::Box<Dim> around = box_at<Dim>(boxes, first);
+    for (std::size_t k = first + 1; k < last; ++k) {
+      const base::Box<Dim> box = box_at<Dim>(boxes, k);
+      for (int axis = 0; axis < Dim; ++axis) {
+        around.lower[axis] = std::min(around.lower[axis], box.lower[axis]);
+        around.upper[axis] = std::max(around.upper[axis], box.upper[axis]);
+      }
+    }
+    around_[run] = around;
+  });
+}
+
+template <int Dim>
+void BoxCover<Dim>::extend(int axis) noexcept {
+  for (std::size_t k = 0; k < count_; ++k) {
+    around_[k].lower[axis] = -std::numeric_limits<double>::max();
+    around_[k].upper[axis] = std::numeric_limits<double>::max();
+  }
+}
+
+template class BoxCover<2>;
+template class BoxCover<3>;
+
+}  // namespace abut::api

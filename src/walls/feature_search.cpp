@@ -1,0 +1,211 @@
+#include "walls/feature_search.hpp"
+
+#include "base/detection_context.hpp"
+#include "detect/validate_options.hpp"
+#include "elements/gathered_elements.hpp"
+#include "elements/lattice_of.hpp"
+#include "kernels/simd_level.hpp"
+#include "lattice/check_range.hpp"
+#include "lattice/reduced_lattice.hpp"
+#include "walls/box_cover.hpp"
+
+#include <abut/error.hpp>
+#include <abut/two_sets.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace abut::api {
+namespace {
+
+/// No less than the sum that was rounded to x, and never infinite: at least the next double, but
+/// for subnormal sums, which are exact.
+double upwards(double x) noexcept {
+  return std::min(x + std::fabs(x) * 0x1p-52, std::numeric_limits<double>::max());
+}
+
+template <int Dim>
+ElementView view_of(const base::Array<base::Box<Dim>>& boxes) {
+  std::array<Column<double>, std::size_t{Dim}> lower;
+  std::array<Column<double>, std::size_t{Dim}> upper;
+  for (std::size_t axis = 0; axis < lower.size(); ++axis) {
+    lower[axis] = {nullptr, boxes.size(), sizeof(base::Box<Dim>)};
+    upper[axis] = lower[axis];
+    if (boxes.empty()) continue;
+    lower[axis].first = &boxes[0].lower[axis];
+    upper[axis].first = &boxes[0].upper[axis];
+  }
+  return ElementView(lower, upper);
+}
+
+/// Whether images are moved on that axis.
+bool leads_along(const Domain& domain, int axis) noexcept {
+  for (int k = 0; k < 3; ++k) {
+    if (domain.vector(k)[static_cast<std::size_t>(axis)] != 0.0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+template <int Dim>
+base::Box<Dim> box_around(const base::Sphere<Dim>& sphere, double margin) noexcept {
+  base::Box<Dim> box{};
+  const double reach = upwards(sphere.radius + margin);
+  for (int axis = 0; axis < Dim; ++axis) {
+    box.lower[axis] = -upwards(reach - sphere.center[axis]);
+    box.upper[axis] = upwards(reach + sphere.center[axis]);
+  }
+  return box;
+}
+
+void require_allowed(PairCount contacts, const Options& options) {
+  if (contacts <= options.max_pairs) return;
+  throw Error(ErrorCode::limit_exceeded, "there are " + std::to_string(contacts) +
+                                             " contacts, and the limit that was set is " +
+                                             std::to_string(options.max_pairs) + "; raise it");
+}
+
+template <int Dim>
+FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView& boxes,
+                                  const Domain& domain, const Options& options)
+    : options_(options),
+      elements_(spheres.size() + boxes.size()),
+      workers_(base::worker_count(options.threads, elements_)),
+      memory_(memory_bound(options)),
+      spheres_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory_, 0)),
+      near_(base::make_array_for_overwrite<ElementIndex>(memory_, 0)) {
+  validate(options, spheres, domain);
+  reporting_lack_of_memory(memory_, [&] {
+    gather(spheres);
+    leave_out_far(boxes, domain);
+  });
+  try {
+    candidates_ = find_candidates(boxes, domain);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::invalid_input || !domain.is_periodic()) throw;
+    // Too far out: said of the sphere rather than of the box around it, and by the caller's
+    // numbers.
+    const grid::ReducedLattice<Dim> reduced(lattice_of(domain));
+    grid::check_range<Dim>(spheres_, reduced, options.margin, Shape::sphere);
+    if (near_.size() == spheres_.size()) throw;
+    keep_all();
+    candidates_ = find_candidates(boxes, domain);
+  }
+  // As long as the meter lives.
+  memory_.take_for_pairs(candidates_.size() * sizeof(ContactPair) +
+                         candidates_.shifts().size() * sizeof(ImageShift));
+}
+
+template <int Dim>
+PairList FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Domain& domain) {
+  const auto around = reporting_lack_of_memory(memory_, [&] { return boxes_around(); });
+  // What the caller's hook throws is none of ours: not in reporting_lack_of_memory.
+  PairList found =
+      find_contact_pairs(view_of<Dim>(around), boxes, domain, options_of_search(domain));
+  peak_of_search_ = memory_.held() + found.statistics().peak_bytes;
+  return found;
+}
+
+template <int Dim>
+void FeatureSearch<Dim>::gather(const ElementView& spheres) {
+  base::DetectionContext context(memory_, {});
+  GatheredElements<Dim> gathered(memory_);
+  api::gather<Dim>(spheres, {workers_, kernels::level_to_run(options_.simd)}, gathered, context);
+  spheres_ = std::move(gathered.spheres);
+}
+
+template <int Dim>
+void FeatureSearch<Dim>::keep_all() {
+  near_.resize(spheres_.size());
+  std::iota(near_.begin(), near_.end(), ElementIndex{0});
+}
+
+/// A search of two sets of boxes meets all pairs within each set, too: spheres far from all others
+/// had better not be in it. A rule knows the elements by their places, and then all stay. With a
+/// lattice only those axes tell along which no vector leads: there images are where the boxes are.
+template <int Dim>
+void FeatureSearch<Dim>::leave_out_far(const ElementView& boxes, const Domain& domain) {
+  if (!options_.rule.is_empty()) return keep_all();
+  near_.resize(spheres_.size());
+  BoxCover<Dim> cover(boxes, workers_);
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (leads_along(domain, axis)) cover.extend(axis);
+  }
+  std::vector<std::size_t> counts(workers_);
+  base::for_each_worker(workers_, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers_, spheres_.size());
+    std::size_t end = first;
+    for (std::size_t k = first; k < last; ++k) {
+      near_[end] = static_cast<ElementIndex>(k);
+      end += cover.meets(box_around<Dim>(spheres_[k], options_.margin)) ? 1 : 0;
+    }
+    counts[worker] = end - first;
+  });
+  auto end = near_.begin();
+  for (std::size_t worker = 0; worker < workers_; ++worker) {
+    const auto first = near_.begin() + static_cast<std::ptrdiff_t>(
+                                           base::share_of(worker, workers_, spheres_.size()).first);
+    const auto count = static_cast<std::ptrdiff_t>(counts[worker]);
+    end = first == end ? end + count : std::copy(first, first + count, end);
+  }
+  near_.erase(end, near_.end());
+}
+
+template <int Dim>
+base::Array<base::Box<Dim>> FeatureSearch<Dim>::boxes_around() {
+  auto boxes = base::make_array_for_overwrite<base::Box<Dim>>(memory_, near_.size());
+  base::for_each_worker(workers_, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers_, near_.size());
+    for (std::size_t k = first; k < last; ++k) {
+      boxes[k] = box_around<Dim>(spheres_[near_[k]], options_.margin);
+    }
+  });
+  return boxes;
+}
+
+/// The margin is in the boxes; what is held already is taken off the bound, where there is one.
+template <int Dim>
+Options FeatureSearch<Dim>::options_of_search(const Domain& domain) const {
+  Options search{.algorithm = options_.algorithm,
+                 .shifts = domain.is_periodic() ? Shifts::stored : Shifts::none,
+                 .rule = options_.rule,
+                 .threads = options_.threads,
+                 .simd = options_.simd};
+  if (options_.max_bytes != automatic_memory_bound) {
+    search.max_bytes = std::max(options_.max_bytes - memory_.held(), std::uint64_t{1});
+  }
+  if (options_.progress) {
+    search.progress = [this](const Progress& progress) { return options_.progress(progress); };
+  }
+  return search;
+}
+
+template <int Dim>
+std::size_t FeatureSearch<Dim>::end_of_sphere(std::size_t place) const {
+  const std::span<const ContactPair> pairs = candidates_.pairs();
+  const ElementIndex sphere = pairs[place].first;
+  while (place < pairs.size() && pairs[place].first == sphere) ++place;
+  return place;
+}
+
+template <int Dim>
+std::pair<std::size_t, std::size_t> FeatureSearch<Dim>::share_of(std::size_t worker) const {
+  const std::size_t size = candidates_.size();
+  // A sphere is the worker's in whose share its first candidate lies.
+  const auto moved = [&](std::size_t place) {
+    return place == 0 || place == size ? place : end_of_sphere(place - 1);
+  };
+  const auto share = base::share_of(worker, workers_, size);
+  return {moved(share.first), moved(share.second)};
+}
+
+template base::Box<2> box_around(const base::Sphere<2>&, double) noexcept;
+template base::Box<3> box_around(const base::Sphere<3>&, double) noexcept;
+template class FeatureSearch<2>;
+template class FeatureSearch<3>;
+
+}  // namespace abut::api

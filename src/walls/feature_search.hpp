@@ -1,0 +1,162 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "base/lack_of_memory.hpp"
+#include "base/memory_meter.hpp"
+#include "base/workers.hpp"
+#include "exact/box.hpp"
+#include "exact/sphere.hpp"
+
+#include <abut/contact_list.hpp>
+#include <abut/domain.hpp>
+#include <abut/element_view.hpp>
+#include <abut/image_shift.hpp>
+#include <abut/options.hpp>
+#include <abut/pair_list.hpp>
+
+#include <algorithm>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace abut::api {
+
+/// A box around all that lies within radius + margin of the center; what is beyond the largest
+/// double is left out.
+template <int Dim>
+[[nodiscard]] base::Box<Dim> box_around(const base::Sphere<Dim>& sphere, double margin) noexcept;
+
+/// Throws Error{limit_exceeded} for more contacts than the options allow.
+void require_allowed(PairCount contacts, const Options& options);
+
+/// A contact with one image of what is touched.
+template <class Contact>
+struct ImageContact {
+  Contact contact;
+  ImageShift shift;
+
+  friend constexpr auto operator<=>(const ImageContact&, const ImageContact&) = default;
+};
+
+/// Contacts that one worker found, in ascending order.
+template <class Contact>
+struct alignas(128) FoundContacts {
+  explicit FoundContacts(base::MemoryMeter& memory)
+      : contacts(base::make_array_for_overwrite<ImageContact<Contact>>(memory, 0)),
+        room(base::make_array_for_overwrite<ImageContact<Contact>>(memory, 0)) {}
+
+  base::Array<ImageContact<Contact>> contacts;
+  base::Array<ImageContact<Contact>> room;  ///< for whatever `find` needs
+  std::uint64_t exact_decisions = 0;
+};
+
+/// A sphere and the boxes around something else that the box around it meets.
+template <int Dim>
+struct Candidates {
+  ElementIndex number;
+  const base::Sphere<Dim>& sphere;
+  std::span<const ContactPair> pairs;  ///< `second` are the others, ascending
+  std::span<const ImageShift> shifts;  ///< of the others, ascending for each; empty in open space
+
+  [[nodiscard]] ImageShift shift(std::size_t k) const noexcept {
+    return shifts.empty() ? ImageShift{} : shifts[k];
+  }
+};
+
+/// Spheres, and which of them have a box around them that meets a box around something else: what
+/// a search for contacts with features begins with.
+template <int Dim>
+class FeatureSearch {
+ public:
+  /// Throws as a detection of two sets does. `options` must outlive it.
+  FeatureSearch(const ElementView& spheres, const ElementView& boxes, const Domain& domain,
+                const Options& options);
+
+  FeatureSearch(const FeatureSearch&) = delete;
+  FeatureSearch& operator=(const FeatureSearch&) = delete;
+
+  /// The contacts among the candidates. `find(candidates, found)` is called once for each sphere
+  /// that has some and appends its contacts; workers call it at the same time.
+  template <class Contact, class Find>
+  [[nodiscard]] ContactList<Contact> contacts(Find&& find) {
+    return reporting_lack_of_memory(memory_, [&] {
+      std::vector<FoundContacts<Contact>> found(workers_, FoundContacts<Contact>(memory_));
+      base::for_each_worker(workers_, [&](std::size_t worker) {
+        const auto [first, last] = share_of(worker);
+        for (std::size_t place = first; place < last;) {
+          const std::size_t end = end_of_sphere(place);
+          find(candidates_between(place, end), found[worker]);
+          place = end;
+        }
+      });
+      return joined(found);
+    });
+  }
+
+ private:
+  void gather(const ElementView& spheres);
+  void keep_all();
+  void leave_out_far(const ElementView& boxes, const Domain& domain);
+  [[nodiscard]] base::Array<base::Box<Dim>> boxes_around();
+  [[nodiscard]] Options options_of_search(const Domain& domain) const;
+  [[nodiscard]] PairList find_candidates(const ElementView& boxes, const Domain& domain);
+
+  /// The place behind `place` where the candidates of another sphere begin.
+  [[nodiscard]] std::size_t end_of_sphere(std::size_t place) const;
+
+  /// The candidates of a worker, by places; those of one sphere are one worker's.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> share_of(std::size_t worker) const;
+
+  /// All of one sphere.
+  [[nodiscard]] Candidates<Dim> candidates_between(std::size_t place, std::size_t end) const {
+    const auto pairs = candidates_.pairs().subspan(place, end - place);
+    const auto shifts = candidates_.shifts();
+    const ElementIndex number = near_[pairs.front().first];
+    return {number, spheres_[number], pairs,
+            shifts.empty() ? shifts : shifts.subspan(place, end - place)};
+  }
+
+  template <class Contact>
+  [[nodiscard]] ContactList<Contact> joined(const std::vector<FoundContacts<Contact>>& found) {
+    Statistics statistics = candidates_.statistics();
+    statistics.elements = elements_;
+    statistics.candidate_tests = candidates_.size();
+    statistics.exact_decisions = statistics.contact_pairs = 0;
+    for (const auto& part : found) {
+      statistics.exact_decisions += part.exact_decisions;
+      statistics.contact_pairs += part.contacts.size();
+    }
+    require_allowed(statistics.contact_pairs, options_);
+    // Given back with the meter itself: the list is the caller's from then on.
+    const std::size_t shift_count =
+        options_.shifts == Shifts::stored ? statistics.contact_pairs : 0;
+    memory_.take_for_pairs(statistics.contact_pairs * sizeof(Contact) +
+                           shift_count * sizeof(ImageShift));
+    std::vector<Contact> all;
+    std::vector<ImageShift> shifts;
+    all.reserve(statistics.contact_pairs);
+    shifts.reserve(shift_count);
+    for (const auto& part : found) {
+      for (const ImageContact<Contact>& one : part.contacts) {
+        all.push_back(one.contact);
+        if (shift_count > 0) shifts.push_back(one.shift);
+      }
+    }
+    statistics.peak_bytes = std::max(peak_of_search_, memory_.peak());
+    return ContactList<Contact>(std::move(all), std::move(shifts), statistics);
+  }
+
+  const Options& options_;
+  std::size_t elements_;  ///< of both
+  std::size_t workers_;
+  base::MemoryMeter memory_;
+  base::Array<base::Sphere<Dim>> spheres_;
+  base::Array<ElementIndex> near_;  ///< numbers of the spheres that are searched, ascending
+  PairList candidates_;             ///< (place in near_, box), ascending
+  std::uint64_t peak_of_search_ = 0;
+};
+
+}  // namespace abut::api

@@ -1,0 +1,78 @@
+#include <abut/fit_boxes.hpp>
+
+#include "base/float_environment.hpp"
+#include "base/written.hpp"
+#include "elements/gathered_elements.hpp"
+#include "walls/vertex_numbers.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace abut {
+namespace {
+
+/// x - skin and x + skin, rounded away from x where they are rounded.
+double below(double x, double skin) {
+  const double rounded = x - skin;
+  const bool exact = skin == 0.0 || (x - rounded == skin && rounded + skin == x);
+  return exact ? rounded : std::nextafter(rounded, -std::numeric_limits<double>::infinity());
+}
+double above(double x, double skin) {
+  return -below(-x, skin);
+}
+
+void require_finite(double x, std::size_t vertex, std::size_t cell, std::size_t axis) {
+  if (std::isfinite(x)) return;
+  throw Error(ErrorCode::invalid_input, "vertex " + std::to_string(vertex) + " of cell " +
+                                            std::to_string(cell) + " has " + "xyz"[axis] + " = " +
+                                            base::written(x) + "; positions must be finite");
+}
+
+template <int Dim>
+FittedBoxes fit(const ElementView& vertices, const Connectivity& cells, double skin) {
+  FittedBoxes boxes;
+  boxes.dimensions = Dim;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    boxes.lower[axis].resize(cells.size());
+    boxes.upper[axis].resize(cells.size());
+  }
+  const api::VertexNumbers numbers(cells, vertices.size());
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    grid::Bounds<Dim> bounds;
+    for (std::size_t corner = 0; corner < cells.vertices_per_cell(); ++corner) {
+      const std::size_t number = numbers.at(cell, corner);
+      const base::Sphere<Dim> vertex = api::sphere_at<Dim>(vertices, number);
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        require_finite(vertex.center[axis], number, cell, axis);
+      }
+      bounds.include_center(vertex);
+    }
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      boxes.lower[axis][cell] = below(bounds.lower[axis], skin);
+      boxes.upper[axis][cell] = above(bounds.upper[axis], skin);
+    }
+  }
+  return boxes;
+}
+
+}  // namespace
+
+ElementView FittedBoxes::view() const {
+  return dimensions == 2 ? rectangles(lower[0], lower[1], upper[0], upper[1])
+                         : boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
+}
+
+FittedBoxes fit_boxes(const ElementView& vertices, const Connectivity& cells, double skin) {
+  const base::FloatEnvironment environment;
+  if (!(skin >= 0.0) || std::isinf(skin)) {
+    throw Error(ErrorCode::invalid_input,
+                "skin = " + base::written(skin) + "; it must be finite and not negative");
+  }
+  return vertices.dimensions() == 2 ? fit<2>(vertices, cells, skin) : fit<3>(vertices, cells, skin);
+}
+
+}  // namespace abut

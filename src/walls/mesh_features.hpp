@@ -1,0 +1,50 @@
+#pragma once
+
+#include "exact/triangle_predicate.hpp"
+
+#include <abut/image_shift.hpp>
+#include <abut/triangle_mesh.hpp>
+
+#include <compare>
+#include <cstddef>
+
+namespace abut::api {
+
+/// A feature of a mesh, moved by a shift.
+struct MovedFeature {
+  MeshFeature feature;
+  ImageShift shift;
+
+  friend constexpr auto operator<=>(const MovedFeature&, const MovedFeature&) = default;
+};
+
+/// What the part of a triangle is to the mesh. The parts come in the order in which the first of
+/// several nearest ones is taken: those of triangles that have a feature name the same one.
+[[nodiscard]] inline MovedFeature feature_of(const TriangleMesh& mesh, ElementIndex triangle,
+                                             base::TrianglePart part) {
+  const auto k = static_cast<std::size_t>(part);
+  const ImageShift shift =
+      mesh.feature_shifts().empty() ? ImageShift{} : mesh.feature_shifts()[triangle][k];
+  if (k < 3) {
+    const ElementIndex vertex = mesh.triangles()[triangle][k];
+    return {{FeatureKind::vertex, mesh.vertex_features()[vertex]}, shift};
+  }
+  if (k < 6) return {{FeatureKind::edge, mesh.edges_of_triangles()[triangle][k - 3]}, shift};
+  return {{FeatureKind::face, mesh.faces()[triangle]}, shift};
+}
+
+/// Calls act(moved_feature) once for each that a triangle has. Corners at the same place are
+/// neighbors in it, and so are sides that are the same.
+template <class Act>
+void for_each_feature(const TriangleMesh& mesh, ElementIndex triangle, Act&& act) {
+  MovedFeature last{{FeatureKind::interior, 0}, {}};
+  for (std::size_t k = 0; k < 7; ++k) {
+    const MovedFeature moved = feature_of(mesh, triangle, static_cast<base::TrianglePart>(k));
+    const bool is_none = moved.feature == MeshFeature{FeatureKind::edge, TriangleMesh::no_edge};
+    if (is_none || moved == last) continue;
+    act(moved);
+    last = moved;
+  }
+}
+
+}  // namespace abut::api

@@ -1,0 +1,111 @@
+#include "exact/periodic_gap.hpp"
+
+#include "exact/periodic_pairs.hpp"
+#include "exact/sphere_gap.hpp"
+#include "support/dimensions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+
+namespace abut::test {
+namespace {
+
+constexpr double u = 0x1p-53;
+
+template <int Dim>
+double gap_of(const PeriodicPair<Dim>& pair) {
+  return base::gap(pair.spheres.a, pair.spheres.b, pair.shift, pair.lattice);
+}
+
+std::uint64_t bits(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+template <class Dimension>
+class PeriodicGap : public testing::Test {};
+
+TYPED_TEST_SUITE(PeriodicGap, Dimensions);
+
+/// Finite, of the right sign, and the same bits when seen from the other element.
+template <int Dim>
+void expect_sound(PeriodicPair<Dim> pair) {
+  pair.spheres.margin = 0.0;
+  const double gap = gap_of(pair);
+  ASSERT_TRUE(std::isfinite(gap)) << pair;
+  ASSERT_EQ(gap <= 0.0, within_reach_by_rationals(pair)) << gap << ": " << pair;
+  ASSERT_EQ(bits(gap), bits(gap_of(exchanged(pair)))) << pair;
+}
+
+/// Error of the gap in units of u * (distance + sum of radii).
+template <int Dim>
+double error_of_gap(const PeriodicPair<Dim>& pair) {
+  mpf_class distance(0, 400);
+  distance = exact_distance_squared(pair);
+  distance = sqrt(distance);
+  mpf_class radii(0, 400);
+  radii = exact_reach(pair.spheres.a, pair.spheres.b, 0.0);
+  const mpf_class error = (gap_of(pair) - (distance - radii)) / (distance + radii);
+  return std::fabs(error.get_d()) / u;
+}
+
+TYPED_TEST(PeriodicGap, HasTheSignOfThePredicate) {
+  Random random(61);
+  for (int k = 0; k < 10000; ++k) {
+    auto pair = cancelling_pair<TypeParam::value>(random, 1 + k % 31);
+    if (k % 4 == 0) scale(pair, static_cast<int>(random() % 2000) - 1050);
+    ASSERT_NO_FATAL_FAILURE(expect_sound(pair));
+    ASSERT_NO_FATAL_FAILURE(expect_sound(periodic_tie<TypeParam::value>(random, 1 + k % 31)));
+    ASSERT_NO_FATAL_FAILURE(expect_sound(extreme_periodic_pair<TypeParam::value>(random)));
+  }
+}
+
+/// However much of x and n A cancels: the difference is rounded once.
+TYPED_TEST(PeriodicGap, IsAsAccurateAsInOpenSpace) {
+  Random random(62);
+  for (int k = 0; k < 10000; ++k) {
+    auto pair = cancelling_pair<TypeParam::value>(random, 1 + k % 31);
+    pair.spheres.margin = 0.0;
+    if (exact_reach(pair.spheres.a, pair.spheres.b, 0.0) == 0) continue;
+    ASSERT_LT(error_of_gap(pair), 4.6) << pair;
+    scale(pair, static_cast<int>(random() % 1700) - 850);
+    ASSERT_LT(error_of_gap(pair), 4.6) << "scaled: " << pair;
+  }
+}
+
+TYPED_TEST(PeriodicGap, WithoutAShiftIsThatOfOpenSpace) {
+  Random random(63);
+  for (int k = 0; k < 5000; ++k) {
+    PeriodicPair<TypeParam::value> pair{};
+    pair.spheres = k % 2 == 0 ? borderline_pair<TypeParam::value>(random, 10)
+                              : extreme_pair<TypeParam::value>(random);
+    set_lattice<TypeParam::value>(pair, extreme_number, random);
+    pair.lattice.periodic = {true, true, true};
+    ASSERT_EQ(bits(gap_of(pair)), bits(base::gap(pair.spheres.a, pair.spheres.b))) << pair;
+  }
+}
+
+TEST(PeriodicGapCases, PlainNumbers) {
+  base::Lattice lattice;
+  lattice.vectors = {{{10, 0, 0}, {0, 20, 0}, {}}};
+  lattice.periodic = {true, true, false};
+  const base::Sphere<2> a{{1, 1}, 1};
+  const base::Sphere<2> b{{8, 17}, 1};
+  EXPECT_EQ(base::gap(a, b, {-1, -1, 0}, lattice), 3.0);
+  EXPECT_EQ(base::gap(a, b, {-1, 0, 0}, lattice), std::sqrt(9.0 + 256.0) - 2.0);
+  EXPECT_EQ(base::gap(a, a, {1, 0, 0}, lattice), 8.0);
+}
+
+TEST(PeriodicGapCases, AGapThatNoDoubleHoldsIsTheLargest) {
+  constexpr double huge = std::numeric_limits<double>::max();
+  base::Lattice lattice;
+  lattice.vectors = {{{huge, 0, 0}, {}, {}}};
+  lattice.periodic = {true, false, false};
+  const base::Sphere<2> a{{0, 0}, 0};
+  EXPECT_EQ(base::gap(a, a, {std::numeric_limits<std::int32_t>::max(), 0, 0}, lattice), huge);
+  EXPECT_EQ(base::gap(a, a, {1, 0, 0}, lattice), huge);
+}
+
+}  // namespace
+}  // namespace abut::test

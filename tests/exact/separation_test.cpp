@@ -1,0 +1,142 @@
+// Vectors and distances against rational arithmetic: each rounded once.
+
+#include "exact/separation.hpp"
+#include "scenes/random.hpp"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Random;
+
+struct Case {
+  base::Sphere<3> a{};
+  base::Sphere<3> b{};
+  ImageShift shift;
+  base::Lattice lattice;
+};
+
+mpq_class component(const Case& c, std::size_t axis) {
+  const std::int32_t numbers[] = {c.shift.x, c.shift.y, c.shift.z};
+  mpq_class result = mpq_class(c.a.center[axis]) - mpq_class(c.b.center[axis]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (numbers[k] != 0) result -= numbers[k] * mpq_class(c.lattice.vectors[k][axis]);
+  }
+  return result;
+}
+
+/// Whether `rounded` is the nearest double to `exact`, to even between two.
+bool is_rounded(const mpq_class& exact, double rounded) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const mpq_class value(rounded);
+  const mpq_class above = (value + mpq_class(std::nextafter(rounded, inf))) / 2;
+  const mpq_class below = (value + mpq_class(std::nextafter(rounded, -inf))) / 2;
+  int exponent = 0;
+  const bool even = std::fmod(std::ldexp(std::frexp(rounded, &exponent), 53), 2.0) == 0.0;
+  return even ? below <= exact && exact <= above : below < exact && exact < above;
+}
+
+/// Whether `rounded` is the nearest double to the root of `square`, the smaller of two.
+bool is_rounded_root(const mpq_class& square, double rounded) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const mpq_class above = (mpq_class(rounded) + mpq_class(std::nextafter(rounded, inf))) / 2;
+  if (rounded == 0.0) return square <= above * above;
+  const mpq_class below = (mpq_class(rounded) + mpq_class(std::nextafter(rounded, -inf))) / 2;
+  return below * below < square && square <= above * above;
+}
+
+void check(const Case& c) {
+  const base::Separation found = base::separation(c.a, c.b, c.shift, c.lattice);
+  mpq_class square = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const mpq_class exact = component(c, axis);
+    ASSERT_TRUE(is_rounded(exact, found.vector[axis])) << found.vector[axis] << " axis " << axis;
+    square += exact * exact;
+  }
+  ASSERT_TRUE(is_rounded_root(square, found.distance)) << found.distance;
+  const base::Separation back =
+      base::separation(c.b, c.a, {-c.shift.x, -c.shift.y, -c.shift.z}, c.lattice);
+  ASSERT_EQ(back.distance, found.distance);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ASSERT_EQ(back.vector[axis], -found.vector[axis]);
+    ASSERT_FALSE(found.vector[axis] == 0.0 && std::signbit(found.vector[axis]));
+  }
+}
+
+/// Numbers of few bits, of which some sums cancel, and of many.
+double number(Random& random, int exponents) {
+  const double significand =
+      random.below(3) == 0 ? static_cast<double>(random.below(9)) - 4.0 : random.uniform(-1.0, 1.0);
+  const auto steps = random.below(static_cast<std::size_t>(exponents));
+  return std::ldexp(significand, static_cast<int>(steps) - exponents / 2);
+}
+
+Case random_case(Random& random, int exponents, bool shifted) {
+  Case c;
+  for (int axis = 0; axis < 3; ++axis) {
+    c.a.center[axis] = number(random, exponents);
+    c.b.center[axis] = number(random, exponents);
+  }
+  c.lattice.periodic = {true, true, true};
+  for (auto& vector : c.lattice.vectors) {
+    for (double& x : vector) x = number(random, exponents);
+  }
+  if (!shifted) return c;
+  const auto whole = [&] { return static_cast<std::int32_t>(random.below(9)) - 4; };
+  c.shift = {whole(), whole(), random.below(2) == 0 ? 2147483647 : whole()};
+  // Nearly all of it cancels now and then.
+  if (random.below(2) == 0) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      c.a.center[axis] -= component(c, axis).get_d();
+    }
+  }
+  return c;
+}
+
+TEST(Separation, IsRoundedOnce) {
+  Random random(1);
+  for (int k = 0; k < 5000; ++k) {
+    for (const int exponents : {1, 10, 60, 400}) {
+      check(random_case(random, exponents, false));
+      check(random_case(random, exponents, true));
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+/// Along one axis the distance is the component; between two doubles it is the smaller one.
+TEST(Separation, OfTies) {
+  const auto along_x = [](double a, double b) {
+    return base::separation<3>({{a, 5, 5}, 1.0}, {{b, 5, 5}, 2.0}, {}, {});
+  };
+  EXPECT_EQ(along_x(1.0, 4.0).distance, 3.0);
+  EXPECT_EQ(along_x(0x1p53, -1.0).distance, 0x1p53);
+  EXPECT_EQ(along_x(0x1p53 + 2.0, -1.0).distance, 0x1p53 + 2.0);
+  EXPECT_EQ(along_x(0x1p53 + 2.0, -1.0).vector[0], 0x1p53 + 4.0);
+  EXPECT_EQ(along_x(7.0, 7.0).distance, 0.0);
+}
+
+TEST(Separation, OfExtremeNumbers) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  const auto between = [](double a, double b) {
+    return base::separation<2>({{a, 0}, 0.0}, {{b, 0}, 0.0}, {}, {});
+  };
+  EXPECT_EQ(between(largest, -largest).distance, largest);
+  EXPECT_EQ(between(-largest, largest).vector[0], -largest);
+  EXPECT_EQ(between(largest, 0.0).distance, largest);
+  EXPECT_EQ(between(smallest, 0.0).distance, smallest);
+  EXPECT_EQ(between(3 * smallest, -2 * smallest).distance, 5 * smallest);
+  EXPECT_EQ(between(1e300, 2e300).distance, 1e300);
+  const base::Separation diagonal =
+      base::separation<2>({{0x3p666, 0x4p666}, 0.0}, {{0, 0}, 0.0}, {}, {});
+  EXPECT_EQ(diagonal.distance, 0x5p666);
+}
+
+}  // namespace
+}  // namespace abut::testing

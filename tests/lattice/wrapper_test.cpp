@@ -1,0 +1,100 @@
+#include "lattice/wrapper.hpp"
+
+#include "exact/rational_oracle.hpp"
+#include "lattice/lattices.hpp"
+#include "support/dimensions.hpp"
+
+#include <gtest/gtest.h>
+
+namespace abut::test {
+namespace {
+
+/// x - W b on one axis, exactly.
+template <int Dim>
+mpq_class moved_exactly(double x, const base::Lattice& given,
+                        const grid::ReducedLattice<Dim>& reduced, const grid::Brick<Dim>& brick,
+                        const grid::CellsMoved& cells, std::size_t axis) {
+  mpq_class result(x);
+  for (std::size_t k = 0; k < reduced.count; ++k) {
+    for (std::size_t l = 0; l < reduced.count; ++l) {
+      result -= cells[k] * mpq_class(std::to_string(reduced.to_given[brick.vector_of[k]][l])) *
+                mpq_class(given.vectors[reduced.axis_of[l]][axis]);
+    }
+  }
+  return result;
+}
+
+template <class Dimension>
+class Wrapper : public testing::Test {};
+
+TYPED_TEST_SUITE(Wrapper, Dimensions);
+
+TYPED_TEST(Wrapper, IsOffByHalfALastPlaceHoweverFar) {
+  constexpr int dim = TypeParam::value;
+  Random random(101);
+  int rounded = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const auto named = random_lattice<dim>(random);
+    const grid::ReducedLattice<dim> reduced(named.lattice);
+    std::array<bool, dim> along{};
+    along.fill(true);
+    const grid::Brick<dim> brick(reduced, 1.0);
+    const grid::Wrapper<dim> wrapper(reduced, brick, along);
+    base::Sphere<dim> sphere{};
+    double cell = 0.0;
+    const double cells_away = std::ldexp(1.0, round % 31);
+    for (std::size_t k = 0; k < reduced.count; ++k) {
+      cell = std::max(cell, reduced.length[k]);
+      const double cells = uniform(random, -cells_away, cells_away);
+      for (std::size_t axis = 0; axis < dim; ++axis) {
+        sphere.center[axis] += cells * reduced.vectors[k][axis];
+      }
+    }
+    base::Sphere<dim> wrapped = sphere;
+    const auto cells = wrapper.wrap(wrapped, 0);
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      const mpq_class exact =
+          moved_exactly(sphere.center[axis], named.lattice, reduced, brick, cells, axis);
+      const double off = mpq_class(mpq_class(wrapped.center[axis]) - exact).get_d();
+      ASSERT_LE(std::fabs(off), 0x1p-53 * std::fabs(wrapped.center[axis]) + 0x1p-55 * cell)
+          << named;
+      rounded += off != 0.0 ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < reduced.count; ++k) {
+      ASSERT_GE(brick.coordinate(k, wrapped.center), -0x1p-40) << named;
+      ASSERT_LE(brick.coordinate(k, wrapped.center), 1.0 + 0x1p-40) << named;
+    }
+  }
+  EXPECT_GT(rounded, 500);
+}
+
+TYPED_TEST(Wrapper, LeavesWhatIsInside) {
+  constexpr int dim = TypeParam::value;
+  Random random(102);
+  for (int round = 0; round < 1000; ++round) {
+    const auto named = random_lattice<dim>(random);
+    const grid::ReducedLattice<dim> reduced(named.lattice);
+    std::array<bool, dim> along{};
+    along[reduced.count - 1] = true;
+    const grid::Brick<dim> brick(reduced, 1.0);
+    const grid::Wrapper<dim> wrapper(reduced, brick, along);
+    base::Sphere<dim> sphere{};
+    for (double& x : sphere.center) x = uniform(random, -9.0, 9.0);
+    base::Sphere<dim> wrapped = sphere;
+    const auto cells = wrapper.wrap(wrapped, 0);
+    const std::size_t last = reduced.count - 1;
+    const double place = brick.coordinate(last, sphere.center);
+    ASSERT_EQ(cells[last] == 0, place >= 0.0 && place < 1.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k == last) continue;
+      ASSERT_EQ(cells[k], 0) << "not to be wrapped along the others";
+    }
+    if (cells[last] != 0) continue;
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      ASSERT_EQ(wrapped.center[axis], sphere.center[axis]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace abut::test

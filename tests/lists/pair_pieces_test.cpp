@@ -1,0 +1,312 @@
+// From pairs as several workers found them to lists: FoundPairs, join, canonical order, rows of
+// neighbors.
+
+#include "lists/found_pairs.hpp"
+#include "lists/neighbor_rows.hpp"
+#include "lists/order_pairs.hpp"
+#include "scenes/random.hpp"
+#include "support/oracle.hpp"
+
+#include <abut/error.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace abut::api {
+namespace {
+
+using scenes::Random;
+using testing::PairVector;
+
+constexpr std::size_t elements = 5000;
+
+/// Any shift that tells the pair.
+ImageShift shift_of(const ContactPair& pair) {
+  return {static_cast<std::int32_t>(pair.first), -static_cast<std::int32_t>(pair.second), 7};
+}
+
+/// Units of pairs, found by workers in any order; each unit's pairs in one worker, in several
+/// commits.
+struct Units {
+  std::vector<PairVector> pairs;
+
+  explicit Units(std::uint64_t seed) {
+    Random random(seed);
+    for (std::size_t unit = 0; unit < 60; ++unit) {
+      PairVector here(random.below(10) == 0 ? 20000 : random.below(300));
+      for (ContactPair& pair : here) {
+        pair.first = static_cast<ElementIndex>(random.below(elements - 1));
+        pair.second =
+            static_cast<ElementIndex>(pair.first + 1 + random.below(elements - 1 - pair.first));
+      }
+      pairs.push_back(std::move(here));
+    }
+    // Each pair once, as detections find them.
+    std::set<ContactPair> seen;
+    for (PairVector& unit : pairs) {
+      std::erase_if(unit, [&](const ContactPair& pair) { return !seen.insert(pair).second; });
+    }
+  }
+
+  [[nodiscard]] PairVector together() const {
+    PairVector result;
+    for (const PairVector& unit : pairs) result.insert(result.end(), unit.begin(), unit.end());
+    return result;
+  }
+
+  void deliver(FoundPairs& found, std::size_t workers, std::uint64_t seed) const {
+    Random random(seed);
+    found.expect_workers(workers);
+    std::vector<std::size_t> order(pairs.size());
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    for (std::size_t left = order.size(); left > 1; --left) {
+      std::swap(order[left - 1], order[random.below(left)]);
+    }
+    for (const std::size_t unit : order) {
+      deliver_unit(found, unit, random.below(workers), random);
+    }
+  }
+
+  void deliver_in_order(FoundPairs& found) const {
+    Random random(1);
+    found.expect_workers(1);
+    for (std::size_t unit = 0; unit < pairs.size(); ++unit) deliver_unit(found, unit, 0, random);
+  }
+
+  void deliver_unit(FoundPairs& found, std::size_t unit, std::size_t worker, Random& random) const {
+    for (std::size_t done = 0; done < pairs[unit].size();) {
+      const auto room = found.room(worker);
+      ASSERT_GE(room.size(), base::PairSink::smallest_room);
+      const std::size_t count =
+          std::min({room.size(), pairs[unit].size() - done, 1 + random.below(5000)});
+      const std::span piece = std::span(pairs[unit]).subspan(done, count);
+      std::copy(piece.begin(), piece.end(), room.begin());
+      const auto shifts = found.shift_room(worker);
+      if (!shifts.empty()) {
+        ASSERT_GE(shifts.size(), count);
+        std::transform(piece.begin(), piece.end(), shifts.begin(), shift_of);
+      }
+      found.commit(count, {worker, unit});
+      done += count;
+    }
+  }
+};
+
+PairVector joined(FoundPairs& found, std::size_t workers) {
+  const auto pieces = found.pieces();
+  PairVector result(found.size());
+  base::MemoryMeter memory;
+  PairOrder(memory).join(pieces, result, workers);
+  return result;
+}
+
+TEST(FoundPairs, ComeInTheOrderOfUnitsWhoeverFoundThem) {
+  const Units units(1);
+  for (const std::size_t workers : {1U, 2U, 7U}) {
+    base::MemoryMeter memory;
+    FoundPairs found(memory);
+    for (std::uint64_t seed = 2; seed < 5; ++seed) {
+      found.start_anew(unlimited_pairs);
+      units.deliver(found, workers, seed);
+      EXPECT_EQ(joined(found, workers), units.together());
+    }
+  }
+}
+
+TEST(FoundPairs, KeepTheirMemoryAndGiveItBackAtTheEnd) {
+  const Units units(1);
+  base::MemoryMeter memory;
+  {
+    FoundPairs found(memory);
+    units.deliver(found, 2, 3);
+    const std::uint64_t held = memory.held();
+    EXPECT_GE(held, found.size() * sizeof(ContactPair));
+    found.start_anew(unlimited_pairs);
+    EXPECT_EQ(found.size(), 0U);
+    EXPECT_TRUE(found.pieces().empty());
+    units.deliver(found, 2, 3);
+    EXPECT_EQ(memory.held(), held);
+  }
+  EXPECT_EQ(memory.held(), 0U);
+}
+
+/// A single worker's, in ascending units: whatever does not fit into the room goes to chunks.
+TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
+  const Units units(1);
+  const PairVector expected = units.together();
+  for (const std::size_t room : {std::size_t{0}, std::size_t{511}, std::size_t{5000},
+                                 expected.size(), expected.size() + 1000}) {
+    base::MemoryMeter memory;
+    FoundPairs found(memory);
+    PairVector target(std::max(room, expected.size()));
+    found.start_anew(unlimited_pairs, Shifts::none, {std::span(target).first(room), {}});
+    units.deliver_in_order(found);
+    const std::size_t in_place = found.lent_filled();
+    EXPECT_LE(in_place, room);
+    EXPECT_GE(in_place + base::PairSink::smallest_room, std::min(room, expected.size()));
+    target.resize(expected.size());
+    PairOrder(memory).join(found.pieces(), target, 1, in_place);
+    EXPECT_EQ(target, expected) << "room for " << room;
+  }
+}
+
+/// Shifts too, as far as there is room for both.
+TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
+  const Units units(1);
+  const PairVector expected = units.together();
+  const std::size_t all = expected.size();
+  std::vector<ImageShift> expected_shifts(all);
+  std::transform(expected.begin(), expected.end(), expected_shifts.begin(), shift_of);
+  for (const auto& [room, room_for_shifts] :
+       {std::pair{all, all}, {all, std::size_t{5000}}, {std::size_t{5000}, all}, {all, {}}}) {
+    base::MemoryMeter memory;
+    FoundPairs found(memory);
+    PairVector target(all);
+    std::vector<ImageShift> shifts(all);
+    found.start_anew(unlimited_pairs, Shifts::stored,
+                     {std::span(target).first(room), std::span(shifts).first(room_for_shifts)});
+    units.deliver_in_order(found);
+    const std::size_t in_place = found.lent_filled();
+    const std::size_t lent = std::min(room, room_for_shifts);
+    EXPECT_LE(in_place, lent);
+    EXPECT_GE(in_place + base::PairSink::smallest_room, lent);
+    const auto pieces = found.pieces();
+    PairOrder(memory).join({pieces, found.shift_pieces()}, target, shifts, 1, in_place);
+    EXPECT_EQ(target, expected) << "room for " << room << " and " << room_for_shifts;
+    EXPECT_EQ(shifts, expected_shifts) << "room for " << room << " and " << room_for_shifts;
+  }
+}
+
+TEST(FoundPairs, OfSeveralWorkersDoNot) {
+  const Units units(1);
+  base::MemoryMeter memory;
+  FoundPairs found(memory);
+  PairVector target(units.together().size());
+  found.start_anew(unlimited_pairs, Shifts::none, {target, {}});
+  units.deliver(found, 2, 3);
+  EXPECT_EQ(found.lent_filled(), 0U);
+  EXPECT_EQ(joined(found, 2), units.together());
+}
+
+TEST(FoundPairs, OneMoreThanTheLimitIsAnError) {
+  base::MemoryMeter memory;
+  FoundPairs found(memory);
+  found.start_anew(100);
+  found.expect_workers(2);
+  static_cast<void>(found.room(0));
+  found.commit(60, {0, 0});
+  static_cast<void>(found.room(1));
+  found.commit(40, {1, 1});
+  static_cast<void>(found.room(0));
+  EXPECT_THROW(found.commit(1, {0, 2}), Error);
+}
+
+TEST(OrderPairs, CanonicalIsSorted) {
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    const Units units(seed);
+    PairVector expected = units.together();
+    std::sort(expected.begin(), expected.end());
+    for (const std::size_t workers : {1U, 2U, 7U}) {
+      base::MemoryMeter memory;
+      FoundPairs found(memory);
+      units.deliver(found, workers, seed);
+      const auto pieces = found.pieces();
+      PairVector ordered(found.size());
+      PairOrder(memory).sort(pieces, elements, ordered, workers);
+      EXPECT_EQ(ordered, expected) << workers << " workers";
+    }
+  }
+}
+
+/// Pairs whose partners lie near or far in the numbering, few or many for each element, some of
+/// them equal, as images of one element are; and now and then an element with a crowd of partners.
+PairVector scattered_pairs(Random& random, ElementIndex count, std::size_t pairs,
+                           ElementIndex furthest) {
+  PairVector result;
+  while (result.size() < pairs) {
+    const auto first = static_cast<ElementIndex>(random.below(count - furthest));
+    const std::size_t partners = random.below(1000) == 0 ? 200 : 1 + random.below(3);
+    for (std::size_t k = 0; k < partners; ++k) {
+      result.push_back({first, static_cast<ElementIndex>(first + random.below(furthest + 1))});
+    }
+  }
+  return result;
+}
+
+TEST(OrderPairs, FewOrManyPairsOfNearOrFarPartners) {
+  constexpr ElementIndex count = 200000;
+  Random random(8);
+  for (const std::size_t size : {1U, 300U, 20000U, 150000U, 600000U}) {
+    for (const ElementIndex furthest : {0U, 3U, 1000U, 100000U}) {
+      const PairVector pairs = scattered_pairs(random, count, size, furthest);
+      PairVector expected = pairs;
+      std::sort(expected.begin(), expected.end());
+      const std::span<const ContactPair> piece(pairs);
+      base::MemoryMeter memory;
+      PairVector ordered(pairs.size());
+      PairOrder(memory).sort({&piece, 1}, count, ordered, 2);
+      EXPECT_EQ(ordered, expected) << pairs.size() << " pairs, partners up to " << furthest;
+    }
+  }
+}
+
+/// One element with all others, in reverse: one long row.
+TEST(OrderPairs, OneCrowdedElement) {
+  constexpr ElementIndex count = 100000;
+  PairVector pairs;
+  for (ElementIndex k = count; k-- > 1;) pairs.push_back({0, k});
+  PairVector expected = pairs;
+  std::reverse(expected.begin(), expected.end());
+  const std::span<const ContactPair> piece(pairs);
+  for (const std::size_t workers : {1U, 3U}) {
+    base::MemoryMeter memory;
+    PairVector ordered(pairs.size());
+    PairOrder(memory).sort({&piece, 1}, count, ordered, workers);
+    EXPECT_EQ(ordered, expected);
+  }
+}
+
+TEST(OrderPairs, NoPairsNoWork) {
+  base::MemoryMeter memory;
+  PairVector none;
+  PairOrder order(memory);
+  order.sort({}, 0, none, 2);
+  order.sort({}, 10, none, 2);
+  order.join({}, none, 2);
+  EXPECT_EQ(memory.held(), 0U);
+}
+
+TEST(NeighborRows, HoldThePartnersAscending) {
+  const Units units(5);
+  const PairVector pairs = units.together();
+  for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
+    std::vector<std::vector<ElementIndex>> expected(elements);
+    for (const ContactPair& pair : pairs) {
+      expected[pair.first].push_back(pair.second);
+      if (kind == NeighborListKind::full) expected[pair.second].push_back(pair.first);
+    }
+    for (auto& row : expected) std::sort(row.begin(), row.end());
+    // In two pieces, so that workers share them.
+    const std::span<const ContactPair> all(pairs);
+    const std::array pieces{all.first(1000), all.subspan(1000)};
+    for (const std::size_t workers : {1U, 2U, 7U}) {
+      base::MemoryMeter memory;
+      std::vector<PairCount> offsets(elements + 1, 12345);
+      std::vector<ElementIndex> neighbors(pairs.size() * (kind == NeighborListKind::full ? 2 : 1));
+      NeighborRows(memory).list(pieces, kind, offsets, neighbors, workers);
+      ASSERT_EQ(offsets[0], 0U);
+      ASSERT_EQ(offsets[elements], neighbors.size());
+      for (std::size_t e = 0; e < elements; ++e) {
+        ASSERT_TRUE(std::equal(expected[e].begin(), expected[e].end(),
+                               neighbors.begin() + static_cast<std::ptrdiff_t>(offsets[e]),
+                               neighbors.begin() + static_cast<std::ptrdiff_t>(offsets[e + 1])));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace abut::api

@@ -1,0 +1,329 @@
+// Natives and ghosts against all images in rational numbers, with the widest vectors there are.
+
+#include "periodic/images.hpp"
+
+#include "kernels/simd_level.hpp"
+#include "lattice/lattices.hpp"
+#include "periodic/periodic_search.hpp"
+#include "support/dimensions.hpp"
+
+#include <abut/error.hpp>
+
+#include <gtest/gtest.h>
+
+namespace abut::test {
+namespace {
+
+template <class Dimension>
+class Images : public testing::Test {};
+
+TYPED_TEST_SUITE(Images, Dimensions);
+
+/// Elements in the cell, or up to `cells_away` cells outside, and off the open axes by a little.
+template <int Dim>
+PeriodicSystem<Dim> random_system(const base::Lattice& lattice, std::size_t count,
+                                  double largest_radius, double cells_away, Random& random) {
+  PeriodicSystem<Dim> system;
+  system.lattice = lattice;
+  const grid::ReducedLattice<Dim> reduced(lattice);
+  for (std::size_t i = 0; i < count; ++i) {
+    base::Sphere<Dim> sphere{};
+    for (double& x : sphere.center) x = 0.0;
+    for (std::size_t k = 0; k < reduced.count; ++k) {
+      double fraction = uniform(random, 0.0, 1.0);
+      // On the faces, too.
+      if (random() % 8 == 0) fraction = 0.0;
+      const double cells =
+          cells_away == 0.0 ? 0.0 : std::nearbyint(uniform(random, -cells_away, cells_away));
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        sphere.center[axis] += (fraction + cells) * reduced.vectors[k][axis];
+      }
+    }
+    if (reduced.count < Dim) {
+      for (double& x : sphere.center) x += uniform(random, -0.3, 0.3);
+    }
+    sphere.radius = random() % 4 == 0 ? 0.0 : uniform(random, 0.0, largest_radius);
+    system.spheres.push_back(sphere);
+  }
+  if (random() % 3 == 0) system.margin = uniform(random, 0.0, 0.5 * largest_radius);
+  return system;
+}
+
+template <int Dim>
+double shortest_height(const base::Lattice& lattice) {
+  const grid::ReducedLattice<Dim> reduced(lattice);
+  double shortest = HUGE_VAL;
+  for (std::size_t k = 0; k < reduced.count; ++k) {
+    shortest = std::min(shortest, reduced.height[k]);
+  }
+  return shortest;
+}
+
+template <int Dim>
+void compare(const PeriodicSystem<Dim>& system, std::size_t& pairs) {
+  const auto expected = pairs_by_rationals(system);
+  const Simd widest = kernels::level_to_run(Simd::automatic);
+  // All are small; some are, of any two sizes or only the smallest; all are large.
+  for (const double size_cut : {HUGE_VAL, system.spheres.front().radius,
+                                std::nextafter(system.spheres.back().radius, HUGE_VAL), 0.0}) {
+    ASSERT_EQ(pairs_by_images(system, size_cut), expected) << size_cut;
+    ASSERT_EQ(pairs_by_images(system, size_cut, widest), expected) << size_cut;
+  }
+  pairs += expected.size();
+}
+
+/// Systems of random lattices, radii as fractions of the shortest height.
+struct RandomRounds {
+  std::uint64_t seed;
+  int rounds;
+  std::size_t most_elements;
+  double least_radius;
+  double largest_radius;
+  std::array<double, 4> cells_away;
+};
+
+template <int Dim>
+std::size_t pairs_compared(const RandomRounds& rounds) {
+  Random random(rounds.seed);
+  std::size_t pairs = 0;
+  for (int round = 0; round < rounds.rounds && !testing::Test::HasFatalFailure(); ++round) {
+    const auto named = random_lattice<Dim>(random);
+    SCOPED_TRACE(testing::Message() << named << " round " << round);
+    const double radius = uniform(random, rounds.least_radius, rounds.largest_radius) *
+                          shortest_height<Dim>(named.lattice);
+    // Where c has 2^20 a in it, a million c are too many.
+    const bool skewed = named.kind == std::string("skewed by many vectors");
+    const double cells_away = std::min(rounds.cells_away[random() % 4], skewed ? 300.0 : 1e6);
+    compare(random_system<Dim>(named.lattice, 1 + random() % rounds.most_elements, radius,
+                               cells_away, random),
+            pairs);
+  }
+  return pairs;
+}
+
+TYPED_TEST(Images, OfSmallReach) {
+  EXPECT_GT(pairs_compared<TypeParam::value>({91, 250, 30, 0.02, 0.3, {0, 1, 3, 1e6}}), 1000u);
+}
+
+TYPED_TEST(Images, OfReachBeyondTheCell) {
+  EXPECT_GT(pairs_compared<TypeParam::value>({92, 120, 6, 0.5, 2.0, {0, 500, 0, 500}}), 2000u);
+}
+
+TYPED_TEST(Images, OfOneElement) {
+  EXPECT_GT(pairs_compared<TypeParam::value>({93, 200, 1, 0.3, 1.4, {0, 300, 600, 1}}), 100u);
+}
+
+/// Elements that touch exactly, or miss by one unit, through the faces.
+TYPED_TEST(Images, OfElementsThatTouchAcrossFaces) {
+  constexpr int dim = TypeParam::value;
+  Random random(94);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 150; ++round) {
+    PeriodicSystem<dim> system;
+    for (std::size_t k = 0; k < dim; ++k) {
+      system.lattice.periodic[k] = k == 0 || random() % 3 != 0;
+      for (std::size_t axis = 0; axis < dim; ++axis) {
+        const int off = static_cast<int>(random() % 3) - 1;
+        system.lattice.vectors[k][axis] = k == axis ? 4.0 : axis < k ? off : 0.0;
+      }
+    }
+    const double far = round % 2 == 0 ? 0.0 : 0x1p20;
+    for (std::size_t i = 0; i < 12; ++i) {
+      base::Sphere<dim> sphere{};
+      for (double& x : sphere.center) x = static_cast<double>(random() % 8) * 0.5 + far;
+      sphere.radius = random() % 3 == 0 ? std::nextafter(0.5, 0.0) : 0.5;
+      system.spheres.push_back(sphere);
+    }
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << "round " << round;
+  }
+  EXPECT_GT(pairs, 400u);
+}
+
+/// Two elements whose distance, through some image, is the reach but for a few last places.
+template <int Dim>
+PeriodicSystem<Dim> planted_system(const base::Lattice& lattice, double cells_away,
+                                   Random& random) {
+  PeriodicSystem<Dim> system = random_system<Dim>(lattice, 2, 0.0, cells_away, random);
+  base::Sphere<Dim>& a = system.spheres[0];
+  base::Sphere<Dim>& b = system.spheres[1];
+  const grid::ReducedLattice<Dim> reduced(lattice);
+  const double size = shortest_height<Dim>(lattice);
+  mpf_class distance(0, 300);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    mpq_class image = 0;
+    for (std::size_t k = 0; k < reduced.count; ++k) {
+      image += mpq_class(reduced.vectors[k][axis]) + mpq_class(reduced.remainders[k][axis]);
+    }
+    b.center[axis] = a.center[axis] + uniform(random, -0.4, 0.4) * size - image.get_d();
+    const mpq_class component = mpq_class(a.center[axis]) - mpq_class(b.center[axis]) - image;
+    distance += component * component;
+  }
+  distance = sqrt(distance);
+  system.margin = 0.0;
+  a.radius = 0.4 * distance.get_d();
+  b.radius = moved_by_ulps(distance.get_d() - a.radius, static_cast<int>(random() % 5) - 2);
+  return system;
+}
+
+TYPED_TEST(Images, OfReachesPlantedAtTheDistance) {
+  constexpr int dim = TypeParam::value;
+  Random random(98);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const auto named = random_lattice<dim>(random);
+    const bool skewed = named.kind == std::string("skewed by many vectors");
+    const double cells_away = std::array{0.0, 1.0, skewed ? 300.0 : 1e6}[random() % 3];
+    const auto system = planted_system<dim>(named.lattice, cells_away, random);
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
+  }
+  EXPECT_GT(pairs, 500u);
+}
+
+TYPED_TEST(Images, AtEveryScale) {
+  constexpr int dim = TypeParam::value;
+  Random random(95);
+  std::size_t pairs = 0;
+  for (int exponent = -980; exponent <= 1010; exponent += 30) {
+    const auto named = random_lattice<dim>(random);
+    const double radius = 0.3 * shortest_height<dim>(named.lattice);
+    auto system =
+        random_system<dim>(named.lattice, 8, radius, round(uniform(random, 0, 2)), random);
+    for (auto& sphere : system.spheres) {
+      for (double& x : sphere.center) x = std::ldexp(x, exponent);
+      sphere.radius = std::ldexp(sphere.radius, exponent);
+    }
+    for (auto& vector : system.lattice.vectors) {
+      for (double& x : vector) x = std::ldexp(x, exponent);
+    }
+    system.margin = std::ldexp(system.margin, exponent);
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " 2^" << exponent;
+  }
+  EXPECT_GT(pairs, 50u);
+}
+
+template <int Dim>
+PeriodicSystem<Dim> system_with_ghosts(std::uint64_t seed, std::size_t count) {
+  Random random(seed);
+  const auto named = random_lattice<Dim>(random);
+  const double radius = 0.2 * shortest_height<Dim>(named.lattice);
+  return random_system<Dim>(named.lattice, count, radius, 2.0, random);
+}
+
+TYPED_TEST(Images, DoNotDependOnWorkersAndVectors) {
+  constexpr int dim = TypeParam::value;
+  const auto system = system_with_ghosts<dim>(96, 1200);
+  const grid::ReducedLattice<dim> reduced(system.lattice);
+  base::MemoryMeter memory;
+  const auto find = [&](engine::Images<dim>& images, std::size_t workers, Simd simd) {
+    auto elements = array_of(system.spheres, memory);
+    images.find(elements, bounds_of<dim>(system.spheres), reduced,
+                {system.margin, workers, kernels::image_kernels(simd)});
+    ASSERT_NE(images.natives().data(), elements.data()) << "nothing had to be moved";
+  };
+  engine::Images<dim> one(memory);
+  find(one, 1, Simd::scalar);
+  ASSERT_GT(one.ghosts().size(), 10u);
+  for (const Simd simd : simd_levels()) {
+    if (!available(simd)) continue;
+    for (const std::size_t workers : {1u, 2u, 3u, 7u, 50u}) {
+      engine::Images<dim> several(memory);
+      find(several, workers, simd);
+      ASSERT_EQ(several.ghosts().size(), one.ghosts().size());
+      for (std::size_t k = 0; k < one.ghosts().size(); ++k) {
+        ASSERT_EQ(several.ghosts()[k].element, one.ghosts()[k].element);
+        ASSERT_EQ(several.ghosts()[k].image, one.ghosts()[k].image);
+      }
+      for (std::size_t k = 0; k < one.natives_and_ghosts().size(); ++k) {
+        for (std::size_t axis = 0; axis < dim; ++axis) {
+          ASSERT_EQ(several.natives_and_ghosts()[k].center[axis],
+                    one.natives_and_ghosts()[k].center[axis]);
+        }
+      }
+      ASSERT_EQ(several.slack(), one.slack());
+      expect_same(several.native_bounds(), one.native_bounds());
+      expect_same(several.ghost_bounds(), one.ghost_bounds());
+      ASSERT_EQ(several.ghosts_are_outside(), one.ghosts_are_outside());
+    }
+  }
+}
+
+TYPED_TEST(Images, AreFoundAgainInTheSameMemory) {
+  constexpr int dim = TypeParam::value;
+  const auto system = system_with_ghosts<dim>(97, 40);
+  const grid::ReducedLattice<dim> reduced(system.lattice);
+  base::MemoryMeter memory;
+  engine::Images<dim> images(memory);
+  auto elements = array_of(system.spheres, memory);
+  for (const std::size_t workers : {1u, 2u}) {
+    const engine::ImageSettings settings{system.margin, workers,
+                                         kernels::image_kernels(Simd::scalar)};
+    images.find(elements, bounds_of<dim>(system.spheres), reduced, settings);
+    const std::uint64_t held = memory.held();
+    elements.resize(system.spheres.size());
+    images.find(elements, bounds_of<dim>(system.spheres), reduced, settings);
+    EXPECT_EQ(memory.held(), held);
+    EXPECT_GT(held, 0u);
+  }
+}
+
+template <class Act>
+std::string error_of(ErrorCode code, Act&& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ImagesOfFarElements, AreRefusedBeyond31Bits) {
+  PeriodicSystem<2> system;
+  system.lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
+  system.lattice.periodic = {true, false, false};
+  system.spheres = {{{0.25, 0.0}, 0.5}, {{2147483647.25, 1e300}, 0.5}};
+  EXPECT_EQ(pairs_by_images(system).size(), 2u) << "each with itself";
+  system.spheres[1] = {{2147483000.25, 0.0}, 0.5};
+  EXPECT_EQ(pairs_by_images(system).size(), 2u + 3u);
+  system.spheres.push_back({{-2147483647.5, 1.0}, 0.0});
+  system.spheres.push_back({{0.5, -1e10}, 0.0});
+  system.spheres.push_back({{2147483648.5, 1.0}, 0.0});
+  system.spheres.push_back({{1e300, 1.0}, 0.0});
+  EXPECT_EQ(error_of(ErrorCode::invalid_input, [&] { (void)pairs_by_images(system); }),
+            "element 2 has x = -2147483647.5; it lies more than 2147483647 cells outside of the "
+            "periodic cell: move it into the cell, or correct the lattice");
+  system.spheres[2].center[0] = 0.0;
+  EXPECT_EQ(error_of(ErrorCode::invalid_input, [&] { (void)pairs_by_images(system); })
+                .find("element 4 has x = 2147483648.5; "),
+            0u);
+}
+
+TEST(ImagesOfFarElements, ShiftsBeyond31BitsAreRefused) {
+  PeriodicSystem<2> system;
+  system.lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
+  system.lattice.periodic = {true, true, false};
+  system.spheres = {{{-2147483000.0, 0.0}, 0.25}, {{2147483000.25, 0.0}, 0.25}};
+  EXPECT_EQ(error_of(ErrorCode::invalid_input, [&] { (void)pairs_by_images(system); }),
+            "elements 0 and 1 pair across more than 2147483647 lattice vectors; move them into one "
+            "cell");
+}
+
+TEST(ImagesOfLargeReach, AreCountedBeforeTheyAreStored) {
+  PeriodicSystem<2> system;
+  system.lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
+  system.lattice.periodic = {true, true, false};
+  system.spheres = {{{0.0, 0.0}, 1e5}};
+  EXPECT_EQ(error_of(ErrorCode::limit_exceeded, [&] { (void)pairs_by_images(system); })
+                .find("more than 4294967294 periodic images are within reach of the cell"),
+            0u);
+  for (const double radius : {1e10, 1e300}) {
+    system.spheres = {{{0.0, 0.0}, 1.0}, {{0.5, 0.0}, radius}};
+    EXPECT_EQ(error_of(ErrorCode::invalid_input, [&] { (void)pairs_by_images(system); })
+                  .find("element 1 has radius = 1e+"),
+              0u)
+        << radius;
+  }
+}
+
+}  // namespace
+}  // namespace abut::test

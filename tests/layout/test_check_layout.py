@@ -12,7 +12,7 @@ spec.loader.exec_module(check_layout)
 
 SOUND = {
     "include/abut/pair.hpp": "#pragma once\n",
-    "src/exact/numbers/bits.hpp": "#pragma once\n\n#include <abut/pair.hpp>\n\n#include <bit>\n",
+    "src/base/bits.hpp": "#pragma once\n\n#include <abut/pair.hpp>\n\n#include <bit>\n",
     "src/grid/map.hpp": '#pragma once\n\n#include "base/bits.hpp"\n',
     "src/reference/direct_check.cpp": '#include "grid/map.hpp"\n',
     "src/algorithms/registry.cpp": "    {{Algorithm::direct_check, 1}},\n",
@@ -24,7 +24,7 @@ SOUND = {
 PLANTED = [
     ("src/base/up.cpp", '#include "grid/map.hpp"\n', "src/base may not look into src/grid"),
     ("src/grid/up.cpp", '#include "reference/up.hpp"\n', "which is not there"),
-    ("include/abut/up.hpp", '#pragma once\n#include "../../src/exact/numbers/bits.hpp"\n',
+    ("include/abut/up.hpp", '#pragma once\n#include "../../src/base/bits.hpp"\n',
      "include/abut may not look into src/base"),
     ("src/io/up.cpp", '#include "grid/map.hpp"\n', "src/io may not look into src/grid"),
     ("cli/up.cpp", '#include "base/bits.hpp"\n', "cli may not look into src/base"),

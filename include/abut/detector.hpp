@@ -11,10 +11,6 @@
 
 namespace abut {
 
-namespace api {
-class Detection;
-}
-
 /// Detects contacts again and again, for example once in each time step, and keeps its memory in
 /// between: a call with no more elements and pairs than those before allocates nothing. With a skin
 /// it keeps pairs that nearly touch, too, and tests those again while elements move little. The

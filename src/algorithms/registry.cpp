@@ -18,21 +18,22 @@ namespace {
 using namespace reference;
 
 template <int Dim>
-void direct_check_elements(const System<Dim>& system, base::PairSink& sink,
+void direct_check_elements(const AlgorithmInput<Dim>& input, base::PairSink& sink,
                            base::DetectionContext& context) {
   sink.expect_workers(1);
   base::PairWriter pairs(sink);
-  ContactTest<Dim> test(system.elements, system.settings.margin, pairs, context);
-  direct_check(system.elements.size(), test, context);
+  ContactTest<Dim> test(input.elements, input.settings.margin, pairs, context);
+  direct_check(input.elements.size(), test, context);
   pairs.finish();
 }
 
 template <int Dim>
-void direct_check_all_images(const System<Dim>& system, const base::Lattice& lattice,
-                             base::PairSink& sink, base::DetectionContext& context) {
+void direct_check_all_images(const AlgorithmInput<Dim>& input, base::Array<base::Sphere<Dim>>&,
+                             const base::Lattice& lattice, base::PairSink& sink,
+                             base::DetectionContext& context) {
   sink.expect_workers(1);
   base::ImagePairWriter pairs(sink);
-  direct_check_images<Dim>(system.elements, lattice, system.settings.margin, pairs, context);
+  direct_check_images<Dim>(input.elements, lattice, input.settings.margin, pairs, context);
   pairs.finish();
 }
 
@@ -43,8 +44,8 @@ void trace_direct_check(const grid::CellCoordinates<Dim>& cells, CandidateRecord
 }
 
 template <int Dim>
-void rows(const System<Dim>& system, base::PairSink& sink, base::DetectionContext& context) {
-  engine::rows(system.elements, system.bounds, system.settings, system.workspace, sink, context);
+void rows(const AlgorithmInput<Dim>& input, base::PairSink& sink, base::DetectionContext& context) {
+  engine::rows(input.elements, input.bounds, input.settings, input.workspace, sink, context);
 }
 
 template <int Dim>
@@ -74,11 +75,11 @@ constexpr Runs<3> munjiza_nbs_3d_runs{.on_cells = munjiza_nbs_3d<ContactTest<3>>
                                       .grid_bytes = munjiza_nbs_bytes<3>};
 
 template <int Dim>
-void periodic_rows(const System<Dim>& system, const base::Lattice& lattice, base::PairSink& sink,
+void periodic_rows(const AlgorithmInput<Dim>& input, base::Array<base::Sphere<Dim>>& spheres,
+                   const base::Lattice& lattice, base::PairSink& sink,
                    base::DetectionContext& context) {
-  engine::periodic_rows<Dim>(system.spheres, system.elements.boxes, system.bounds, lattice,
-                             system.settings, system.workspace, system.periodic_workspace, sink,
-                             context);
+  engine::periodic_rows<Dim>(spheres, input.elements.boxes, input.bounds, lattice, input.settings,
+                             input.workspace, input.periodic_workspace, sink, context);
 }
 
 template <int Dim>

@@ -16,25 +16,26 @@
 
 namespace abut::api {
 
-/// What an algorithm that looks at the elements themselves is given.
+/// Input of an algorithm that looks at the elements themselves, and its memory.
 template <int Dim>
-struct System {
+struct AlgorithmInput {
   const base::Elements<Dim>& elements;
-  base::Array<base::Sphere<Dim>>& spheres;  ///< of the elements; a search may put others behind
   const grid::Bounds<Dim>& bounds;
   const engine::RowsSettings& settings;
   engine::Workspace<Dim>& workspace;
   engine::PeriodicWorkspace<Dim>& periodic_workspace;
 };
 
-/// How an algorithm runs in one number of dimensions: on the elements, or on their cells.
+/// Entry points of an algorithm in one number of dimensions: on the elements, or on their cells.
 template <int Dim>
 struct Runs {
-  void (*on_elements)(const System<Dim>&, base::PairSink&, base::DetectionContext&) = nullptr;
+  void (*on_elements)(const AlgorithmInput<Dim>&, base::PairSink&,
+                      base::DetectionContext&) = nullptr;
 
-  /// In a periodic domain; null where that is not carried.
-  void (*on_images)(const System<Dim>&, const base::Lattice&, base::PairSink&,
-                    base::DetectionContext&) = nullptr;
+  /// In a periodic domain; null where that is not supported. The array holds the spheres of the
+  /// elements; the search may append ghosts, and takes them away again.
+  void (*on_images)(const AlgorithmInput<Dim>&, base::Array<base::Sphere<Dim>>& spheres,
+                    const base::Lattice&, base::PairSink&, base::DetectionContext&) = nullptr;
 
   using Cells = grid::CellCoordinates<Dim>;
   void (*on_cells)(const Cells&, reference::ContactTest<Dim>&, base::DetectionContext&) = nullptr;

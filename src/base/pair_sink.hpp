@@ -25,7 +25,11 @@ class PairSink {
   /// Least size of a room.
   static constexpr std::size_t smallest_room = 512;
 
-  /// Called once before anything else.
+  /// Announces canonical order; called before expect_workers, and not at all where pairs come in
+  /// the order in which they are found.
+  virtual void expect_canonical_order() {}
+
+  /// Announces how many workers will ask for room; called once before they do.
   virtual void expect_workers(std::size_t count) = 0;
 
   /// Room for pairs, this worker's own until it commits.

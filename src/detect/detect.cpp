@@ -1,7 +1,7 @@
 #include <abut/detect.hpp>
 #include <abut/two_sets.hpp>
 
-#include "detect/detection.hpp"
+#include "detect/detection_run.hpp"
 #include "detect/validate_options.hpp"
 
 #include <utility>
@@ -12,34 +12,35 @@ PairList find_contact_pairs(const ElementView& elements, const Domain& domain,
                             const Options& options) {
   PairArray pairs;
   ShiftArray shifts;
-  Statistics statistics = api::Detection().list_pairs({elements, domain, options}, pairs, shifts);
+  Statistics statistics =
+      api::DetectionRun().list_pairs({elements, domain, options}, pairs, shifts);
   return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
 }
 
 Statistics for_each_batch(const ElementView& elements, const Domain& domain, const Options& options,
                           const PairBatchVisitor& visitor) {
-  return api::Detection().visit_batches({elements, domain, options}, api::visitors_of(visitor));
+  return api::DetectionRun().visit_batches({elements, domain, options}, api::visitors_of(visitor));
 }
 
 Statistics for_each_shifted_batch(const ElementView& elements, const Domain& domain,
                                   const Options& options, const ShiftedBatchVisitor& visitor) {
-  return api::Detection().visit_batches({elements, domain, options}, api::visitors_of(visitor));
+  return api::DetectionRun().visit_batches({elements, domain, options}, api::visitors_of(visitor));
 }
 
 Statistics count_contact_pairs(const ElementView& elements, const Domain& domain,
                                const Options& options) {
-  return api::Detection().visit_batches({elements, domain, options}, {});
+  return api::DetectionRun().visit_batches({elements, domain, options}, {});
 }
 
 namespace {
 
-NeighborList neighbor_list_of(const api::Request& request, NeighborListKind kind) {
+NeighborList neighbor_list_of(const api::DetectionRequest& request, NeighborListKind kind) {
   NeighborList::Offsets offsets;
   NeighborList::Neighbors neighbors;
   ShiftArray shifts;
   NeighborList::Distances distances;
   NeighborList::Vectors vectors;
-  Statistics statistics = api::Detection().list_neighbors(
+  Statistics statistics = api::DetectionRun().list_neighbors(
       request, kind, {offsets, neighbors, shifts, distances, vectors});
   return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
                       std::move(distances), std::move(vectors), std::move(statistics));
@@ -65,26 +66,26 @@ PairList find_contact_pairs(const ElementView& first, const ElementView& second,
   PairArray pairs;
   ShiftArray shifts;
   Statistics statistics =
-      api::Detection().list_pairs({first, domain, options, &second}, pairs, shifts);
+      api::DetectionRun().list_pairs({first, domain, options, &second}, pairs, shifts);
   return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
 }
 
 Statistics for_each_batch(const ElementView& first, const ElementView& second, const Domain& domain,
                           const Options& options, const PairBatchVisitor& visitor) {
-  return api::Detection().visit_batches({first, domain, options, &second},
-                                        api::visitors_of(visitor));
+  return api::DetectionRun().visit_batches({first, domain, options, &second},
+                                           api::visitors_of(visitor));
 }
 
 Statistics for_each_shifted_batch(const ElementView& first, const ElementView& second,
                                   const Domain& domain, const Options& options,
                                   const ShiftedBatchVisitor& visitor) {
-  return api::Detection().visit_batches({first, domain, options, &second},
-                                        api::visitors_of(visitor));
+  return api::DetectionRun().visit_batches({first, domain, options, &second},
+                                           api::visitors_of(visitor));
 }
 
 Statistics count_contact_pairs(const ElementView& first, const ElementView& second,
                                const Domain& domain, const Options& options) {
-  return api::Detection().visit_batches({first, domain, options, &second}, {});
+  return api::DetectionRun().visit_batches({first, domain, options, &second}, {});
 }
 
 NeighborList build_neighbor_list(const ElementView& first, const ElementView& second,

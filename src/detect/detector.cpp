@@ -1,6 +1,6 @@
 #include <abut/detector.hpp>
 
-#include "detect/detection.hpp"
+#include "detect/detection_run.hpp"
 
 #include <utility>
 
@@ -10,7 +10,7 @@ struct Detector::State {
   explicit State(Options given) : options(std::move(given)) {}
 
   Options options;
-  api::Detection detection;
+  api::DetectionRun run;
   PairList pairs;
   NeighborList neighbors;
 };
@@ -29,48 +29,46 @@ void Detector::set_options(Options options) {
 }
 
 void Detector::set_skin(Skin skin) {
-  state_->detection.set_skin(skin);
+  state_->run.skin().set_skin(skin);
 }
 
 void Detector::set_ids(std::span<const std::uint64_t> ids) {
-  state_->detection.set_ids(ids);
+  state_->run.skin().set_ids(ids);
 }
 
 Skin Detector::skin() const noexcept {
-  return state_->detection.skin();
+  return state_->run.skin().skin();
 }
 
 const SkinStatistics& Detector::skin_statistics() const noexcept {
-  return state_->detection.skin_statistics();
+  return state_->run.skin().statistics();
 }
 
 const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain) {
   PairList& list = state_->pairs;
   list.statistics_ =
-      state_->detection.list_pairs({elements, domain, state_->options}, list.pairs_, list.shifts_);
+      state_->run.list_pairs({elements, domain, state_->options}, list.pairs_, list.shifts_);
   return list;
 }
 
 Statistics Detector::count_contact_pairs(const ElementView& elements, const Domain& domain) {
-  return state_->detection.visit_batches({elements, domain, state_->options}, {});
+  return state_->run.visit_batches({elements, domain, state_->options}, {});
 }
 
 Statistics Detector::for_each_batch(const ElementView& elements, const Domain& domain,
                                     const PairBatchVisitor& visitor) {
-  return state_->detection.visit_batches({elements, domain, state_->options},
-                                         api::visitors_of(visitor));
+  return state_->run.visit_batches({elements, domain, state_->options}, api::visitors_of(visitor));
 }
 
 Statistics Detector::for_each_shifted_batch(const ElementView& elements, const Domain& domain,
                                             const ShiftedBatchVisitor& visitor) {
-  return state_->detection.visit_batches({elements, domain, state_->options},
-                                         api::visitors_of(visitor));
+  return state_->run.visit_batches({elements, domain, state_->options}, api::visitors_of(visitor));
 }
 
 const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain& domain,
                                                   NeighborListKind kind) {
   NeighborList& list = state_->neighbors;
-  list.statistics_ = state_->detection.list_neighbors(
+  list.statistics_ = state_->run.list_neighbors(
       {elements, domain, state_->options}, kind,
       {list.offsets_, list.neighbors_, list.shifts_, list.distances_, list.vectors_});
   return list;
@@ -79,33 +77,33 @@ const NeighborList& Detector::build_neighbor_list(const ElementView& elements, c
 const PairList& Detector::find_contact_pairs(const ElementView& first, const ElementView& second,
                                              const Domain& domain) {
   PairList& list = state_->pairs;
-  list.statistics_ = state_->detection.list_pairs({first, domain, state_->options, &second},
-                                                  list.pairs_, list.shifts_);
+  list.statistics_ =
+      state_->run.list_pairs({first, domain, state_->options, &second}, list.pairs_, list.shifts_);
   return list;
 }
 
 Statistics Detector::count_contact_pairs(const ElementView& first, const ElementView& second,
                                          const Domain& domain) {
-  return state_->detection.visit_batches({first, domain, state_->options, &second}, {});
+  return state_->run.visit_batches({first, domain, state_->options, &second}, {});
 }
 
 Statistics Detector::for_each_batch(const ElementView& first, const ElementView& second,
                                     const Domain& domain, const PairBatchVisitor& visitor) {
-  return state_->detection.visit_batches({first, domain, state_->options, &second},
-                                         api::visitors_of(visitor));
+  return state_->run.visit_batches({first, domain, state_->options, &second},
+                                   api::visitors_of(visitor));
 }
 
 Statistics Detector::for_each_shifted_batch(const ElementView& first, const ElementView& second,
                                             const Domain& domain,
                                             const ShiftedBatchVisitor& visitor) {
-  return state_->detection.visit_batches({first, domain, state_->options, &second},
-                                         api::visitors_of(visitor));
+  return state_->run.visit_batches({first, domain, state_->options, &second},
+                                   api::visitors_of(visitor));
 }
 
 const NeighborList& Detector::build_neighbor_list(const ElementView& first,
                                                   const ElementView& second, const Domain& domain) {
   NeighborList& list = state_->neighbors;
-  list.statistics_ = state_->detection.list_neighbors(
+  list.statistics_ = state_->run.list_neighbors(
       {first, domain, state_->options, &second}, NeighborListKind::half,
       {list.offsets_, list.neighbors_, list.shifts_, list.distances_, list.vectors_});
   return list;

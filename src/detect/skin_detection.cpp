@@ -1,6 +1,4 @@
-#include "base/stopwatch.hpp"
-#include "detect/detection.hpp"
-#include "skin/skin_search.hpp"
+#include "detect/skin_detection.hpp"
 
 #include <abut/column.hpp>
 #include <abut/element_view.hpp>
@@ -8,21 +6,24 @@
 #include <abut/options.hpp>
 
 #include <array>
-#include <cstddef>
-#include <span>
 #include <string>
 #include <utility>
 
 namespace abut::api {
 namespace {
 
-/// What a search looks at; not the caller's hook, which may be large.
+/// Options of a search for candidates; without the caller's hook, which may be large to copy.
 Options options_with_margin(const Options& options, double margin) {
   Options wider;
   wider.algorithm = options.algorithm;
   wider.margin = margin;
   wider.max_bytes = options.max_bytes;
   return wider;
+}
+
+engine::RowsSettings settings_with_margin(engine::RowsSettings settings, double margin) {
+  settings.margin = margin;
+  return settings;
 }
 
 template <int Dim>
@@ -37,47 +38,43 @@ ElementView view_of(std::span<const base::Sphere<Dim>> spheres) {
   return ElementView(centers, radii);
 }
 
-/// While it lives, what is at one place is at another.
-template <class T>
-class Exchange {
- public:
-  Exchange(T& a, T& b) : a_(a), b_(b) { std::swap(a_, b_); }
-  ~Exchange() { std::swap(a_, b_); }
-
-  Exchange(const Exchange&) = delete;
-  Exchange& operator=(const Exchange&) = delete;
-
- private:
-  T& a_;
-  T& b_;
-};
+/// The elements where they lie now: a periodic search may have moved the array.
+template <int Dim>
+Snapshot<Dim> snapshot(const SkinCall<Dim>& call) {
+  return {call.elements.spheres,     call.elements.bounds,       call.task.domain,
+          call.task.settings.margin, call.task.settings.workers, call.task.settings.simd};
+}
 
 }  // namespace
 
-void Detection::set_skin(Skin skin) {
-  skin_choice_.set(skin);
-  skin_statistics_ = {};
-  in_2d_.skin_search.release();
-  in_3d_.skin_search.release();
+void SkinDetection::set_skin(Skin skin) {
+  choice_.set(skin);
+  statistics_ = {};
+  in_2d_.candidates.release();
+  in_3d_.candidates.release();
 }
 
-void Detection::set_ids(std::span<const std::uint64_t> ids) {
+void SkinDetection::set_ids(std::span<const std::uint64_t> ids) {
   if (ids_.same(ids, ids.empty() ? ids_.size() : ids.size())) return;
   next_ids_.set(ids, ids.size());
   std::swap(ids_, next_ids_);
   ++ids_version_;
 }
 
-void Detection::require_ids_for(const Request& request) const {
-  const std::size_t count = request.elements.size();
+void SkinDetection::require_ids_for(std::size_t count) const {
   if (!ids_.given() || ids_.size() == count) return;
   throw Error(ErrorCode::invalid_input, std::to_string(ids_.size()) + " ids for " +
                                             std::to_string(count) +
                                             " elements; give one for each, or none");
 }
 
+bool SkinDetection::applies_to(const DetectionRequest& request) const noexcept {
+  return request.others == nullptr && choice_.skin().kind() != Skin::Kind::none &&
+         request.elements.shape() != Shape::box;
+}
+
 /// Without ids another number of elements is as much of a change as other ids.
-NamedElements Detection::name_elements(std::size_t count) {
+NamedElements SkinDetection::name_elements(std::size_t count) {
   if (!ids_.given() && ids_.size() != count) {
     ids_.set({}, count);
     ++ids_version_;
@@ -85,100 +82,93 @@ NamedElements Detection::name_elements(std::size_t count) {
   return {ids_, ids_version_};
 }
 
-/// Of the arrays as they are: a search may have moved them in memory.
 template <int Dim>
-Snapshot<Dim> Detection::snapshot(const engine::RowsSettings& settings, const Request& request) {
-  const GatheredElements<Dim>& elements = arrays<Dim>().elements;
-  return {elements.spheres, elements.bounds,  request.domain,
-          settings.margin,  settings.workers, settings.simd};
-}
-
-template <int Dim>
-bool Detection::find_candidates(const Snapshot<Dim>& now, const engine::RowsSettings& settings,
-                                const Request& request, base::DetectionContext& context,
-                                Statistics& statistics) {
+bool SkinDetection::find_candidates(const SkinCall<Dim>& call, const NamedElements& named) {
   const auto search_wider = [&](double margin, base::PairSink& sink) {
-    engine::RowsSettings wider = settings;
-    wider.margin = margin;
-    const Options options = options_with_margin(request.options, margin);
-    search<Dim>(wider, {request.elements, request.domain, options}, sink, context, statistics);
+    const Options options = options_with_margin(call.task.options, margin);
+    const SearchTask wider{call.task.domain, options,
+                           settings_with_margin(call.task.settings, margin)};
+    call.search.search(call.elements, wider, sink, call.context, call.statistics);
   };
-  const NamedElements named = name_elements(now.spheres.size());
-  return arrays<Dim>().skin_search.find_candidates(now, named, skin_choice_, search_wider);
+  return arrays<Dim>().candidates.find_candidates(snapshot(call), named, choice_, search_wider);
 }
 
 template <int Dim>
-void Detection::search_insertion(const engine::RowsSettings& settings, const Request& request,
-                                 const typename SkinSearch<Dim>::Insertion& insertion,
-                                 base::DetectionContext& context) {
-  Arrays<Dim>& own = arrays<Dim>();
-  const Exchange aside(own.elements, own.elements_aside);
-  engine::RowsSettings wider = settings;
-  wider.margin = insertion.margin;
-  const Options options = options_with_margin(request.options, insertion.margin);
+void SkinDetection::search_insertion(const SkinCall<Dim>& call,
+                                     const typename SkinSearch<Dim>::Insertion& insertion) {
+  GatheredElements<Dim>& joined = arrays<Dim>().insertion;
+  const Options options = options_with_margin(call.task.options, insertion.margin);
+  const SearchTask wider{insertion.domain, options,
+                         settings_with_margin(call.task.settings, insertion.margin)};
   const ElementView added = view_of<Dim>(insertion.added);
   const ElementView all = view_of<Dim>(insertion.all);
-  const Request sets{added, insertion.domain, options, &all};
-  gather<Dim>(wider, sets, context);
+  call.context.progress.begin("gather", added.size() + all.size());
+  call.two_set_search.gather(added, all, wider, joined, call.context);
   Statistics statistics;
-  search_sets<Dim>(wider, sets, insertion.sink, context, statistics);
+  call.two_set_search.search(call.search, joined, wider, insertion.sink, call.context, statistics);
 }
 
 template <int Dim>
-bool Detection::has_candidates(const engine::RowsSettings& settings, const Request& request,
-                               base::DetectionContext& context) {
-  SkinSearch<Dim>& skin_search = arrays<Dim>().skin_search;
-  const Snapshot<Dim> now = snapshot<Dim>(settings, request);
-  const NamedElements named = name_elements(now.spheres.size());
-  if (skin_search.covers(now, named)) return true;
+bool SkinDetection::carry_over(const SkinCall<Dim>& call, const NamedElements& named) {
+  SkinSearch<Dim>& candidates = arrays<Dim>().candidates;
   const auto search_new = [&](const typename SkinSearch<Dim>::Insertion& insertion) {
-    search_insertion<Dim>(settings, request, insertion, context);
+    search_insertion<Dim>(call, insertion);
   };
-  if (!skin_search.carry_over(now, named, search_new)) return false;
-  ++skin_statistics_.carried;
-  skin_statistics_.inserted += skin_search.added();
+  if (!candidates.carry_over(snapshot(call), named, search_new)) return false;
+  ++statistics_.carried;
+  statistics_.inserted += candidates.added();
   return true;
 }
 
 template <int Dim>
-void Detection::search_with_skin(const engine::RowsSettings& settings, const Request& request,
-                                 base::PairSink& sink, base::DetectionContext& context,
-                                 Statistics& statistics) {
-  SkinSearch<Dim>& skin_search = arrays<Dim>().skin_search;
-  base::Stopwatch stopwatch;
-  const std::uint64_t carried = skin_statistics_.carried;
-  const bool covered = has_candidates<Dim>(settings, request, context);
-  if (covered) {
-    statistics.algorithm = candidates_from_;
-    statistics.reason = "candidate pairs kept from an earlier call";
-    context.progress.begin("search", request.elements.size());
-  } else if (!find_candidates<Dim>(snapshot<Dim>(settings, request), settings, request, context,
-                                   statistics)) {
-    ++skin_statistics_.detections;
-    skin_statistics_.candidates = 0;
-    return search<Dim>(settings, request, sink, context, statistics);
-  }
-  candidates_from_ = statistics.algorithm;
-  statistics.threads = static_cast<int>(settings.workers);
-  ++(covered ? skin_statistics_.reuses : skin_statistics_.detections);
-  skin_statistics_.candidates = skin_search.candidates();
-  skin_statistics_.skin = skin_search.skin();
-  skin_statistics_.approach = covered ? skin_search.approach() : 0.0;
-  found_in_order_ = true;
-  if (!request.list_room.pairs.empty()) found_.lend(request.list_room);
-  skin_search.deliver_contacts(snapshot<Dim>(settings, request), sink, context);
-  if (!covered) {
-    skin_choice_.detected(stopwatch.lap(), skin_search.approach());
-  } else if (skin_statistics_.carried > carried) {
-    skin_choice_.carried();
+SkinDetection::Source SkinDetection::find_source(const SkinCall<Dim>& call) {
+  const NamedElements named = name_elements(call.elements.spheres.size());
+  if (arrays<Dim>().candidates.covers(snapshot(call), named)) return Source::earlier_call;
+  if (carry_over(call, named)) return Source::carried_over;
+  return find_candidates(call, named) ? Source::this_call : Source::none;
+}
+
+void SkinDetection::note(Source source, const Statistics& statistics) {
+  const bool kept = source == Source::earlier_call || source == Source::carried_over;
+  ++(kept ? statistics_.reuses : statistics_.detections);
+  if (source == Source::none) {
+    statistics_.candidates = 0;
   } else {
-    skin_choice_.reused(stopwatch.lap());
+    candidates_from_ = statistics.algorithm;
   }
 }
 
-template void Detection::search_with_skin<2>(const engine::RowsSettings&, const Request&,
-                                             base::PairSink&, base::DetectionContext&, Statistics&);
-template void Detection::search_with_skin<3>(const engine::RowsSettings&, const Request&,
-                                             base::PairSink&, base::DetectionContext&, Statistics&);
+template <int Dim>
+SkinDetection::Candidates SkinDetection::prepare(const SkinCall<Dim>& call) {
+  Candidates prepared{};
+  prepared.source = find_source(call);
+  Statistics& statistics = call.statistics;
+  if (prepared.source == Source::earlier_call || prepared.source == Source::carried_over) {
+    statistics.algorithm = candidates_from_;
+    statistics.reason = "candidate pairs kept from an earlier call";
+    call.context.progress.begin("search", call.elements.spheres.size());
+  }
+  note(prepared.source, statistics);
+  return prepared;
+}
+
+template <int Dim>
+void SkinDetection::deliver(const SkinCall<Dim>& call, Candidates prepared, base::PairSink& sink) {
+  SkinSearch<Dim>& candidates = arrays<Dim>().candidates;
+  call.statistics.threads = static_cast<int>(call.task.settings.workers);
+  statistics_.candidates = candidates.candidates();
+  statistics_.skin = candidates.skin();
+  const bool found_now = prepared.source == Source::this_call;
+  statistics_.approach = found_now ? 0.0 : candidates.approach();
+  candidates.deliver_contacts(snapshot(call), sink, call.context);
+  if (found_now) return choice_.detected(prepared.stopwatch.lap(), candidates.approach());
+  if (prepared.source == Source::carried_over) return choice_.carried();
+  choice_.reused(prepared.stopwatch.lap());
+}
+
+template SkinDetection::Candidates SkinDetection::prepare<2>(const SkinCall<2>&);
+template SkinDetection::Candidates SkinDetection::prepare<3>(const SkinCall<3>&);
+template void SkinDetection::deliver<2>(const SkinCall<2>&, Candidates, base::PairSink&);
+template void SkinDetection::deliver<3>(const SkinCall<3>&, Candidates, base::PairSink&);
 
 }  // namespace abut::api

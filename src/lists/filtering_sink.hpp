@@ -42,6 +42,8 @@ class FilteringSink : public base::PairSink {
   /// `next` must live until the last pairs are committed.
   void pass_to(base::PairSink& next) noexcept { next_ = &next; }
 
+  void expect_canonical_order() final { next_->expect_canonical_order(); }
+
   void expect_workers(std::size_t count) final {
     if (rooms_.size() < count) rooms_.resize(count);
     next_->expect_workers(count);

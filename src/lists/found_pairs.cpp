@@ -23,11 +23,14 @@ FoundPairs::~FoundPairs() {
   }
 }
 
-void FoundPairs::start_anew(PairCount limit, Shifts shifts, LentRoom lent) {
-  limit_ = limit;
-  shifts_ = shifts;
-  lend(lent);
-  lent_filled_ = 0;
+void FoundPairs::start_anew(const PairDemand& demand) {
+  demand_ = demand;
+  OutputBuffer& buffer = demand_.buffer;
+  if (demand.shifts == Shifts::stored) {
+    buffer.pairs = buffer.pairs.first(std::min(buffer.pairs.size(), buffer.shifts.size()));
+  }
+  comes_in_canonical_order_ = false;
+  in_buffer_ = 0;
   total_ = 0;
   for (const auto& worker : workers_) {
     worker->current = 0;
@@ -38,11 +41,11 @@ void FoundPairs::start_anew(PairCount limit, Shifts shifts, LentRoom lent) {
 
 void FoundPairs::expect_workers(std::size_t count) {
   while (workers_.size() < count) workers_.push_back(std::make_unique<Worker>());
-  if (count > 1) lent_ = {};
+  if (count > 1 || must_be_sorted()) demand_.buffer = {};
 }
 
 std::span<ContactPair> FoundPairs::room(std::size_t number) {
-  if (is_lent_next()) return lent_.pairs.subspan(lent_filled_);
+  if (buffer_is_next()) return demand_.buffer.pairs.subspan(in_buffer_);
   Worker& worker = *workers_[number];
   const auto free_in = [&](std::size_t k) {
     return worker.chunks[k].pairs.size() - worker.chunks[k].filled;
@@ -56,8 +59,8 @@ std::span<ContactPair> FoundPairs::room(std::size_t number) {
 }
 
 std::span<ImageShift> FoundPairs::shift_room(std::size_t number) {
-  if (shifts_ == Shifts::none) return {};
-  if (is_lent_next()) return lent_.shifts.subspan(lent_filled_);
+  if (demand_.shifts == Shifts::none) return {};
+  if (buffer_is_next()) return demand_.buffer.shifts.subspan(in_buffer_);
   Worker& worker = *workers_[number];
   Chunk& chunk = worker.chunks[worker.current];
   if (chunk.shifts.empty()) make_room_for_shifts(chunk);
@@ -90,10 +93,11 @@ void FoundPairs::add_chunk(Worker& worker) {
 
 std::pair<std::span<const ContactPair>, const ImageShift*> FoundPairs::take(Worker& worker,
                                                                             std::size_t count) {
-  const bool with_shifts = shifts_ == Shifts::stored;
-  if (is_lent_next()) {
-    const std::size_t begin = std::exchange(lent_filled_, lent_filled_ + count);
-    return {lent_.pairs.subspan(begin, count), with_shifts ? &lent_.shifts[begin] : nullptr};
+  const bool with_shifts = demand_.shifts == Shifts::stored;
+  if (buffer_is_next()) {
+    const OutputBuffer& buffer = demand_.buffer;
+    const std::size_t begin = std::exchange(in_buffer_, in_buffer_ + count);
+    return {buffer.pairs.subspan(begin, count), with_shifts ? &buffer.shifts[begin] : nullptr};
   }
   Chunk& chunk = worker.chunks[worker.current];
   const std::size_t begin = std::exchange(chunk.filled, chunk.filled + count);
@@ -102,9 +106,9 @@ std::pair<std::span<const ContactPair>, const ImageShift*> FoundPairs::take(Work
 }
 
 void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
-  if ((total_ += count) > limit_) {
+  if ((total_ += count) > demand_.limit) {
     throw Error(ErrorCode::limit_exceeded,
-                "there are more than " + std::to_string(limit_) +
+                "there are more than " + std::to_string(demand_.limit) +
                     " contact pairs, the limit that was set; raise it, or count the pairs "
                     "without storing them");
   }
@@ -112,8 +116,9 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   const auto [added, shifts] = take(worker, count);
   if (!worker.segments.empty()) {
     Segment& last = worker.segments.back();
-    // What follows the room that was lent does not belong to it.
-    const bool is_elsewhere = added.data() == lent_.pairs.data() + lent_.pairs.size();
+    // What follows the buffer does not belong to it.
+    const auto* const end_of_buffer = demand_.buffer.pairs.data() + demand_.buffer.pairs.size();
+    const bool is_elsewhere = added.data() == end_of_buffer;
     if (last.unit == origin.unit && last.pairs.data() + last.pairs.size() == added.data() &&
         !is_elsewhere) {
       last.pairs = {last.pairs.data(), last.pairs.size() + count};
@@ -136,7 +141,7 @@ std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
   shift_pieces_.clear();
   for (const Segment& segment : segments_) {
     pieces_.push_back(segment.pairs);
-    if (shifts_ == Shifts::stored) {
+    if (demand_.shifts == Shifts::stored) {
       shift_pieces_.emplace_back(segment.shifts, segment.pairs.size());
     }
   }

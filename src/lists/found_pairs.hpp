@@ -18,32 +18,33 @@
 
 namespace abut::api {
 
-/// Room for pairs where they are to stand in the end, and for as many shifts if these are wanted.
-struct LentRoom {
+/// The caller's arrays, as far as they have memory: room for pairs, and for as many shifts where
+/// these are wanted.
+struct OutputBuffer {
   std::span<ContactPair> pairs;
   std::span<ImageShift> shifts;
 };
 
+/// What is to become of found pairs.
+struct PairDemand {
+  PairCount limit = unlimited_pairs;
+  Shifts shifts = Shifts::none;
+  Order order = Order::as_found;
+  OutputBuffer buffer = {};  ///< for the first pairs, where they come as they are to stand
+};
+
 /// Stores pairs as they are found, up to the limit and the memory bound: each worker in chunks of
-/// its own, which stay where they are. Their order is known when all are found. A worker that is
-/// alone finds them in order, and writes the first ones to where the caller wants them.
+/// its own, which stay where they are. Their order is known when all are found. Where one worker
+/// finds them all in the order that is wanted, the first ones go to the caller's buffer at once.
 class FoundPairs final : public base::PairSink {
  public:
   explicit FoundPairs(base::MemoryMeter& memory) : memory_(memory) {}
   ~FoundPairs() override;
 
-  /// Forgets the pairs and keeps the memory. `lent` is room for the first pairs, if one worker
-  /// finds them all.
-  void start_anew(PairCount limit, Shifts shifts = Shifts::none, LentRoom lent = {});
+  /// Forgets the pairs and keeps the memory.
+  void start_anew(const PairDemand& demand);
 
-  /// Lends the room later, before the first pairs are found.
-  void lend(LentRoom room) noexcept {
-    lent_ = room;
-    if (shifts_ == Shifts::stored) {
-      lent_.pairs = room.pairs.first(std::min(room.pairs.size(), room.shifts.size()));
-    }
-  }
-
+  void expect_canonical_order() override { comes_in_canonical_order_ = true; }
   void expect_workers(std::size_t count) override;
   [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
   [[nodiscard]] std::span<ImageShift> shift_room(std::size_t worker) override;
@@ -51,8 +52,13 @@ class FoundPairs final : public base::PairSink {
 
   [[nodiscard]] PairCount size() const noexcept { return total_; }
 
-  /// How many stand in the room that was lent: the first ones.
-  [[nodiscard]] std::size_t lent_filled() const noexcept { return lent_filled_; }
+  /// How many stand in the caller's buffer: the first ones.
+  [[nodiscard]] std::size_t in_buffer() const noexcept { return in_buffer_; }
+
+  /// Whether canonical order is wanted, and the pairs did not come in it.
+  [[nodiscard]] bool must_be_sorted() const noexcept {
+    return demand_.order == Order::canonical && !comes_in_canonical_order_;
+  }
 
   /// Contiguous pieces in as_found order.
   /// Valid until the next call or the next pairs.
@@ -83,9 +89,9 @@ class FoundPairs final : public base::PairSink {
     std::vector<Segment> segments;
   };
 
-  /// Whether the next pairs go to the room that was lent: as long as there is enough of it.
-  [[nodiscard]] bool is_lent_next() const noexcept {
-    return lent_.pairs.size() - lent_filled_ >= smallest_room;
+  /// Whether the next pairs go to the caller's buffer: as long as there is enough of it.
+  [[nodiscard]] bool buffer_is_next() const noexcept {
+    return demand_.buffer.pairs.size() - in_buffer_ >= smallest_room;
   }
   /// The next `count` pairs of a worker, and their shifts.
   [[nodiscard]] std::pair<std::span<const ContactPair>, const ImageShift*> take(Worker& worker,
@@ -94,10 +100,9 @@ class FoundPairs final : public base::PairSink {
   void make_room_for_shifts(Chunk& chunk);
 
   base::MemoryMeter& memory_;
-  PairCount limit_ = unlimited_pairs;
-  Shifts shifts_ = Shifts::none;
-  LentRoom lent_;
-  std::size_t lent_filled_ = 0;
+  PairDemand demand_;
+  bool comes_in_canonical_order_ = false;
+  std::size_t in_buffer_ = 0;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::atomic<PairCount> total_ = 0;
   std::vector<Segment> segments_;

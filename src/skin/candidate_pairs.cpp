@@ -74,7 +74,7 @@ base::PairSink& CandidatePairs<Dim>::start_anew(bool periodic) {
   periodic_ = periodic;
   size_ = 0;
   shift_list_.clear();
-  found_.start_anew(unlimited_pairs, periodic ? Shifts::stored : Shifts::none);
+  found_.start_anew({.shifts = periodic ? Shifts::stored : Shifts::none});
   return found_;
 }
 
@@ -83,7 +83,7 @@ template <int Dim>
 base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> numbers,
                                                 const Displacement<Dim>& placing) {
   size_ = 0;
-  found_.start_anew(unlimited_pairs, periodic_ ? Shifts::stored : Shifts::none);
+  found_.start_anew({.shifts = periodic_ ? Shifts::stored : Shifts::none});
   found_.expect_workers(1);
   base::ImagePairWriter writer(found_);
   const auto candidates = layout_.candidates();
@@ -181,6 +181,7 @@ template <int Dim>
 template <class ShiftAt>
 void CandidatePairs<Dim>::write(std::size_t workers, base::PairSink& sink,
                                 base::DetectionContext& context, const ShiftAt& shift_at) {
+  sink.expect_canonical_order();
   sink.expect_workers(workers);
   const std::size_t units = (size_ + candidates_of_unit - 1) / candidates_of_unit;
   base::for_each_index(workers, units, [&](std::size_t worker, std::size_t unit) {

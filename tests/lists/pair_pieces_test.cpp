@@ -109,7 +109,7 @@ TEST(FoundPairs, ComeInTheOrderOfUnitsWhoeverFoundThem) {
     base::MemoryMeter memory;
     FoundPairs found(memory);
     for (std::uint64_t seed = 2; seed < 5; ++seed) {
-      found.start_anew(unlimited_pairs);
+      found.start_anew({});
       units.deliver(found, workers, seed);
       EXPECT_EQ(joined(found, workers), units.together());
     }
@@ -124,7 +124,7 @@ TEST(FoundPairs, KeepTheirMemoryAndGiveItBackAtTheEnd) {
     units.deliver(found, 2, 3);
     const std::uint64_t held = memory.held();
     EXPECT_GE(held, found.size() * sizeof(ContactPair));
-    found.start_anew(unlimited_pairs);
+    found.start_anew({});
     EXPECT_EQ(found.size(), 0U);
     EXPECT_TRUE(found.pieces().empty());
     units.deliver(found, 2, 3);
@@ -142,9 +142,9 @@ TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
     base::MemoryMeter memory;
     FoundPairs found(memory);
     PairVector target(std::max(room, expected.size()));
-    found.start_anew(unlimited_pairs, Shifts::none, {std::span(target).first(room), {}});
+    found.start_anew({.buffer = {std::span(target).first(room), {}}});
     units.deliver_in_order(found);
-    const std::size_t in_place = found.lent_filled();
+    const std::size_t in_place = found.in_buffer();
     EXPECT_LE(in_place, room);
     EXPECT_GE(in_place + base::PairSink::smallest_room, std::min(room, expected.size()));
     target.resize(expected.size());
@@ -166,10 +166,11 @@ TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
     FoundPairs found(memory);
     PairVector target(all);
     std::vector<ImageShift> shifts(all);
-    found.start_anew(unlimited_pairs, Shifts::stored,
-                     {std::span(target).first(room), std::span(shifts).first(room_for_shifts)});
+    found.start_anew(
+        {.shifts = Shifts::stored,
+         .buffer = {std::span(target).first(room), std::span(shifts).first(room_for_shifts)}});
     units.deliver_in_order(found);
-    const std::size_t in_place = found.lent_filled();
+    const std::size_t in_place = found.in_buffer();
     const std::size_t lent = std::min(room, room_for_shifts);
     EXPECT_LE(in_place, lent);
     EXPECT_GE(in_place + base::PairSink::smallest_room, lent);
@@ -185,16 +186,16 @@ TEST(FoundPairs, OfSeveralWorkersDoNot) {
   base::MemoryMeter memory;
   FoundPairs found(memory);
   PairVector target(units.together().size());
-  found.start_anew(unlimited_pairs, Shifts::none, {target, {}});
+  found.start_anew({.buffer = {target, {}}});
   units.deliver(found, 2, 3);
-  EXPECT_EQ(found.lent_filled(), 0U);
+  EXPECT_EQ(found.in_buffer(), 0U);
   EXPECT_EQ(joined(found, 2), units.together());
 }
 
 TEST(FoundPairs, OneMoreThanTheLimitIsAnError) {
   base::MemoryMeter memory;
   FoundPairs found(memory);
-  found.start_anew(100);
+  found.start_anew({.limit = 100});
   found.expect_workers(2);
   static_cast<void>(found.room(0));
   found.commit(60, {0, 0});

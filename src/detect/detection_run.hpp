@@ -1,0 +1,114 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "base/memory_meter.hpp"
+#include "base/pair_sink.hpp"
+#include "detect/detection_request.hpp"
+#include "detect/element_search.hpp"
+#include "detect/skin_detection.hpp"
+#include "detect/two_set_search.hpp"
+#include "elements/gathered_elements.hpp"
+#include "lists/found_pairs.hpp"
+#include "lists/image_neighbor_rows.hpp"
+#include "lists/neighbor_rows.hpp"
+#include "lists/order_pairs.hpp"
+#include "lists/rule_sink.hpp"
+#include "lists/visiting_sink.hpp"
+
+#include <abut/detect.hpp>
+#include <abut/neighbor_list.hpp>
+
+#include <cstddef>
+
+namespace abut::api {
+
+/// The arrays of a neighbor list, to be filled: those not asked for are left empty.
+struct NeighborArrays {
+  NeighborList::Offsets& offsets;
+  NeighborList::Neighbors& neighbors;
+  ShiftArray& shifts;
+  NeighborList::Distances& distances;
+  NeighborList::Vectors& vectors;
+};
+
+/// Runs detections from the request to the result and keeps their memory: for a Detector from call
+/// to call, for a free function once.
+class DetectionRun {
+ public:
+  DetectionRun() = default;
+  DetectionRun(const DetectionRun&) = delete;
+  DetectionRun& operator=(const DetectionRun&) = delete;
+
+  /// Leaves `shifts` empty unless the options ask for them. On failure both are empty.
+  Statistics list_pairs(const DetectionRequest& request, PairArray& pairs, ShiftArray& shifts);
+
+  Statistics visit_batches(const DetectionRequest& request, const Visitors& visitors);
+
+  Statistics list_neighbors(const DetectionRequest& request, NeighborListKind kind,
+                            const NeighborArrays& arrays);
+
+  /// The part that keeps candidate pairs, for its settings and its statistics.
+  [[nodiscard]] SkinDetection& skin() noexcept { return skin_; }
+  [[nodiscard]] const SkinDetection& skin() const noexcept { return skin_; }
+
+ private:
+  template <int Dim>
+  struct Arrays {
+    explicit Arrays(base::MemoryMeter& memory)
+        : elements(memory), search(memory), two_set_search(memory) {}
+
+    GatheredElements<Dim> elements;
+    ElementSearch<Dim> search;
+    TwoSetSearch<Dim> two_set_search;
+  };
+
+  template <int Dim>
+  [[nodiscard]] Arrays<Dim>& arrays() noexcept {
+    if constexpr (Dim == 2) {
+      return in_2d_;
+    } else {
+      return in_3d_;
+    }
+  }
+
+  /// Checks the request, then returns what `body(context)` does, with the counters added. The
+  /// floating-point environment is set meanwhile, and lack of memory becomes an Error.
+  template <class Body>
+  Statistics guarded(const DetectionRequest& request, Body&& body);
+
+  /// Delivers the contact pairs to `sink`.
+  Statistics find(const DetectionRequest& request, base::PairSink& sink,
+                  base::DetectionContext& context);
+  template <int Dim>
+  Statistics find_in(const DetectionRequest& request, base::PairSink& sink,
+                     base::DetectionContext& context);
+  template <int Dim>
+  void search(const DetectionRequest& request, const SearchTask& task, base::PairSink& sink,
+              base::DetectionContext& context, Statistics& statistics);
+  /// Finds the pairs and keeps them in `found_`.
+  Statistics store(const DetectionRequest& request, const PairDemand& demand,
+                   base::DetectionContext& context);
+
+  void write_pairs(const DetectionRequest& request, PairArray& pairs, ShiftArray& shifts,
+                   std::size_t workers);
+  void write_rows(const DetectionRequest& request, NeighborListKind kind,
+                  const NeighborArrays& arrays, std::size_t workers);
+  void list_rows(Shifts found_shifts, NeighborListKind kind, const NeighborArrays& arrays,
+                 std::size_t workers);
+  template <int Dim>
+  void measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
+                    std::size_t workers);
+
+  base::MemoryMeter memory_;
+  Arrays<2> in_2d_{memory_};
+  Arrays<3> in_3d_{memory_};
+  SkinDetection skin_{memory_};
+  FoundPairs found_{memory_};
+  VisitingSink visiting_;
+  RuleSink ruling_;
+  PairOrder order_{memory_};
+  NeighborRows neighbor_rows_{memory_};
+  RowRooms row_rooms_;
+};
+
+}  // namespace abut::api

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "base/memory_meter.hpp"
+#include "base/pair_sink.hpp"
+#include "elements/gathered_elements.hpp"
+#include "engine/rows.hpp"
+#include "engine/workspace.hpp"
+#include "periodic/periodic_workspace.hpp"
+
+#include <abut/domain.hpp>
+#include <abut/options.hpp>
+#include <abut/statistics.hpp>
+
+namespace abut::api {
+
+/// Where and how gathered elements are searched.
+struct SearchTask {
+  const Domain& domain;
+  const Options& options;
+  engine::RowsSettings settings;
+};
+
+/// Searches gathered elements with the algorithm that the options name or, for `auto`, leave to be
+/// chosen. It keeps the memory of the algorithms from one search to the next.
+template <int Dim>
+class ElementSearch {
+ public:
+  explicit ElementSearch(base::MemoryMeter& memory) : workspace_(memory), periodic_(memory) {}
+
+  /// Delivers every contact pair once to `sink` and notes in `statistics` which algorithm ran, and
+  /// how. A periodic search appends ghosts to the array of spheres and takes them away again, so
+  /// that this array may lie elsewhere in memory afterwards.
+  void search(GatheredElements<Dim>& elements, const SearchTask& task, base::PairSink& sink,
+              base::DetectionContext& context, Statistics& statistics);
+
+ private:
+  engine::Workspace<Dim> workspace_;
+  engine::PeriodicWorkspace<Dim> periodic_;
+};
+
+}  // namespace abut::api

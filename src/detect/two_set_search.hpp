@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "base/memory_meter.hpp"
+#include "base/pair_sink.hpp"
+#include "detect/element_search.hpp"
+#include "elements/gathered_elements.hpp"
+#include "elements/joined_sets.hpp"
+#include "exact/sphere.hpp"
+#include "lists/cross_sink.hpp"
+
+#include <abut/element_view.hpp>
+#include <abut/statistics.hpp>
+
+#include <span>
+
+namespace abut::api {
+
+/// Searches two sets as one system of elements and keeps the pairs between the sets. It keeps its
+/// memory.
+template <int Dim>
+class TwoSetSearch {
+ public:
+  explicit TwoSetSearch(base::MemoryMeter& memory) : sets_(memory) {}
+
+  /// Reads both sets into `joined`. Throws as api::gather does, and names the set.
+  void gather(const ElementView& first, const ElementView& second, const SearchTask& task,
+              GatheredElements<Dim>& joined, base::DetectionContext& context);
+
+  /// Delivers the pairs (element of the first set, element of the second) of the sets that were
+  /// gathered last.
+  void search(ElementSearch<Dim>& inner, GatheredElements<Dim>& joined, const SearchTask& task,
+              base::PairSink& sink, base::DetectionContext& context, Statistics& statistics);
+
+  /// All elements of each set, also those that were left out of the search.
+  [[nodiscard]] std::span<const base::Sphere<Dim>> first() const noexcept { return sets_.first(); }
+  [[nodiscard]] std::span<const base::Sphere<Dim>> second() const noexcept {
+    return sets_.second();
+  }
+
+ private:
+  JoinedSets<Dim> sets_;
+  CrossSink crossing_;
+};
+
+}  // namespace abut::api

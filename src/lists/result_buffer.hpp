@@ -1,0 +1,67 @@
+#pragma once
+
+#include "base/memory_meter.hpp"
+#include "lists/found_pairs.hpp"
+
+#include <abut/pair_list.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace abut::api {
+
+/// Sizes a result array and accounts for its bytes while it is filled; afterwards it is the
+/// caller's. The first `kept` values stay.
+template <class T>
+class ResultBuffer {
+ public:
+  ResultBuffer(std::vector<T, detail::PageAllocator<T>>& array, std::size_t size,
+               base::MemoryMeter& memory, std::size_t kept = 0)
+      : memory_(memory), bytes_(size * sizeof(T)) {
+    memory_.take_for_pairs(bytes_);
+    try {
+      if (array.capacity() < size) array.resize(kept);
+      array.resize(size);
+    } catch (...) {
+      memory_.give_back_pairs(bytes_);
+      throw;
+    }
+  }
+  ~ResultBuffer() { memory_.give_back_pairs(bytes_); }
+
+  ResultBuffer(const ResultBuffer&) = delete;
+  ResultBuffer& operator=(const ResultBuffer&) = delete;
+
+ private:
+  base::MemoryMeter& memory_;
+  std::uint64_t bytes_;
+};
+
+/// Offers all the capacity of a list as output buffer, so that pairs can be written where they are
+/// to stand. The list is emptied again unless keep() is called.
+class ListBuffer {
+ public:
+  ListBuffer(PairArray& pairs, ShiftArray& shifts) : pairs_(pairs), shifts_(shifts) {
+    pairs.resize(pairs.capacity());
+    shifts.resize(shifts.capacity());
+  }
+  ~ListBuffer() {
+    if (is_kept_) return;
+    pairs_.clear();
+    shifts_.clear();
+  }
+
+  ListBuffer(const ListBuffer&) = delete;
+  ListBuffer& operator=(const ListBuffer&) = delete;
+
+  [[nodiscard]] OutputBuffer buffer() const noexcept { return {pairs_, shifts_}; }
+  void keep() noexcept { is_kept_ = true; }
+
+ private:
+  PairArray& pairs_;
+  ShiftArray& shifts_;
+  bool is_kept_ = false;
+};
+
+}  // namespace abut::api

@@ -30,7 +30,7 @@ void validate_request(const DetectionRequest& request) {
   } else {
     validate(request.options, request.elements, *request.others, request.domain);
   }
-  validate(request.options.rule, request.elements, request.others);
+  validate_rule(request.options.rule, request.elements, request.others);
 }
 
 SearchTask task_of(const DetectionRequest& request) {

@@ -70,7 +70,7 @@ void require_fit(const ExclusionList& exclusions, const ElementView& first,
 
 }  // namespace
 
-void validate(const PairRule& rule, const ElementView& first, const ElementView* second) {
+void validate_rule(const PairRule& rule, const ElementView& first, const ElementView* second) {
   if (rule.is_empty()) return;
   const auto any = [&](const auto& member) {
     return !(rule.elements.*member).empty() || !(rule.others.*member).empty();

@@ -1,5 +1,5 @@
-// The table of contestants. Its rows are written by CMake: benchmarks/CMakeLists.txt names each
-// contestant once, and finds its library.
+// The table of contestants. Its rows are written by CMake: benchmarks/matrix/CMakeLists.txt names
+// each contestant once, and finds its library.
 
 #include "benchmarks/matrix/contestants.hpp"
 

@@ -1,7 +1,7 @@
 // Bullet's btDbvt: a tree of boxes in float, filled box by box, walked against itself.
 
+#include "benchmarks/common/packed.hpp"
 #include "benchmarks/matrix/contestant.hpp"
-#include "benchmarks/matrix/packed.hpp"
 
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 #include <LinearMath/btScalar.h>

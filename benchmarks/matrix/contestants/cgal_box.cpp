@@ -1,8 +1,8 @@
 // CGAL's box_self_intersection_d: streamed segment trees (A. Zomorodian, H. Edelsbrunner, "Fast
 // software for box intersections", SoCG 2000).
 
+#include "benchmarks/common/packed.hpp"
 #include "benchmarks/matrix/contestant.hpp"
-#include "benchmarks/matrix/packed.hpp"
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>

@@ -1,8 +1,8 @@
 // Embree's rtcCollide: a hierarchy of boxes in float, walked against itself. Two ways to build it:
 // along a Morton curve, the fast one, or by the surface-area heuristic.
 
+#include "benchmarks/common/packed.hpp"
 #include "benchmarks/matrix/contestant.hpp"
-#include "benchmarks/matrix/packed.hpp"
 
 #include <embree3/rtcore.h>
 

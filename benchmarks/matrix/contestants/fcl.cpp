@@ -1,8 +1,8 @@
 // FCL's DynamicAABBTreeCollisionManager: a tree of boxes around collision objects. The objects stay
 // from run to run; their places and boxes, and the tree, are made anew.
 
+#include "benchmarks/common/packed.hpp"
 #include "benchmarks/matrix/contestant.hpp"
-#include "benchmarks/matrix/packed.hpp"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/config.h>

@@ -1,8 +1,8 @@
 // nanoflann: a k-d tree of the centres. Each element asks for those that are no larger than it,
 // within twice its own radius: small elements need not look as far as the largest would reach.
 
+#include "benchmarks/common/packed.hpp"
 #include "benchmarks/matrix/contestant.hpp"
-#include "benchmarks/matrix/packed.hpp"
 
 #include <nanoflann.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "benchmarks/common/bounds.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/pair.hpp>
@@ -9,10 +10,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-// What contestants share that build boxes or trees of a library and then test what it proposes.
+/// Elements and pairs of those contestants that build boxes or trees of a library and then test the
+/// candidate pairs which it proposes.
 namespace abut::benchmarks {
 
 /// An element in one piece of memory; discs lie at z = 0.
@@ -30,13 +31,7 @@ struct PackedElement {
   return x * x + y * y + z * z <= reach * reach;
 }
 
-/// Bounds of an element on one axis, so much wider than it that rounding loses no pair.
-template <class Real>
-struct Bounds {
-  Real low;
-  Real high;
-};
-
+/// The box of an element on one axis, so much wider than the element that rounding loses no pair.
 [[nodiscard]] inline Bounds<double> bounds(const PackedElement& element, std::size_t axis) {
   const double x = element.center[axis];
   const double half = element.radius + (std::abs(x) + element.radius) * 0x1p-50;
@@ -45,12 +40,7 @@ struct Bounds {
 
 /// The same for libraries that compute in float.
 [[nodiscard]] inline Bounds<float> float_bounds(const PackedElement& element, std::size_t axis) {
-  constexpr float ulp = 0x1p-23F;
-  constexpr float least = std::numeric_limits<float>::min();
-  const Bounds<double> wide = bounds(element, axis);
-  const auto low = static_cast<float>(wide.low);
-  const auto high = static_cast<float>(wide.high);
-  return {low - std::abs(low) * ulp - least, high + std::abs(high) * ulp + least};
+  return float_bounds(bounds(element, axis));
 }
 
 /// The elements of a scene, one after the other, and the pairs found among them. The memory stays

@@ -1,22 +1,20 @@
 #include "benchmarks/matrix/table.hpp"
 
+#include "benchmarks/common/timing.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace abut::benchmarks {
 namespace {
 
-struct MedianAndMinimum {
-  double median = 0.0;
-  double minimum = 0.0;
-};
-
 MedianAndMinimum summary(const std::vector<Seconds>& runs, double Seconds::*clock) {
   std::vector<double> values;
   for (const Seconds& run : runs) values.push_back(run.*clock);
-  std::sort(values.begin(), values.end());
-  return {values[values.size() / 2], values.front()};
+  return median_and_minimum(std::move(values));
 }
 
 /// In quotes, so that it may hold commas.

@@ -1,5 +1,6 @@
 #include "benchmarks/matrix/trial.hpp"
 
+#include "benchmarks/common/timing.hpp"
 #include "benchmarks/matrix/apart.hpp"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
-#include <ctime>
 #include <exception>
 #include <new>
 #include <system_error>
@@ -37,12 +37,6 @@ void set(std::array<char, Size>& to, const std::string& text) {
   const std::size_t length = std::min(text.size(), Size - 1);
   std::copy_n(text.data(), length, to.data());
   to[length] = '\0';
-}
-
-double now(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 void write_all(int file, std::span<const std::byte> bytes) {
@@ -141,10 +135,10 @@ std::string_view name_of(Verdict verdict) {
 }
 
 Seconds timed_run(Contestant& contestant, const Scene& scene, Answer& answer) {
-  const double wall = now(CLOCK_MONOTONIC);
-  const double cpu = now(CLOCK_THREAD_CPUTIME_ID);
+  const double wall = seconds_on(CLOCK_MONOTONIC);
+  const double cpu = seconds_on(CLOCK_THREAD_CPUTIME_ID);
   answer = contestant.run(scene);
-  const Seconds seen{now(CLOCK_MONOTONIC) - wall, now(CLOCK_THREAD_CPUTIME_ID) - cpu};
+  const Seconds seen{seconds_on(CLOCK_MONOTONIC) - wall, seconds_on(CLOCK_THREAD_CPUTIME_ID) - cpu};
   return contestant.own_clock().value_or(seen);
 }
 

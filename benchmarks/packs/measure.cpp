@@ -5,15 +5,9 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
-#include <ctime>
 
 namespace abut::benchmarks {
 namespace {
-
-/// CPU time of this process, which does not count the time that others take.
-double cpu_seconds() {
-  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
-}
 
 Statistics detect(const ElementView& elements, Algorithm algorithm, Form form) {
   Options options;
@@ -21,12 +15,6 @@ Statistics detect(const ElementView& elements, Algorithm algorithm, Form form) {
   if (form == Form::count) return count_contact_pairs(elements, Domain::open(), options);
   options.order = form == Form::canonical ? Order::canonical : Order::as_found;
   return find_contact_pairs(elements, Domain::open(), options).statistics();
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double minimum(const std::vector<double>& values) {
@@ -47,9 +35,7 @@ class Contestant {
       double spent = 0.0;
       std::size_t detections = 0;
       do {
-        const double begin = cpu_seconds();
-        measurement_.statistics = run(elements);
-        spent += cpu_seconds() - begin;
+        spent += processor_seconds([&] { measurement_.statistics = run(elements); });
         ++detections;
       } while (spent < shortest_sample);
       detections_a_sample_ = detections;
@@ -61,9 +47,11 @@ class Contestant {
 
   void take_sample(const ElementView& elements) {
     if (!measurement_.refusal.empty()) return;
-    const double begin = cpu_seconds();
-    for (std::size_t k = 0; k < detections_a_sample_; ++k) measurement_.statistics = run(elements);
-    const double sample = cpu_seconds() - begin;
+    const double sample = processor_seconds([&] {
+      for (std::size_t k = 0; k < detections_a_sample_; ++k) {
+        measurement_.statistics = run(elements);
+      }
+    });
     spent_ += sample;
     cpu_.push_back(sample / static_cast<double>(detections_a_sample_));
     gather_.push_back(measurement_.statistics.gather_seconds);
@@ -77,7 +65,7 @@ class Contestant {
   [[nodiscard]] Measurement result() {
     if (cpu_.empty()) return measurement_;
     measurement_.repetitions = cpu_.size();
-    measurement_.cpu = {median(cpu_), minimum(cpu_)};
+    measurement_.cpu = median_and_minimum(cpu_);
     measurement_.gather = minimum(gather_);
     measurement_.search = minimum(search_);
     measurement_.order = minimum(order_);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "benchmarks/common/timing.hpp"
+
 #include <abut/detect.hpp>
 
 #include <array>
@@ -14,11 +16,6 @@ namespace abut::benchmarks {
 enum class Form { count, as_found, canonical };
 inline constexpr std::array forms{Form::count, Form::as_found, Form::canonical};
 [[nodiscard]] std::string_view name_of(Form form);
-
-struct MedianAndMinimum {
-  double median = 0.0;
-  double minimum = 0.0;
-};
 
 /// What one algorithm did with one case in one form. Times are seconds for one detection, from
 /// call to return: CPU time of the process, and the phases as the library reports them.

@@ -3,6 +3,7 @@
 // difference.
 
 #include "benchmarks/common/program.hpp"
+#include "benchmarks/common/timing.hpp"
 #include "benchmarks/systems/box_contestant.hpp"
 
 #include <abut/abut.hpp>

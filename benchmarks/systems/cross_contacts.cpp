@@ -3,6 +3,7 @@
 // before anything is timed. CSV on stdout; exit code 7 for a difference.
 
 #include "benchmarks/common/program.hpp"
+#include "benchmarks/common/timing.hpp"
 #include "benchmarks/systems/contestants/cgal_two_sets.hpp"
 #include "benchmarks/systems/two_scenes.hpp"
 

@@ -3,6 +3,7 @@
 // LAMMPS first, for lammps_neighbors.py.
 
 #include "benchmarks/common/program.hpp"
+#include "benchmarks/common/timing.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>

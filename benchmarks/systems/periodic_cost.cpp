@@ -2,6 +2,7 @@
 // kinds, by turns, so that all cases meet the same machine. CSV on stdout.
 
 #include "benchmarks/common/program.hpp"
+#include "benchmarks/common/timing.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
@@ -112,17 +113,12 @@ std::list<Case> cases_of(const std::list<scenes::Scene>& inputs, const Cell& blo
 }
 
 void write(const Run& run, const Run& open, std::size_t elements) {
-  const auto sorted = [](std::vector<double> seconds) {
-    std::sort(seconds.begin(), seconds.end());
-    return seconds;
-  };
-  const std::vector<double> own = sorted(run.seconds);
-  const std::vector<double> base = sorted(open.seconds);
+  const MedianAndMinimum own = median_and_minimum(run.seconds);
+  const MedianAndMinimum base = median_and_minimum(open.seconds);
   const double ns = 1e9 / static_cast<double>(elements);
-  const std::size_t middle = own.size() / 2;
   std::printf("%s,%zu,%llu,%.2f,%.2f,%.3f,%.3f\n", run.what.name.c_str(), elements,
-              static_cast<unsigned long long>(run.pairs), own[0] * ns, own[middle] * ns,
-              own[0] / base[0], own[middle] / base[middle]);
+              static_cast<unsigned long long>(run.pairs), own.minimum * ns, own.median * ns,
+              own.minimum / base.minimum, own.median / base.median);
 }
 
 int main_of(int argc, char** argv) {

@@ -3,6 +3,7 @@
 // Each is checked against the first: the same number of pairs in every step. Prints CSV.
 
 #include "benchmarks/common/program.hpp"
+#include "benchmarks/common/timing.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene.hpp"
 
@@ -12,12 +13,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace abut::benchmarks {
@@ -80,17 +79,6 @@ class System {
   std::uint64_t next_id_ = 0;
 };
 
-class Clock {
- public:
-  [[nodiscard]] double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 /// A tangential spring: three numbers.
 struct Spring {
   std::array<double, 3> stretch{};
@@ -119,13 +107,13 @@ Measured measure(const Settings& settings, Skin skin) {
       if (step % 10 == 0) system.exchange(settings.exchanged);
       detector.set_ids(system.ids);
     }
-    Clock clock;
+    Stopwatch stopwatch;
     const PairList& pairs = detector.find_contact_pairs(system.elements(), system.domain);
-    const double detection = clock.lap();
+    const double detection = stopwatch.lap();
     const std::span<const std::uint64_t> ids(system.ids);
     history.update(pairs, system.elements(), system.domain,
                    settings.exchanged > 0 ? ids : ids.first(0));
-    const double rest = clock.lap();
+    const double rest = stopwatch.lap();
     if (step >= 0) {
       result.detection += detection / settings.steps;
       result.history += rest / settings.steps;

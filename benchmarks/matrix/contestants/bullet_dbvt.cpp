@@ -1,9 +1,9 @@
 // Bullet's btDbvt: a tree of boxes in float, filled box by box, walked against itself.
 
+#include "benchmarks/common/bullet_tree.hpp"
 #include "benchmarks/common/packed.hpp"
 #include "benchmarks/matrix/contestant.hpp"
 
-#include <BulletCollision/BroadphaseCollision/btDbvt.h>
 #include <LinearMath/btScalar.h>
 
 namespace abut::benchmarks {
@@ -11,32 +11,13 @@ namespace {
 
 using scenes::Scene;
 
-btDbvtVolume volume_of(const PackedElement& element) {
-  const Bounds<float> x = float_bounds(element, 0);
-  const Bounds<float> y = float_bounds(element, 1);
-  const Bounds<float> z = float_bounds(element, 2);
-  return btDbvtVolume::FromMM({x.low, y.low, z.low}, {x.high, y.high, z.high});
-}
-
-struct Take final : btDbvt::ICollide {
-  explicit Take(Packed& to) : packed(to) {}
-  void Process(const btDbvtNode* a, const btDbvtNode* b) override {
-    packed.propose(static_cast<ElementIndex>(a->dataAsInt),
-                   static_cast<ElementIndex>(b->dataAsInt));
-  }
-  Packed& packed;
-};
-
 class BulletDbvt final : public Contestant {
  public:
   Answer run(const Scene& scene) override {
     packed_.pack(scene);
-    btDbvt tree;
-    for (std::size_t k = 0; k < packed_.size(); ++k) {
-      tree.insert(volume_of(packed_[k]), nullptr)->dataAsInt = static_cast<int>(k);
-    }
-    Take take(packed_);
-    tree.collideTT(tree.m_root, tree.m_root, take);
+    for_each_pair_of_bullet(
+        packed_.size(), [&](std::size_t k, std::size_t axis) { return bounds(packed_[k], axis); },
+        [&](ElementIndex a, ElementIndex b) { packed_.propose(a, b); });
     return {packed_.pairs(), packed_.pairs().size()};
   }
   [[nodiscard]] Counters counters() const override { return {packed_.candidates(), 0, {}}; }

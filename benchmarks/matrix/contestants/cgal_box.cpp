@@ -1,23 +1,15 @@
-// CGAL's box_self_intersection_d: streamed segment trees (A. Zomorodian, H. Edelsbrunner, "Fast
-// software for box intersections", SoCG 2000).
+// CGAL's box_self_intersection_d, then the plain test.
 
+#include "benchmarks/common/cgal_boxes.hpp"
 #include "benchmarks/common/packed.hpp"
 #include "benchmarks/matrix/contestant.hpp"
 
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/version.h>
 
 namespace abut::benchmarks {
 namespace {
 
 using scenes::Scene;
-
-/// Below so many boxes it compares them along one axis only. The default is 10.
-constexpr std::ptrdiff_t fastest_cutoff = 200;
-
-template <int Dim>
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, Dim, ElementIndex>;
 
 class CgalBox final : public Contestant {
  public:
@@ -34,28 +26,15 @@ class CgalBox final : public Contestant {
 
  private:
   template <int Dim>
-  void search(std::vector<Box<Dim>>& boxes) {
-    boxes.clear();
-    boxes.reserve(packed_.size());
-    for (std::size_t k = 0; k < packed_.size(); ++k) {
-      double low[Dim];
-      double high[Dim];
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        const Bounds<double> side = bounds(packed_[k], axis);
-        low[axis] = side.low;
-        high[axis] = side.high;
-      }
-      boxes.emplace_back(low, high, static_cast<ElementIndex>(k));
-    }
-    CGAL::box_self_intersection_d(
-        boxes.begin(), boxes.end(),
-        [this](const Box<Dim>& a, const Box<Dim>& b) { packed_.propose(a.info(), b.info()); },
-        fastest_cutoff);
+  void search(CgalBoxes<Dim>& boxes) {
+    boxes.fill(packed_.size(),
+               [this](std::size_t k, std::size_t axis) { return bounds(packed_[k], axis); });
+    boxes.for_each_pair([this](ElementIndex a, ElementIndex b) { packed_.propose(a, b); });
   }
 
   Packed packed_;
-  std::vector<Box<2>> discs_;
-  std::vector<Box<3>> spheres_;
+  CgalBoxes<2> discs_;
+  CgalBoxes<3> spheres_;
 };
 
 }  // namespace

@@ -1,70 +1,37 @@
-// Bullet's btDbvt: a tree of boxes in float, rounded outwards, filled box by box and walked against
-// itself; what it proposes is compared in double.
+// Bullet's btDbvt, whose boxes are in float; what it proposes is compared in double.
 
+#include "benchmarks/common/bullet_tree.hpp"
 #include "benchmarks/systems/box_contestant.hpp"
 
-#include <BulletCollision/BroadphaseCollision/btDbvt.h>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 namespace abut::benchmarks {
 namespace {
 
-float below(double value) {
-  const auto rounded = static_cast<float>(value);
-  return static_cast<double>(rounded) <= value
-             ? rounded
-             : std::nextafter(rounded, -std::numeric_limits<float>::infinity());
-}
-
-btDbvtVolume volume_of(const scenes::BoxScene& scene, std::size_t k) {
-  btVector3 low(0, 0, 0);
-  btVector3 high(0, 0, 0);
-  for (int axis = 0; axis < scene.dimensions; ++axis) {
-    const auto column = static_cast<std::size_t>(axis);
-    low[axis] = below(scene.lower[column][k]);
-    high[axis] = -below(-scene.upper[column][k]);
+bool intersect(const scenes::BoxScene& scene, std::size_t i, std::size_t j) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(scene.dimensions); ++axis) {
+    if (scene.lower[axis][i] > scene.upper[axis][j]) return false;
+    if (scene.lower[axis][j] > scene.upper[axis][i]) return false;
   }
-  return btDbvtVolume::FromMM(low, high);
+  return true;
 }
 
 class Bullet {
  public:
   const std::vector<ContactPair>& run(const scenes::BoxScene& scene) {
-    Take take(scene);
-    btDbvt tree;
-    for (std::size_t k = 0; k < scene.size(); ++k) {
-      tree.insert(volume_of(scene, k), nullptr)->dataAsInt = static_cast<int>(k);
-    }
-    take.pairs.swap(pairs_);
-    take.pairs.clear();
-    tree.collideTT(tree.m_root, tree.m_root, take);
-    pairs_.swap(take.pairs);
+    const auto side = [&](std::size_t k, std::size_t axis) {
+      if (axis >= static_cast<std::size_t>(scene.dimensions)) return Bounds<double>{0.0, 0.0};
+      return Bounds<double>{scene.lower[axis][k], scene.upper[axis][k]};
+    };
+    pairs_.clear();
+    for_each_pair_of_bullet(scene.size(), side, [&](ElementIndex a, ElementIndex b) {
+      if (intersect(scene, a, b)) pairs_.push_back({std::min(a, b), std::max(a, b)});
+    });
     return pairs_;
   }
 
  private:
-  struct Take final : btDbvt::ICollide {
-    explicit Take(const scenes::BoxScene& boxes) : scene(boxes) {}
-
-    void Process(const btDbvtNode* a, const btDbvtNode* b) override {
-      const auto i = static_cast<std::size_t>(a->dataAsInt);
-      const auto j = static_cast<std::size_t>(b->dataAsInt);
-      for (std::size_t axis = 0; axis < static_cast<std::size_t>(scene.dimensions); ++axis) {
-        if (scene.lower[axis][i] > scene.upper[axis][j]) return;
-        if (scene.lower[axis][j] > scene.upper[axis][i]) return;
-      }
-      pairs.push_back(
-          {static_cast<ElementIndex>(std::min(i, j)), static_cast<ElementIndex>(std::max(i, j))});
-    }
-
-    const scenes::BoxScene& scene;
-    std::vector<ContactPair> pairs;
-  };
-
   std::vector<ContactPair> pairs_;
 };
 

@@ -18,8 +18,9 @@ class CgalOfTwoSets {
   const std::vector<ContactPair>& run(const TwoScenes& sets);
 
  private:
-  struct Boxes;
-  std::unique_ptr<Boxes> boxes_;
+  struct Set;
+  std::unique_ptr<Set> first_;
+  std::unique_ptr<Set> second_;
   std::vector<ContactPair> pairs_;
 };
 

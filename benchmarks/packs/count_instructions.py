@@ -7,35 +7,13 @@ import concurrent.futures
 import csv
 import io
 import os
-import re
 import subprocess
 import sys
-import tempfile
 
+from benchmarks.common.instructions import instructions
 
 MOST_ELEMENTS = 100_000  # valgrind makes a program some fifty times slower
 REFUSED = 4  # exit code: more memory would be needed than is allowed
-
-
-def instructions(program, arguments):
-    """Instructions within the call alone, not in making the scene; None if it is refused."""
-    with tempfile.TemporaryDirectory() as folder:
-        command = [
-            "valgrind",
-            "--tool=callgrind",
-            "--callgrind-out-file=" + os.path.join(folder, "out"),
-            "--toggle-collect=abut::count_contact_pairs*",
-            program,
-            "once",
-            *arguments,
-        ]
-        environment = {**os.environ, "LD_BIND_NOW": "1"}  # no resolving of symbols in between
-        done = subprocess.run(command, capture_output=True, text=True, env=environment)
-    if done.returncode == REFUSED:
-        return None
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)} failed:\n{done.stderr}")
-    return int(re.search(r"Collected : (\d+)", done.stderr)[1])
 
 
 def main():
@@ -60,7 +38,7 @@ def main():
 
     def count(row):
         arguments = [row[k] for k in ("pack", "rows", "columns", "spacing", "algorithm")]
-        return instructions(program, arguments)
+        return instructions([program, "once", *arguments], "abut::count_contact_pairs*", REFUSED)
 
     writer = csv.writer(sys.stdout, lineterminator="\n")
     writer.writerow([*reader.fieldnames, "instructions"])

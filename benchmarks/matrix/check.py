@@ -1,4 +1,4 @@
-"""Runs the chain of matrix/run on small scenes: times, plots and tables.
+"""Runs the chain of matrix/run on small scenes: times, plots, tables and report.
 
 Usage: check.py MATRIX_PROGRAM
 """
@@ -10,9 +10,12 @@ import subprocess
 import sys
 import tempfile
 
+from benchmarks.common.pages import contents
+from benchmarks.common.small_svg import check_picture
 from benchmarks.common.tables import ROOT
 
-PAGE = os.path.join(ROOT, "docs", "benchmarks_matrix.md")
+PAGE_NAME = "benchmarks_matrix.md"
+PAGE = os.path.join(ROOT, "docs", PAGE_NAME)
 
 SCENES = ["dense", "hexagonal_2d", "touching_fcc"]
 
@@ -28,16 +31,16 @@ def check(program):
         report = [sys.executable, "-B", "-m", "benchmarks.matrix.report", results, "--docs", copy]
         subprocess.run([*report, "--images", results], check=True)
         subprocess.run([*report, "--beside"], check=True)
-        with open(copy) as file:
-            text = file.read()
+        written = {name: contents(os.path.join(results, name)) for name in (PAGE_NAME, "report.md")}
         for name in ("matrix_scenes.svg", "matrix_scaling.svg", "matrix_threads.svg"):
-            if os.path.getsize(os.path.join(results, name)) < 5_000:
-                sys.exit(f"{name} is all but empty")
-    for words in ("compiler any", "Measured on: compiler any", "`plain_grid`", *SCENES):
-        if words not in text:
-            sys.exit(f"the tables of the page were not written anew: no '{words}'")
-    if re.search(r"\b(nan|inf)\b", text):
-        sys.exit("a table of the page holds what is not a number")
+            check_picture(os.path.join(results, name))
+    for words in ("Measured on: compiler any", "`plain_grid`", *SCENES):
+        for name, text in written.items():
+            if words not in text:
+                sys.exit(f"the tables of {name} were not written anew: no '{words}'")
+    for name, text in written.items():
+        if re.search(r"\b(nan|inf)\b", text):
+            sys.exit(f"a table of {name} holds what is not a number")
 
 
 if __name__ == "__main__":

@@ -1,11 +1,13 @@
-"""Plots of ns per element by scene and contestant, and against N and threads:
+"""Plots of ns for an element by scene and contestant, against N, and of threads:
 docs/images/matrix_*.svg."""
 
 import math
 import os
 
-from benchmarks.matrix.data import DEFAULT, YARDSTICKS
-from benchmarks.common.tables import plt, save
+from matplotlib.lines import Line2D
+
+from benchmarks.common.plots import plt, save
+from benchmarks.matrix.data import DEFAULT
 
 # Okabe and Ito's colours, told apart by everybody; what is not named here stays grey.
 STYLE = {
@@ -16,13 +18,14 @@ STYLE = {
     "cgal_box": ("#0072b2", "v"),
     "nanoflann": ("#56b4e9", "^"),
     "embree_morton": ("#009e73", "<"),
-    "embree_sah": ("#009e73", ">"),
+    "embree_sah": ("#00563f", ">"),
     "boost_rtree": ("#cc79a7", "D"),
     "bullet_dbvt": ("#e69f00", "P"),
     "fcl": ("#f0e442", "X"),
     "scipy_ckdtree": ("#8c6bb1", "h"),
 }
 OF_THE_BOOK = ("#7f7f7f", ".")
+OF_THREADS = ["#d55e00", "#0072b2", "#009e73", "#cc79a7"]
 
 
 def style(contestant):
@@ -75,6 +78,14 @@ def plot_scenes(matrix, folder):
     save(figure, folder, "matrix_scenes.svg")
 
 
+def draw_line(axes, points, contestant):
+    """How one contestant's time follows N: abut and the plain grid with marks, the others thin."""
+    color, marker = style(contestant)
+    strong = contestant in (DEFAULT, "plain_grid")
+    axes.plot(*zip(*points), color=color, marker=marker if strong or len(points) == 1 else None,
+              ms=4, lw=2.2 if strong else 1.1, label=name(contestant))
+
+
 def plot_scaling(matrix, folder):
     """A panel for each scene: how the time for each element follows N."""
     columns = 5
@@ -82,18 +93,15 @@ def plot_scaling(matrix, folder):
     figure, grid = plt.subplots(rows, columns, figsize=(10, 2.2 * rows), sharex=True, sharey=True,
                                 squeeze=False)
     panels = [axes for line in grid for axes in line]
+    # `rows` is what `auto` takes in nearly every case: its line would lie below that one.
+    shown = [c for c in matrix.contestants
+             if c not in ("memcpy", "abut_rows") and style(c) != OF_THE_BOOK]
     for axes, scene in zip(panels, matrix.scenes):
-        for contestant in matrix.contestants:
-            if contestant in YARDSTICKS[:1] or style(contestant) == OF_THE_BOOK:
-                continue
+        for contestant in shown:
             points = [(n, matrix.ns(scene, n, contestant)) for n in matrix.counts]
             points = [p for p in points if p[1]]
-            if not points:
-                continue
-            color, marker = style(contestant)
-            width = 2.2 if contestant in (DEFAULT, "plain_grid") else 1.0
-            axes.plot(*zip(*points), color=color, marker=marker, ms=4, lw=width,
-                      label=name(contestant))
+            if points:
+                draw_line(axes, points, contestant)
         axes.set_title(scene, fontsize=9)
         axes.set(xscale="log", yscale="log")
         axes.minorticks_off()
@@ -103,34 +111,48 @@ def plot_scaling(matrix, folder):
         line[0].set_ylabel("ns for each element")
     for axes in grid[-1]:
         axes.set_xlabel("elements N")
-    by_label = {}
-    for axes in panels[: len(matrix.scenes)]:
-        for handle, text in zip(*axes.get_legend_handles_labels()):
-            by_label.setdefault(text, handle)
-    figure.tight_layout(rect=(0, 0.06, 1, 1))
-    figure.legend(by_label.values(), by_label.keys(), loc="lower center", ncol=6, fontsize=8)
+    legend_of_lines(figure, shown)
     save(figure, folder, "matrix_scaling.svg")
 
 
+def legend_of_lines(figure, contestants):
+    handles = []
+    for contestant in contestants:
+        color, marker = style(contestant)
+        strong = contestant in (DEFAULT, "plain_grid")
+        handles.append(Line2D([], [], color=color, marker=marker if strong else None, ms=4,
+                              lw=2.2 if strong else 1.1, label=name(contestant)))
+    figure.tight_layout(rect=(0, 0.06, 1, 1))
+    figure.legend(handles=handles, loc="lower center", ncol=6, fontsize=8)
+
+
 def plot_threads(matrix, folder):
-    """Speedup by threads, a line for each scene; an empty plot if nothing runs in several."""
-    figure, axes = plt.subplots(figsize=(5, 3.6))
-    most = max(matrix.threads)
-    axes.plot([1, most], [1, most], color="black", lw=0.8, ls=":", label="ideal")
-    for place, scene in enumerate(matrix.scenes):
-        count = matrix.counts[-1]
-        one = matrix.ns(scene, count, DEFAULT)
-        points = [(t, one / matrix.ns(scene, count, DEFAULT, threads=t)) for t in matrix.threads
-                  if one and matrix.ns(scene, count, DEFAULT, threads=t)]
-        if len(points) > 1:
-            # Ten colours, then the same with another mark and line.
-            marker, line = ("o", "-") if place < 10 else ("s", "--")
-            axes.plot(*zip(*points), color=f"C{place % 10}", marker=marker, ls=line, ms=4, lw=1.2,
-                      label=scene)
-    axes.set(xlabel="threads, one on each core", ylabel="speedup",
-             title=f"abut (auto), N = {matrix.counts[-1]:,}")
-    axes.set_xticks(matrix.threads)
-    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    """A row for each scene, a mark for each number of threads at its speedup; no marks if nothing
+    runs in several."""
+    count = matrix.counts[-1]
+    figure, axes = plt.subplots(figsize=(5.5, 0.24 * len(matrix.scenes) + 1.2))
+    for place, threads in enumerate(matrix.threads[1:]):
+        points = []
+        for row, scene in enumerate(matrix.scenes):
+            one = matrix.ns(scene, count, DEFAULT)
+            several = matrix.ns(scene, count, DEFAULT, threads=threads)
+            if one and several:
+                points.append((one / several, row))
+        color = OF_THREADS[place % len(OF_THREADS)]
+        axes.axvline(threads, color=color, lw=0.8, ls=":")
+        if points:
+            axes.plot(*zip(*points), marker="o", color=color, ls="none", ms=6, clip_on=False,
+                      label=f"{threads} threads")
+    title = f"abut (auto), N = {count:,}"
+    if len(matrix.threads) == 2:
+        title += f", {matrix.threads[1]} threads"
+    axes.set_yticks(range(len(matrix.scenes)))
+    axes.set_yticklabels(matrix.scenes)
+    axes.invert_yaxis()
+    axes.set(xlabel="times as fast as one thread (dotted: ideal)",
+             xlim=(min(0.9, axes.get_xlim()[0]), 1.05 * max(matrix.threads[-1], 2)), title=title)
+    if len(matrix.threads) > 2:
+        axes.legend(fontsize=8, loc="lower left")
     save(figure, folder, "matrix_threads.svg")
 
 

@@ -1,48 +1,23 @@
-"""Turns the tables of matrix/run into the plots and tables of docs/benchmarks_matrix.md.
+"""Turns the tables of matrix/run into the plots and the short tables of docs/benchmarks_matrix.md,
+and into the long report beside them.
 
 Usage: report.py RESULTS_FOLDER [--beside] [--docs FILE] [--images FOLDER]
-The page keeps its words: only what lies between its markers is written anew. With --beside the
-tables are those of another machine, which the page shows in short, beside its own.
+Writes RESULTS_FOLDER/report.md. The page keeps its words: only what lies between its markers is
+written anew. With --beside the tables are those of another machine, which the page shows in short,
+beside its own. Without --images there are no plots.
 """
 
 import argparse
 import os
 
-from benchmarks.matrix import aims
-from benchmarks.matrix import plot
+from benchmarks.common.pages import contents, link, with_sections, wrapped, write
+from benchmarks.common.tables import ROOT, plain, table
+from benchmarks.matrix import aims, claims
+from benchmarks.matrix.claims import FORMS, elsewhere, order_ns
 from benchmarks.matrix.data import DEFAULT, YARDSTICKS, Matrix, median, ratio
-from benchmarks.common.tables import ROOT, plain, rewrite_page, table
+from benchmarks.matrix.words import WHY_NOT, label, power, short, times
 
-FORMS = ["list", "canonical", "count", "visit", "half_list", "full_list"]
-WHY_NOT = {"refused": "no", "too_slow": "slow", "crashed": "crash", "left_out": "–"}
-
-
-def power(count):
-    exponent = len(str(count)) - 1
-    if count != 10**exponent:
-        return f"{count:,}"
-    return "10" + str(exponent).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
-
-
-def short(contestant):
-    return f"`{contestant.removeprefix('abut_')}`"
-
-
-def label(matrix, scene, count=None):
-    count = matrix.main_count(scene) if count is None else count
-    return f"{scene}, {power(count)}"
-
-
-def times(value):
-    return "–" if value is None else f"{value:,.2f}×" if value < 9.95 else f"{value:,.0f}×"
-
-
-def verdict(condition):
-    return "–" if condition is None else "yes" if condition else "**no**"
-
-
-def at_least(value, wanted):
-    return None if value is None else value >= wanted
+PAGE = os.path.join(ROOT, "docs", "benchmarks_matrix.md")
 
 
 def machine(matrix):
@@ -59,7 +34,7 @@ def machine(matrix):
     if copied:
         copied.sort()
         parts.append(f"memcpy of the arrays {copied[len(copied) // 2]:.1f} GB/s")
-    return "; ".join(parts) + "."
+    return wrapped("Measured on: " + "; ".join(parts) + ".")
 
 
 def cell(row):
@@ -108,128 +83,6 @@ def choice(row):
     return f"`{row['note'].split(':')[0]}`" if row is not None and row["note"] else "–"
 
 
-def elsewhere(matrix, scene):
-    """(library, how many times as fast as it we are), both measured against the plain grid."""
-    count = matrix.main_count(scene)
-    if scene not in aims.ELSEWHERE or count != aims.COUNT_ELSEWHERE:
-        return "–", None
-    library, seconds, grid_seconds = aims.ELSEWHERE[scene]
-    against_grid = ratio(matrix.ns(scene, count, "plain_grid"), matrix.ns(scene, count, DEFAULT))
-    return library, None if against_grid is None else seconds / grid_seconds * against_grid
-
-
-def judged(name, wanted, measured, good):
-    return [name, wanted, measured, verdict(good)]
-
-
-def claims_of_scene(matrix, scene):
-    count = matrix.main_count(scene)
-    name = label(matrix, scene)
-    row = matrix.row(scene, count, DEFAULT)
-    ours = median(row)
-    if ours is None:
-        return
-    if scene in aims.AIMS:
-        wanted = aims.AIMS[scene]
-        yield judged(name, f"≤ {wanted} ns", f"{ours:,.1f} ns", ours <= wanted)
-    wanted = aims.AGAINST_GRID.get(scene, aims.AGAINST_GRID_ELSEWHERE)
-    found = ratio(matrix.ns(scene, count, "plain_grid"), ours)
-    if found is not None:
-        yield judged(name, f"≥ {wanted}× the plain grid", times(found), found >= wanted)
-    found = ratio(matrix.best(scene, count, matrix.packages)[0], ours)
-    if found is not None:
-        yield judged(name, f"≥ {aims.AGAINST_PACKAGES}× every package", times(found),
-                     found >= aims.AGAINST_PACKAGES)
-    library, found = elsewhere(matrix, scene)
-    if found is not None:
-        wanted = aims.AGAINST_ELSEWHERE[scene]
-        yield judged(name, f"≥ {wanted}× {library}, through the grid", times(found),
-                     found >= wanted)
-    yield from claims_of_choice(matrix, scene, count, name, ours)
-    yield from claims_of_counters(matrix, scene, row, name)
-
-
-def claims_of_choice(matrix, scene, count, name, ours):
-    best, by = matrix.best(scene, count, [c for c in matrix.ours if c != DEFAULT])
-    if best is not None:
-        found = ours / best
-        yield judged(name, f"≤ {aims.MOST_BEHIND_BEST_CHOICE}× the best algorithm",
-                     f"{found:.2f}× {short(by)}", found <= aims.MOST_BEHIND_BEST_CHOICE)
-
-
-def claims_of_counters(matrix, scene, row, name):
-    count, pairs = row["elements"], row["pairs"]
-    most = aims.MOST_TESTS[scene not in aims.UNEQUAL_SIZES]
-    tests = row["candidate_tests"] / (count + pairs)
-    yield judged(name, f"≤ {most} tests × (N + pairs)", f"{tests:.2f}", tests <= most)
-    most = aims.most_bytes(count, pairs)
-    yield judged(name, f"≤ {most / 1e6:,.0f} MB", f"{row['peak_bytes'] / 1e6:,.0f} MB",
-                 row["peak_bytes"] <= most)
-    slope = matrix.slope(scene, DEFAULT)
-    if slope is not None:
-        yield judged(name, f"slope ≤ {aims.MOST_SLOPE}", f"{slope:.3f}", slope <= aims.MOST_SLOPE)
-    order = order_ns(matrix, scene)
-    if order is not None:
-        yield judged(name, f"order ≤ {aims.MOST_FOR_ORDER} ns a pair", f"{order:.1f} ns",
-                     order <= aims.MOST_FOR_ORDER)
-
-
-def order_ns(matrix, scene):
-    """What canonical order adds for each pair, or None."""
-    count = matrix.main_count(scene)
-    found, ordered = (matrix.row(scene, count, DEFAULT, task=t) for t in ("list", "canonical"))
-    if median(found) is None or median(ordered) is None or found["pairs"] < count / 10:
-        return None
-    return (median(ordered) - median(found)) * count / found["pairs"]
-
-
-def claims(matrix):
-    rows = [claim for scene in matrix.scenes for claim in claims_of_scene(matrix, scene)]
-    rows += list(claims_of_forms(matrix)) + list(claims_of_lattices(matrix)) + list(claims_of_threads(matrix))
-    met = sum(row[-1] == "yes" for row in rows)
-    return (f"{met} of {len(rows)} are met.\n\n"
-            + table(["scene, N", "required", "measured", "met"], rows))
-
-
-def claims_of_forms(matrix):
-    if "dense" not in matrix.scenes:
-        return
-    count = matrix.main_count("dense")
-    ns = {t: matrix.ns("dense", count, DEFAULT, task=t) for t in FORMS}
-    if None in ns.values():
-        return
-    for task, of, most in (("count", "list", 1.0), ("visit", "list", 1.0),
-                           ("full_list", "half_list", aims.MOST_OF_FULL_LIST)):
-        found = ns[task] / ns[of]
-        yield judged(label(matrix, "dense"), f"{task} ≤ {most}× {of}", times(found), found <= most)
-
-
-def claims_of_lattices(matrix):
-    """A lattice that touches against random elements, both for each pair."""
-    dense = ns_for_each_pair(matrix, "dense")
-    for scene in ("touching_cubic", "touching_fcc"):
-        found = ratio(ns_for_each_pair(matrix, scene), dense)
-        if found is not None:
-            yield judged(label(matrix, scene), "≤ 3× dense, for each pair", times(found),
-                         found <= 3)
-
-
-def ns_for_each_pair(matrix, scene):
-    if scene not in matrix.scenes:
-        return None
-    row = matrix.row(scene, matrix.main_count(scene), DEFAULT)
-    return None if median(row) is None else median(row) * row["elements"] / max(row["pairs"], 1)
-
-
-def claims_of_threads(matrix):
-    for count in (1_000_000, 10_000_000):
-        found = ratio(matrix.ns("dense", count, DEFAULT),
-                      matrix.ns("dense", count, DEFAULT, threads=2))
-        if found is not None:
-            yield judged(f"dense, {power(count)}", f"two threads ≥ {aims.LEAST_SPEEDUP}×",
-                         times(found), found >= aims.LEAST_SPEEDUP)
-
-
 def slopes(matrix):
     contestants = [DEFAULT, "plain_grid"] + [c for c in matrix.ours if c != DEFAULT]
     rows = [[scene] + [plain(matrix.slope(scene, c), 2) for c in contestants]
@@ -273,7 +126,7 @@ def threads(matrix):
 
 
 def without_end(matrix):
-    """A line for each scene: who did not end within the time limit, from which N on."""
+    """An item for each scene: who did not end within the time limit, from which N on."""
     first = {}
     for r in matrix.rows:
         if r["verdict"] == "too_slow" and r["task"] == "list" and r["threads"] == 1:
@@ -283,30 +136,36 @@ def without_end(matrix):
     for scene, contestants in first.items():
         at = {n: [short(c) for c in contestants if contestants[c] == n]
               for n in sorted(set(contestants.values()))}
-        yield f"* {scene}: no end within the time limit: " + "; ".join(
+        yield f"* {scene}: " + "; ".join(
             f"from {power(n)} on {', '.join(who)}" for n, who in at.items())
 
 
-def findings(matrix):
-    """Wrong answers, crashes, refusals and runs without end, each with its reason."""
-    lines = []
+def refusals(matrix):
+    """Wrong answers, crashes and refusals, each with its reason."""
     told = set()
     for r in matrix.rows:
         place = f"{r['scene']}, {power(r['elements'])}, {short(r['contestant'])}"
         if r["verdict"] == "wrong":
-            lines.append(f"* {place} ({r['task']}): **wrong**, {r['missing']:,} pairs missing, "
-                         f"{r['extra']:,} too many of {r['pairs']:,}")
+            yield (f"* {place} ({r['task']}): **wrong**, {r['missing']:,} pairs missing, "
+                   f"{r['extra']:,} too many of {r['pairs']:,}")
         elif r["verdict"] in ("refused", "crashed") and r["task"] == "list" and r["threads"] == 1:
             if (r["scene"], r["contestant"]) not in told:
-                lines.append(f"* {place} (and more elements): {r['reason']}")
+                yield f"* {place} (and more elements): {r['reason']}"
             told.add((r["scene"], r["contestant"]))
-    lines += without_end(matrix)
+
+
+def findings(matrix):
     referees = list(dict.fromkeys(r["reference"] or "nobody" for r in matrix.rows))
-    lines.append("* Compared with the pairs of: " + ", ".join(short(r) for r in referees))
-    return "\n".join(lines)
+    parts = [wrapped("Answers were compared with the pairs of: "
+                     + ", ".join(short(r) for r in referees) + ".")]
+    for heading, items in (("Wrong, crashed or refused:", list(refusals(matrix))),
+                           ("No end within the time limit:", list(without_end(matrix)))):
+        if items:
+            parts.append(heading + "\n\n" + "\n".join(wrapped(item, "  ") for item in items))
+    return "\n\n".join(parts)
 
 
-def beside(matrix):
+def short_for_another(matrix):
     """What another machine gives, with the times of all N."""
     head = (["scene, N", "abut `auto`", "aim", "grid / abut", "best package", "package / abut"]
             + [f"at {power(n)}" for n in matrix.counts] + ["slope", "2 threads"])
@@ -322,28 +181,65 @@ def beside(matrix):
                     + [plain(matrix.ns(scene, n, DEFAULT)) for n in matrix.counts]
                     + [plain(matrix.slope(scene, DEFAULT), 3),
                        times(ratio(ours, matrix.ns(scene, count, DEFAULT, threads=2)))])
-    return table(head, rows) + "\n\nMeasured on: " + machine(matrix)
+    return table(head, rows)
 
 
-SECTIONS = [("machine", machine), ("summary", summary), ("claims", claims), ("times", all_times),
-            ("slopes", slopes), ("counters", counters), ("threads", threads),
-            ("findings", findings)]
+# The report, part by part: heading, words, table.
+PARTS = [
+    ("In short", "At 10⁶ elements (`one_giant`: 10⁵), in nanoseconds for each element.", summary),
+    ("What is required", "", claims.long_table),
+    ("Times", "Medians of lists as found, one thread, in nanoseconds for each element. *slow*: no "
+     "end within the time limit; *no*: refused; both with more words under Findings. ✗: wrong; ?: "
+     "there was nothing to compare with; –: not tried.", all_times),
+    ("Exponents of N", "Of the total time, over all sizes from 10⁴ on that were timed.", slopes),
+    ("Work, memory and forms", "abut `auto`, one thread. *tests* are distances evaluated, *bytes* "
+     "the peak of abut's own buffers with the list. *count* stores nothing, *visit* hands the pairs "
+     "to a function, *half_list* and *full_list* are neighbor lists in compressed rows. *order* is "
+     "what canonical order adds to a list as found; *first call* meets fresh memory.", counters),
+    ("Threads", "One thread on each core, bound to it; in nanoseconds for each element.", threads),
+    ("Findings", "", findings),
+]
+
+
+def report(matrix, path):
+    page = link("the page of the matrix", PAGE, path)
+    parts = ["# The matrix: all tables of one machine",
+             wrapped(f"What is measured and how is told on {page}; this report is written by "
+                     "`benchmarks/matrix/run` from the tables beside it."), machine(matrix)]
+    for heading, words, body in PARTS:
+        parts += [f"## {heading}", *([wrapped(words)] if words else []), body(matrix)]
+    return "\n\n".join(parts) + "\n"
+
+
+def texts(results, page, beside):
+    """Pairs of a file and what belongs there: the report and the page."""
+    matrix = Matrix(results)
+    path = os.path.join(results, "report.md")
+    all_of_it = link("All tables of this machine", path, page) + "."
+    if beside:
+        sections = [("beside", short_for_another(matrix) + "\n\n" + machine(matrix) + "\n"
+                     + all_of_it)]
+    else:
+        sections = [("machine", machine(matrix) + "\n" + all_of_it), ("summary", summary(matrix)),
+                    ("claims", claims.short_table(matrix))]
+    return [(path, report(matrix, path)), (page, with_sections(contents(page), sections))]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("results")
     parser.add_argument("--beside", action="store_true")
-    parser.add_argument("--docs", default=os.path.join(ROOT, "docs", "benchmarks_matrix.md"))
-    parser.add_argument("--images", default=os.path.join(ROOT, "docs", "images"))
+    parser.add_argument("--docs", default=PAGE)
+    parser.add_argument("--images", help="folder for the plots")
     arguments = parser.parse_args()
 
+    for path, text in texts(arguments.results, arguments.docs, arguments.beside):
+        write(path, text)
     matrix = Matrix(arguments.results)
-    if arguments.beside:
-        rewrite_page(arguments.docs, [("beside", beside(matrix))])
-        return
-    plot.plot_all(matrix, arguments.images)
-    rewrite_page(arguments.docs, [(name, section(matrix)) for name, section in SECTIONS])
+    if arguments.images:
+        from benchmarks.matrix import plot  # needs matplotlib
+
+        plot.plot_all(matrix, arguments.images)
     print(summary(matrix))
     print()
     print(findings(matrix))

@@ -1,4 +1,5 @@
-"""Runs the whole chain of packs/run on the small packs: times, instructions, plots and tables.
+"""Runs the whole chain of packs/run on the small packs: times, instructions, plots,
+tables and report.
 
 Usage: check.py PACKS_PROGRAM
 """
@@ -10,9 +11,12 @@ import subprocess
 import sys
 import tempfile
 
+from benchmarks.common.pages import contents
+from benchmarks.common.small_svg import check_picture
 from benchmarks.common.tables import ROOT
 
-PAGE = os.path.join(ROOT, "docs", "benchmarks.md")
+PAGE_NAME = "benchmarks.md"
+PAGE = os.path.join(ROOT, "docs", PAGE_NAME)
 
 
 def run(command, output=None):
@@ -32,15 +36,14 @@ def check(program):
         run([*module, "benchmarks.packs.count_instructions", program, "--quick",
              "--algorithm", "munjiza_nbs"], os.path.join(results, "instructions.csv"))
         run([*module, "benchmarks.packs.report", results, "--docs", copy, "--images", results])
-        with open(copy) as file:
-            text = file.read()
+        written = {name: contents(os.path.join(results, name)) for name in (PAGE_NAME, "report.md")}
         for name in ("packs_elements.svg", "packs_spacing.svg"):
-            if os.path.getsize(os.path.join(results, name)) < 10_000:
-                sys.exit(f"{name} is all but empty")
-    if "compiler any" not in text:
-        sys.exit("the tables of the page were not written anew")
-    if re.search(r"\b(nan|inf)\b", text):
-        sys.exit("a table of the page holds what is not a number")
+            check_picture(os.path.join(results, name))
+    for name, text in written.items():
+        if "Measured on: compiler any" not in text:
+            sys.exit(f"the tables of {name} were not written anew")
+        if re.search(r"\b(nan|inf)\b", text):
+            sys.exit(f"a table of {name} holds what is not a number")
 
 
 if __name__ == "__main__":

@@ -2,8 +2,8 @@
 
 import os
 
+from benchmarks.common.plots import plt, save
 from benchmarks.packs.data import LOOSE_PACKS, ROMAN, book_integers
-from benchmarks.common.tables import plt, save
 
 # Okabe and Ito's colours, told apart by everybody.
 STYLE = {
@@ -14,6 +14,7 @@ STYLE = {
     "munjiza_nbs": ("#009e73", "o"),
 }
 OTHERS = ("#d55e00", "v")
+
 
 def line(axes, algorithm, xs, ys, **more):
     color, marker = STYLE.get(algorithm, OTHERS)
@@ -35,7 +36,7 @@ def bytes_each(row):
 
 
 def plot_against_elements(packs, folder):
-    figure, (time, memory) = plt.subplots(1, 2, figsize=(9, 3.6))
+    figure, (time, memory) = plt.subplots(1, 2, figsize=(9, 3.6), gridspec_kw={"wspace": 0.32})
     for algorithm, xs, ys in series(packs, lambda r: r["ns_minimum"], "elements", pack=1):
         line(time, algorithm, xs, ys)
     for algorithm in packs.algorithms:

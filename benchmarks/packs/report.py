@@ -1,13 +1,16 @@
-"""Turns the tables of packs/run into the plots and tables of docs/benchmarks.md.
+"""Turns the tables of packs/run into the plots and the short tables of docs/benchmarks.md, and into
+the long report beside them.
 
 Usage: report.py RESULTS_FOLDER [--docs FILE] [--images FOLDER]
-The page keeps its words: only what lies between its markers is written anew.
+Writes RESULTS_FOLDER/report.md. The page keeps its words: only what lies between its markers is
+written anew. Without --images there are no plots.
 """
 
 import argparse
 import os
 
-from benchmarks.packs import plot
+from benchmarks.common.pages import contents, link, with_sections, wrapped, write
+from benchmarks.common.tables import ROOT, plain, table
 from benchmarks.packs.data import (
     LOOSE_PACKS,
     ROMAN,
@@ -16,7 +19,8 @@ from benchmarks.packs.data import (
     growth_beyond_n_log_n,
     slope,
 )
-from benchmarks.common.tables import ROOT, plain, rewrite_page, table
+
+PAGE = os.path.join(ROOT, "docs", "benchmarks.md")
 
 
 def nanoseconds(row):
@@ -24,7 +28,7 @@ def nanoseconds(row):
 
 
 def machine(packs):
-    return "; ".join(f"{k} {v}" for k, v in packs.header.items()) + "."
+    return wrapped("Measured on: " + "; ".join(f"{k} {v}" for k, v in packs.header.items()) + ".")
 
 
 def times_by_elements(packs):
@@ -37,12 +41,12 @@ def times_by_elements(packs):
     return table(head, rows)
 
 
-def times_by_spacing(packs):
+def times_by_spacing(packs, algorithms=None):
     spacings = packs.spacings(2)
     head = ["S/D ="] + [f"{s}" for s in spacings]
     rows = []
     for pack in LOOSE_PACKS:
-        for algorithm in packs.algorithms:
+        for algorithm in algorithms or packs.algorithms:
             found = [packs.one(pack=pack, algorithm=algorithm, spacing=s) for s in spacings]
             values = [plain(r and r["ns_minimum"]) for r in found]
             rows.append([f"{ROMAN[pack]} `{algorithm}`"] + values)
@@ -158,28 +162,68 @@ def claims(packs):
     return table(["required", "measured", "met"], rows)
 
 
+def times_of_nbs_by_spacing(packs):
+    return times_by_spacing(packs, ["munjiza_nbs"])
+
+
+# What the page shows.
 SECTIONS = [
-    ("machine", machine),
     ("claims", claims),
     ("times-by-elements", times_by_elements),
-    ("times-by-spacing", times_by_spacing),
-    ("instructions-by-elements", instructions_by_elements),
-    ("instructions-by-spacing", instructions_by_spacing),
-    ("forms-and-phases", forms_and_phases),
+    ("times-by-spacing", times_of_nbs_by_spacing),
     ("memory", memory),
 ]
+
+# The report, part by part: heading, words, table.
+PARTS = [
+    ("What was required, and what came out", "", claims),
+    ("Times against the number of elements", "ns for each element and detection, count form: median "
+     "(minimum).", times_by_elements),
+    ("Instructions against the number of elements", "For each element.", instructions_by_elements),
+    ("Times against the spacing", "N = 10,000, minima of the count form.", times_by_spacing),
+    ("Instructions of `munjiza_nbs` against the spacing", "For each element.",
+     instructions_by_spacing),
+    ("Forms and phases", "The three forms of the call (minima), then the phases of the last (wall "
+     "time), distances tested and exact decisions for each element.", forms_and_phases),
+    ("Memory", "Integers of an algorithm's own arrays for each element by the book's formulas, and "
+     "in brackets the bytes for each element that a counting detection holds at its peak.", memory),
+]
+
+
+def report(packs, path):
+    page = link("the page of the packs", PAGE, path)
+    parts = ["# The test problems of 1998: all tables of one machine",
+             wrapped(f"What is measured and how is told on {page}; this report is written by "
+                     "`benchmarks/packs/run` from the tables beside it."), machine(packs)]
+    for heading, words, body in PARTS:
+        parts += [f"## {heading}", *([wrapped(words)] if words else []), body(packs)]
+    return "\n\n".join(parts) + "\n"
+
+
+def texts(results, page):
+    """Pairs of a file and what belongs there: the report and the page."""
+    packs = Packs(results)
+    path = os.path.join(results, "report.md")
+    all_of_it = link("All tables of this run", path, page) + "."
+    sections = [("machine", machine(packs) + "\n" + all_of_it)]
+    sections += [(name, section(packs)) for name, section in SECTIONS]
+    return [(path, report(packs, path)), (page, with_sections(contents(page), sections))]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("results")
-    parser.add_argument("--docs", default=os.path.join(ROOT, "docs", "benchmarks.md"))
-    parser.add_argument("--images", default=os.path.join(ROOT, "docs", "images"))
+    parser.add_argument("--docs", default=PAGE)
+    parser.add_argument("--images", help="folder for the plots")
     arguments = parser.parse_args()
 
+    for path, text in texts(arguments.results, arguments.docs):
+        write(path, text)
     packs = Packs(arguments.results)
-    plot.plot_all(packs, arguments.images)
-    rewrite_page(arguments.docs, [(name, section(packs)) for name, section in SECTIONS])
+    if arguments.images:
+        from benchmarks.packs import plot  # needs matplotlib
+
+        plot.plot_all(packs, arguments.images)
     print(claims(packs))
 
 

@@ -8,7 +8,10 @@ there leaves its section as it is.
 import argparse
 import os
 
-from benchmarks.common.tables import ROOT, plain, read, rewrite_page, table
+from benchmarks.common.pages import contents, link, with_sections, wrapped, write
+from benchmarks.common.tables import ROOT, plain, read, table
+
+PAGE = os.path.join(ROOT, "docs", "benchmarks_systems.md")
 
 
 def distinct(rows, *keys):
@@ -75,20 +78,35 @@ SECTIONS = {
 }
 
 
+def machines(headers, results, page):
+    """On what the tables were measured; once, if all on the same."""
+    names = {}
+    for name, header in headers.items():
+        names.setdefault("; ".join(f"{k} {v}" for k, v in header.items()), []).append(name)
+    lines = [wrapped("Measured on: " + where + (f" ({', '.join(of)})" if len(names) > 1 else "")
+                     + ".") for where, of in names.items()]
+    return "\n".join([*lines, link("The tables", results, page) + "."])
+
+
+def texts(results, page):
+    """Pairs of a file and what belongs there: the page alone, which shows all there is."""
+    headers, sections = {}, []
+    for name, body in SECTIONS.items():
+        path = os.path.join(results, f"{name}.csv")
+        if os.path.exists(path):
+            headers[name], rows = read(path)
+            sections.append((name, body(rows)))
+    sections.append(("machine", machines(headers, results, page)))
+    return [(page, with_sections(contents(page), sections))]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("results")
-    parser.add_argument("--docs", default=os.path.join(ROOT, "docs", "benchmarks_systems.md"))
+    parser.add_argument("--docs", default=PAGE)
     arguments = parser.parse_args()
-    sections = []
-    for name, body in SECTIONS.items():
-        path = os.path.join(arguments.results, f"{name}.csv")
-        if not os.path.exists(path):
-            continue
-        header, rows = read(path)
-        machine = "; ".join(f"{k} {v}" for k, v in header.items()) + "."
-        sections.append((name, f"{body(rows)}\n\nMeasured on: {machine}"))
-    rewrite_page(arguments.docs, sections)
+    for path, text in texts(arguments.results, arguments.docs):
+        write(path, text)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,184 @@
+"""What is asked of the engine, and whether the tables show it."""
+
+import dataclasses
+
+from benchmarks.common.tables import table
+from benchmarks.matrix import aims
+from benchmarks.matrix.data import DEFAULT, median, ratio
+from benchmarks.matrix.words import label, power, short, times, yes_or_no
+
+# The kinds of claims, as the short table names them.
+TIME = "ns for each element: at most the aim"
+GRID = (f"at least as fast as the plain grid; dense, ordered: "
+        f"{aims.AGAINST_GRID['dense']}× as fast")
+PACKAGES = f"{aims.AGAINST_PACKAGES}× as fast as every package"
+ELSEWHERE = (f"{aims.AGAINST_ELSEWHERE['dense']}× as fast as the best elsewhere, through the grid; "
+             f"sparse: {aims.AGAINST_ELSEWHERE['sparse']}×")
+CHOICE = f"`auto` at most {aims.MOST_BEHIND_BEST_CHOICE}× the best algorithm"
+TESTS = (f"tests for each element and pair: at most {aims.MOST_TESTS[True]}; "
+         f"unequal sizes: {aims.MOST_TESTS[False]}")
+MEMORY = "bytes: at most 100 N + 16 pairs + 64 MB"
+SLOPE = f"exponent of N: at most {aims.MOST_SLOPE}"
+ORDER = f"canonical order: at most {aims.MOST_FOR_ORDER} ns a pair"
+FORM = f"count, visit: no slower than list; full list: at most {aims.MOST_OF_FULL_LIST}× half"
+LATTICE = "lattices that touch: at most 3× dense, for each pair"
+THREADS = f"dense: two threads at least {aims.LEAST_SPEEDUP}× as fast"
+KINDS = [TIME, GRID, PACKAGES, ELSEWHERE, CHOICE, TESTS, MEMORY, SLOPE, ORDER, FORM, LATTICE,
+         THREADS]
+
+FORMS = ["list", "canonical", "count", "visit", "half_list", "full_list"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Claim:
+    kind: str
+    place: str  # scene and N
+    wanted: str
+    measured: str
+    met: bool
+
+
+def elsewhere(matrix, scene):
+    """(library, how many times as fast as it we are), both measured against the plain grid."""
+    count = matrix.main_count(scene)
+    if scene not in aims.ELSEWHERE or count != aims.COUNT_ELSEWHERE:
+        return "–", None
+    library, seconds, grid_seconds = aims.ELSEWHERE[scene]
+    against_grid = ratio(matrix.ns(scene, count, "plain_grid"), matrix.ns(scene, count, DEFAULT))
+    return library, None if against_grid is None else seconds / grid_seconds * against_grid
+
+
+def order_ns(matrix, scene):
+    """What canonical order adds for each pair, or None."""
+    count = matrix.main_count(scene)
+    found, ordered = (matrix.row(scene, count, DEFAULT, task=t) for t in ("list", "canonical"))
+    if median(found) is None or median(ordered) is None or found["pairs"] < count / 10:
+        return None
+    return (median(ordered) - median(found)) * count / found["pairs"]
+
+
+def of_scene(matrix, scene):
+    count = matrix.main_count(scene)
+    row = matrix.row(scene, count, DEFAULT)
+    ours = median(row)
+    if ours is None:
+        return
+    yield from of_speed(matrix, scene, ours)
+    yield from of_choice(matrix, scene, ours)
+    yield from of_counters(matrix, scene, row)
+
+
+def of_speed(matrix, scene, ours):
+    count, place = matrix.main_count(scene), label(matrix, scene)
+    if scene in aims.AIMS:
+        wanted = aims.AIMS[scene]
+        yield Claim(TIME, place, f"≤ {wanted} ns", f"{ours:,.1f} ns", ours <= wanted)
+    wanted = aims.AGAINST_GRID.get(scene, aims.AGAINST_GRID_ELSEWHERE)
+    found = ratio(matrix.ns(scene, count, "plain_grid"), ours)
+    if found is not None:
+        yield Claim(GRID, place, f"≥ {wanted}× the plain grid", times(found), found >= wanted)
+    found = ratio(matrix.best(scene, count, matrix.packages)[0], ours)
+    if found is not None:
+        yield Claim(PACKAGES, place, f"≥ {aims.AGAINST_PACKAGES}× every package", times(found),
+                    found >= aims.AGAINST_PACKAGES)
+    library, found = elsewhere(matrix, scene)
+    if found is not None:
+        wanted = aims.AGAINST_ELSEWHERE[scene]
+        yield Claim(ELSEWHERE, place, f"≥ {wanted}× {library}, through the grid", times(found),
+                    found >= wanted)
+
+
+def of_choice(matrix, scene, ours):
+    count = matrix.main_count(scene)
+    best, by = matrix.best(scene, count, [c for c in matrix.ours if c != DEFAULT])
+    if best is not None:
+        found = ours / best
+        yield Claim(CHOICE, label(matrix, scene),
+                    f"≤ {aims.MOST_BEHIND_BEST_CHOICE}× the best algorithm",
+                    f"{found:.2f}× {short(by)}", found <= aims.MOST_BEHIND_BEST_CHOICE)
+
+
+def of_counters(matrix, scene, row):
+    count, pairs, place = row["elements"], row["pairs"], label(matrix, scene)
+    most = aims.MOST_TESTS[scene not in aims.UNEQUAL_SIZES]
+    tests = row["candidate_tests"] / (count + pairs)
+    yield Claim(TESTS, place, f"≤ {most} tests × (N + pairs)", f"{tests:.2f}", tests <= most)
+    most = aims.most_bytes(count, pairs)
+    yield Claim(MEMORY, place, f"≤ {most / 1e6:,.0f} MB", f"{row['peak_bytes'] / 1e6:,.0f} MB",
+                row["peak_bytes"] <= most)
+    slope = matrix.slope(scene, DEFAULT)
+    if slope is not None:
+        yield Claim(SLOPE, place, f"slope ≤ {aims.MOST_SLOPE}", f"{slope:.3f}",
+                    slope <= aims.MOST_SLOPE)
+    order = order_ns(matrix, scene)
+    if order is not None:
+        yield Claim(ORDER, place, f"order ≤ {aims.MOST_FOR_ORDER} ns a pair", f"{order:.1f} ns",
+                    order <= aims.MOST_FOR_ORDER)
+
+
+def of_forms(matrix):
+    if "dense" not in matrix.scenes:
+        return
+    count = matrix.main_count("dense")
+    ns = {t: matrix.ns("dense", count, DEFAULT, task=t) for t in FORMS}
+    if None in ns.values():
+        return
+    for task, of, most in (("count", "list", 1.0), ("visit", "list", 1.0),
+                           ("full_list", "half_list", aims.MOST_OF_FULL_LIST)):
+        found = ns[task] / ns[of]
+        yield Claim(FORM, label(matrix, "dense"), f"{task} ≤ {most}× {of}", times(found),
+                    found <= most)
+
+
+def ns_for_each_pair(matrix, scene):
+    if scene not in matrix.scenes:
+        return None
+    row = matrix.row(scene, matrix.main_count(scene), DEFAULT)
+    return None if median(row) is None else median(row) * row["elements"] / max(row["pairs"], 1)
+
+
+def of_lattices(matrix):
+    """A lattice that touches against random elements, both for each pair."""
+    dense = ns_for_each_pair(matrix, "dense")
+    for scene in ("touching_cubic", "touching_fcc"):
+        found = ratio(ns_for_each_pair(matrix, scene), dense)
+        if found is not None:
+            yield Claim(LATTICE, label(matrix, scene), "≤ 3× dense, for each pair", times(found),
+                        found <= 3)
+
+
+def of_threads(matrix):
+    for count in (1_000_000, 10_000_000):
+        found = ratio(matrix.ns("dense", count, DEFAULT),
+                      matrix.ns("dense", count, DEFAULT, threads=2))
+        if found is not None:
+            yield Claim(THREADS, f"dense, {power(count)}", f"two threads ≥ {aims.LEAST_SPEEDUP}×",
+                        times(found), found >= aims.LEAST_SPEEDUP)
+
+
+def all_claims(matrix):
+    return ([claim for scene in matrix.scenes for claim in of_scene(matrix, scene)]
+            + [*of_forms(matrix), *of_lattices(matrix), *of_threads(matrix)])
+
+
+def met(claims):
+    return f"{sum(c.met for c in claims)} of {len(claims)}"
+
+
+def long_table(matrix):
+    claims = all_claims(matrix)
+    rows = [[c.place, c.wanted, c.measured, yes_or_no(c.met)] for c in claims]
+    return f"{met(claims)} are met.\n\n" + table(["scene, N", "required", "measured", "met"], rows)
+
+
+def short_table(matrix):
+    """A row for each kind of claim."""
+    claims = all_claims(matrix)
+    rows = []
+    for kind in KINDS:
+        of_kind = [c for c in claims if c.kind == kind]
+        if of_kind:
+            missed = [f"{c.place.split(',')[0]} {c.measured.removesuffix(' ns')}"
+                      for c in of_kind if not c.met]
+            rows.append([kind, met(of_kind), ", ".join(missed) or "–"])
+    return f"{met(claims)} are met.\n\n" + table(["required", "met", "not met"], rows)

@@ -21,7 +21,7 @@ def link(text, target, page):
 
 
 def section_of(text, name):
-    """What stands between the markers of a section."""
+    """The lines between the markers of a section."""
     found = re.search(rf"<!-- {name} -->\n(.*?)<!-- /{name} -->", text, re.S)
     if not found:
         raise SystemExit(f"the page has no markers <!-- {name} --> ... <!-- /{name} -->")

@@ -1,4 +1,4 @@
-"""What the plots of the benchmarks share. Needs matplotlib."""
+"""The style of the plots, and saving them. Needs matplotlib."""
 
 import io
 import os

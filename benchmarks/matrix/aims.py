@@ -1,4 +1,4 @@
-"""What is asked of the engine, and what others were measured to need."""
+"""The aims of the engine, and the times that others were measured to need."""
 
 # ns for each element at the main count, as found.
 AIMS = {"dense": 40, "ordered": 25, "gas": 50, "sparse": 50, "clusters": 60, "bidisperse": 80,

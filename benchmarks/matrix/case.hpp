@@ -19,7 +19,7 @@ struct Effort {
   std::size_t most_repetitions = 25;  ///< 0: nothing is timed, answers are checked only
 };
 
-/// What one contestant did with one scene. The times of single runs, the first one apart.
+/// The trial of one contestant with one scene, and the times of its later runs.
 struct Measurement {
   const Entry* entry = nullptr;
   Trial trial;

@@ -1,4 +1,4 @@
-"""What is asked of the engine, and whether the tables show it."""
+"""The requirements of the engine, and whether the tables show that they are met."""
 
 import dataclasses
 
@@ -49,7 +49,7 @@ def elsewhere(matrix, scene):
 
 
 def order_ns(matrix, scene):
-    """What canonical order adds for each pair, or None."""
+    """Nanoseconds that canonical order adds for each pair, or None."""
     count = matrix.main_count(scene)
     found, ordered = (matrix.row(scene, count, DEFAULT, task=t) for t in ("list", "canonical"))
     if median(found) is None or median(ordered) is None or found["pairs"] < count / 10:

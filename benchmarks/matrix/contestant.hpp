@@ -17,7 +17,7 @@
 
 namespace abut::benchmarks {
 
-/// What a contestant is asked for, from positions and radii in separate arrays of doubles, in the
+/// The job of a contestant, from positions and radii in separate arrays of doubles, in the
 /// caller's order.
 enum class Task {
   list,       ///< all contact pairs in memory, in whatever order
@@ -30,8 +30,9 @@ enum class Task {
 };
 [[nodiscard]] std::string_view name_of(Task task);
 
-/// What one run found. `pairs` lies in the contestant's memory until its next run; first < second,
-/// each pair once. Tasks that store none, or not as pairs, leave it empty and tell their number.
+/// The pairs that one run found. `pairs` lies in the contestant's memory until its next run; first
+/// < second, each pair once. Tasks that store none, or not as pairs, leave it empty and tell their
+/// number.
 struct Answer {
   std::span<const ContactPair> pairs;
   std::uint64_t count = 0;
@@ -43,11 +44,11 @@ struct Seconds {
   double cpu = 0.0;
 };
 
-/// What a contestant says about its last run, 0 where it cannot tell.
+/// Counts of a contestant about its last run, 0 where it cannot tell.
 struct Counters {
   std::uint64_t candidate_tests = 0;
   std::uint64_t peak_bytes = 0;
-  std::string note;  ///< what it chose, and why
+  std::string note;  ///< its choice of an algorithm, and why
 };
 
 /// One library or method at work. It builds its structures from nothing in each run, but may keep

@@ -8,7 +8,7 @@
 
 namespace abut::benchmarks {
 
-/// What is measured, unless told.
+/// Scenes, sizes and contestants to measure; the defaults are those of benchmarks/matrix/run.
 struct Plan {
   std::vector<std::string> scenes{"dense",        "ordered",     "gas",          "sparse",
                                   "clusters",     "bidisperse",  "log_uniform",  "log_uniform_1000",

@@ -166,7 +166,7 @@ def findings(matrix):
 
 
 def short_for_another(matrix):
-    """What another machine gives, with the times of all N."""
+    """The table of another machine, with the times of all N."""
     head = (["scene, N", "abut `auto`", "aim", "grid / abut", "best package", "package / abut"]
             + [f"at {power(n)}" for n in matrix.counts] + ["slope", "2 threads"])
     rows = []

@@ -20,7 +20,7 @@ namespace {
 
 using scenes::Scene;
 
-/// What the process of a trial hands back; lies in shared memory.
+/// The result that the process of a trial hands back; lies in shared memory.
 struct Report {
   Verdict verdict = Verdict::crashed;
   Seconds first;

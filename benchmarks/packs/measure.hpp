@@ -12,13 +12,14 @@
 
 namespace abut::benchmarks {
 
-/// What is asked of a detection.
+/// The result that a detection is asked for.
 enum class Form { count, as_found, canonical };
 inline constexpr std::array forms{Form::count, Form::as_found, Form::canonical};
 [[nodiscard]] std::string_view name_of(Form form);
 
-/// What one algorithm did with one case in one form. Times are seconds for one detection, from
-/// call to return: CPU time of the process, and the phases as the library reports them.
+/// Times and counts of one algorithm with one case in one form. Times are seconds for one
+/// detection, from call to return: CPU time of the process, and the phases as the library reports
+/// them.
 struct Measurement {
   const AlgorithmInfo* contestant = nullptr;
   Form form = Form::count;

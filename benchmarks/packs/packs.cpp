@@ -33,7 +33,7 @@ void write_header() {
       "exact_decisions,list_insertions,peak_bytes,refusal");
 }
 
-/// What names a case in a table.
+/// The columns that name a case in a table.
 std::string columns_of(const PackCase& pack) {
   std::ostringstream text;
   text << pack.pack << ',' << pack.rows << ',' << pack.columns << ',' << pack.elements() << ','

@@ -166,7 +166,7 @@ def times_of_nbs_by_spacing(packs):
     return times_by_spacing(packs, ["munjiza_nbs"])
 
 
-# What the page shows.
+# Sections of the page.
 SECTIONS = [
     ("claims", claims),
     ("times-by-elements", times_by_elements),

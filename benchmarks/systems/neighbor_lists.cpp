@@ -33,7 +33,7 @@ Options one_thread(double margin) {
   return options;
 }
 
-/// What is built, and how many neighbors or pairs it has in the end.
+/// A list to build. `run` returns how many neighbors or pairs it has.
 struct Task {
   const char* name;
   std::function<std::size_t(Detector&, const ElementView&)> run;

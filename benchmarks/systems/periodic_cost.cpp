@@ -1,5 +1,5 @@
-// What a periodic domain costs `rows`: the same elements in open space and in cells of several
-// kinds, by turns, so that all cases meet the same machine. CSV on stdout.
+// Times `rows` with the same elements in open space and in periodic cells of several kinds. The
+// cases take turns, so that all meet the same machine. CSV on stdout.
 
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"

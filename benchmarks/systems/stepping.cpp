@@ -1,6 +1,6 @@
-// What a skin saves, and what a history costs, when a system moves: one step of a dense packing, by
-// detectors that detect anew in each step, with skins of several lengths and with an automatic one.
-// Each is checked against the first: the same number of pairs in every step. Prints CSV.
+// Times the steps of a dense packing whose elements move: a detector that detects anew in each
+// step, detectors with skins of several lengths and with an automatic one, and the history of
+// contacts beside them. Each must find as many pairs in all steps as the first. CSV on stdout.
 
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"

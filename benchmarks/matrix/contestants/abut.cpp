@@ -102,7 +102,7 @@ Entry entry_of(Algorithm algorithm, Task task, int threads) {
 
 }  // namespace
 
-/// What a user gets who asks for nothing is measured in every way, the others as lists.
+/// The default algorithm with every task, the algorithms of the registry with lists.
 std::vector<Entry> enter_abut() {
   std::vector<Entry> entries;
   for (const Task task :

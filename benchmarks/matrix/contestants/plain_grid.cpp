@@ -62,8 +62,8 @@ std::pair<double, double> extent(const double* numbers, std::size_t count) {
   return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
 }
 
-/// Where the cells lie. Each axis has an empty cell before the first and behind the last, so that
-/// the search need not look where it is.
+/// The place of the cells. Each axis has an empty cell before the first and behind the last, so
+/// that the search need not look where it is.
 template <int Dim>
 struct Cells {
   Point<Dim> low{};

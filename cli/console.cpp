@@ -1,5 +1,6 @@
 #include "console.hpp"
 
+#include "io/quoted_text.hpp"
 #include "talk.hpp"
 
 #include <fmt/format.h>
@@ -7,9 +8,13 @@
 namespace abut::cli {
 
 void Console::note(std::string_view sentence) {
-  if (quiet_) return;
+  if (!quiet_) warn(sentence);
+}
+
+void Console::warn(std::string_view sentence) {
+  constexpr std::size_t longest = 1000;
   display_.clear();
-  talk(fmt::format("abut: {}\n", sentence));
+  talk(fmt::format("abut: {}\n", io::visible(sentence, longest)));
 }
 
 }  // namespace abut::cli

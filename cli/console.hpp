@@ -13,7 +13,7 @@ struct ConsoleOptions {
   ProgressMode progress = ProgressMode::automatic;
 };
 
-/// What a command says beside its results: notes and progress, on standard error.
+/// What a command says beside its results: notes, warnings and progress, on standard error.
 class Console {
  public:
   explicit Console(const ConsoleOptions& options)
@@ -23,6 +23,9 @@ class Console {
 
   /// A line beginning with "abut: ", unless quiet.
   void note(std::string_view sentence);
+
+  /// The same, quiet or not: the result may not be what was meant.
+  void warn(std::string_view sentence);
 
   [[nodiscard]] ProgressHook progress() { return display_.hook(); }
 

@@ -22,7 +22,7 @@ void require_alike(const io::Snapshot& first, const io::Snapshot& second) {
   if (first.dimensions != second.dimensions) {
     throw Error(ErrorCode::wrong_usage,
                 fmt::format("{} has {} dimensions and {} has {}; give files of the same number",
-                            first.source, first.dimensions, second.source, second.dimensions));
+                            first.name(), first.dimensions, second.name(), second.dimensions));
   }
   if (first.shape == second.shape) return;
   const auto held_by = [](const io::Snapshot& snapshot) {
@@ -31,7 +31,7 @@ void require_alike(const io::Snapshot& first, const io::Snapshot& second) {
   };
   throw Error(ErrorCode::wrong_usage,
               fmt::format("{} holds {} and {} holds {}; give files that hold the same",
-                          first.source, held_by(first), second.source, held_by(second)));
+                          first.name(), held_by(first), second.name(), held_by(second)));
 }
 
 /// Where a radius goes only to files without, one of them must be there.
@@ -42,7 +42,7 @@ void require_use_of_radius(const InputOptions& input, const ElementSets& sets) {
   throw Error(ErrorCode::wrong_usage,
               fmt::format("--radius {}: {} and {} say how large their elements are, and with "
                           "--against a radius is for files that do not; leave it out",
-                          *input.radius, sets.first.source, sets.second->source));
+                          *input.radius, sets.first.name(), sets.second->name()));
 }
 
 /// A file of one frame stands still while the other moves; both cannot.
@@ -52,7 +52,7 @@ void require_use_of_frame(const InputOptions& input, const ElementSets& sets) {
   if (sets.first.frame_count > 1 || sets.second->frame_count > 1) return;
   throw Error(ErrorCode::wrong_usage,
               fmt::format("--frame {}: {} and {} hold one frame each; leave it out", frame,
-                          sets.first.source, sets.second->source));
+                          sets.first.name(), sets.second->name()));
 }
 
 }  // namespace

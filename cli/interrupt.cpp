@@ -1,5 +1,7 @@
 #include "interrupt.hpp"
 
+#include "io/write/output_file.hpp"
+
 #include <abut/error.hpp>
 
 #include <csignal>
@@ -8,21 +10,28 @@ namespace abut::cli {
 namespace {
 
 volatile std::sig_atomic_t interrupt_flag = 0;
+volatile std::sig_atomic_t met[NSIG] = {};
 
-extern "C" void note_interrupt(int) {
+extern "C" void note_interrupt(int signal) {
   interrupt_flag = 1;
+  if (met[signal] == 0) {
+    met[signal] = 1;
+    return;
+  }
+  io::remove_temporary_in_handler();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);  // is held back until the handler ends
 }
 
 }  // namespace
 
 void catch_interrupts() {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
     if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
     // Without SA_RESTART: a read or write that blocks returns, and the flag is seen.
     struct sigaction action {};
     action.sa_handler = note_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
   }

@@ -13,14 +13,20 @@ io::Snapshot load_snapshot(const InputOptions& input, Console& console) {
       input.path, {input.format, input.radius, input.frame, console.progress(), input.radius_use,
                    input.lone_frame, input.groups, input.group_columns});
   if (snapshot.frame_count > 1 || input.frame.has_value()) {
-    console.note(fmt::format("{}: {}", snapshot.source, frame_text(snapshot)));
+    console.note(fmt::format("{}: {}", snapshot.name(), frame_text(snapshot)));
+  }
+  if (snapshot.is_blank) {
+    console.warn(
+        fmt::format("{}: holds nothing, which is taken as no elements; if a program was "
+                    "to write it, see whether that failed",
+                    snapshot.name()));
   }
   const DomainOptions& domain = input.domain;
   if (snapshot.periodicity_is_assumed && !domain.periodic && domain.as_given.empty()) {
     console.note(
         fmt::format("{}: does not say which axes are periodic; taken as periodic in {}, "
                     "which --periodic changes",
-                    snapshot.source, axes_text(periodic_axes(snapshot))));
+                    snapshot.name(), axes_text(periodic_axes(snapshot))));
   }
   return snapshot;
 }

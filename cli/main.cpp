@@ -2,6 +2,7 @@
 // standard error and an exit code (abut::ErrorCode).
 
 #include "interrupt.hpp"
+#include "io/quoted_text.hpp"
 #include "io/write/output_file.hpp"
 #include "options/parse.hpp"
 #include "talk.hpp"
@@ -35,7 +36,8 @@ void occupy_standard_streams() {
 }
 
 int complain(ErrorCode code, std::string_view sentence) {
-  talk(fmt::format("abut: {}\n", sentence));
+  constexpr std::size_t longest = 1000;
+  talk(fmt::format("abut: {}\n", io::visible(sentence, longest)));
   return static_cast<int>(code);
 }
 
@@ -60,7 +62,10 @@ int guarded_main(int argc, const char* const* argv) {
 }  // namespace abut::cli
 
 int main(int argc, char** argv) {
+  // Writing to a closed pipe, or more than the limit of a file allows, is an error like others
+  // then.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   abut::cli::occupy_standard_streams();
   abut::cli::catch_interrupts();
   return abut::cli::guarded_main(argc, argv);

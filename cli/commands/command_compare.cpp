@@ -124,7 +124,7 @@ std::string text_of(const io::Snapshot& snapshot, const std::vector<Run>& runs,
     }
   }
   std::string text =
-      fmt::format("{}: {}\n{}", snapshot.source, elements_text(snapshot), table.text("  "));
+      fmt::format("{}: {}\n{}", snapshot.name(), elements_text(snapshot), table.text("  "));
   if (!refusals.empty()) text += "not run\n" + refusals;
   return text + equality_line(answers);
 }

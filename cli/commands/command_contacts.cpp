@@ -32,7 +32,7 @@ void require_ids(const io::Snapshot& snapshot) {
   if (!snapshot.ids.empty() || snapshot.size() == 0) return;
   throw Error(ErrorCode::wrong_usage, fmt::format("{}: the file gives its elements no ids; leave "
                                                   "out --ids",
-                                                  snapshot.source));
+                                                  snapshot.name()));
 }
 
 ElementSets read(const ContactsOptions& options, Console& console) {
@@ -71,8 +71,10 @@ PairList detect(const ContactsOptions& options, const ElementSets& sets, const L
 void write(const ContactsOptions& options, io::ContactFormat format, const ElementSets& sets,
            const PairList& pairs, Console& console) {
   const auto ids = options.ids ? io::IdColumns::with : io::IdColumns::without;
-  io::write_contacts({options.output, format, ids, console.progress()}, sets.elements(),
-                     pairs.pairs(), {pairs.shifts(), sets.domain});
+  const io::Durability durability =
+      io::write_contacts({options.output, format, ids, console.progress()}, sets.elements(),
+                         pairs.pairs(), {pairs.shifts(), sets.domain});
+  warn_unless_synced(durability, options.output, console);
 }
 
 std::string digest_line(const ContactsOptions& options, const PairList& pairs) {

@@ -75,7 +75,7 @@ std::string explain_file(const ExplainOptions& options, const io::Snapshot& snap
   if (snapshot.size() > most_elements) {
     throw Error(ErrorCode::limit_exceeded,
                 fmt::format("{}: {} are too many to read through; explain takes at most {}",
-                            snapshot.source, elements_text(snapshot), most_elements));
+                            snapshot.name(), elements_text(snapshot), most_elements));
   }
   Options detection;
   detection.algorithm = options.algorithm;
@@ -87,7 +87,7 @@ std::string explain_file(const ExplainOptions& options, const io::Snapshot& snap
   std::string text = fmt::format("{}: {}\n", row.name, row.idea);
   text += wrapped(fmt::format("{}: {}. Elements (rows of the file), cells and positions counted "
                               "from 0, -1 is none.",
-                              snapshot.source, elements_text(snapshot)),
+                              snapshot.name(), elements_text(snapshot)),
                   text_width) +
           '\n';
   const std::string note = reading_note(options.algorithm);

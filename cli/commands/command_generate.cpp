@@ -4,6 +4,7 @@
 #include "io/write/write_elements.hpp"
 #include "load_snapshot.hpp"
 #include "make_scene.hpp"
+#include "options/output_option.hpp"
 #include "scenes/scene.hpp"
 #include "talk.hpp"
 #include "text/human_text.hpp"
@@ -41,7 +42,9 @@ std::string json_of_all() {
 void run(const GenerateOptions& options) {
   Console console(options.console);
   const io::Snapshot snapshot = make_scene(options.scene, options.count, options.seed);
-  io::write_elements(options.output, options.output_format, snapshot, interrupted);
+  warn_unless_synced(
+      io::write_elements(options.output, options.output_format, snapshot, interrupted),
+      options.output, console);
   if (options.output == "-") return;
   console.note(fmt::format("{}: {} of {}; next: abut contacts {}", options.output,
                            elements_text(snapshot), snapshot.source, shell_quoted(options.output)));

@@ -1,12 +1,12 @@
 #include "commands/command_info.hpp"
 
+#include "io/quoted_text.hpp"
 #include "talk.hpp"
 #include "text/human_text.hpp"
 #include "text/json_text.hpp"
 #include "text/text_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -83,8 +83,8 @@ std::string groups_text(const io::Snapshot& snapshot) {
   constexpr std::size_t most = 8;
   const std::vector<std::string>& names = snapshot.group_columns;
   const std::size_t shown = std::min(names.size(), most);
-  std::string text = fmt::format(
-      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  std::string text;
+  for (std::size_t k = 0; k < shown; ++k) text += (k > 0 ? ", " : "") + io::visible(names[k], 60);
   if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
   return text;
 }
@@ -125,7 +125,7 @@ std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot) {
     table.add_row({"groups", "can be " + groups_text(snapshot)});
   }
   table.add_row({"next", next_command(options)});
-  return snapshot.source + '\n' + table.text("  ");
+  return snapshot.name() + '\n' + table.text("  ");
 }
 
 std::string json_of(const io::Snapshot& snapshot) {

@@ -22,14 +22,14 @@ ElementView centers_of(const io::Snapshot& snapshot) {
     throw Error(ErrorCode::wrong_usage,
                 fmt::format("{}: neighbors are those of points, and the file holds boxes; take "
                             "abut contacts with --margin",
-                            snapshot.source));
+                            snapshot.name()));
   }
   return snapshot.dimensions == 2 ? points(snapshot.x, snapshot.y)
                                   : points(snapshot.x, snapshot.y, snapshot.z);
 }
 
 /// One line a neighbor, by element, as i,j[,nx,ny,nz],distance.
-void write(const NeighborList& list, const Domain& domain, const std::string& path) {
+io::Durability write(const NeighborList& list, const Domain& domain, const std::string& path) {
   constexpr std::size_t much = std::size_t{64} << 10;
   io::OutputFile file(path);
   std::string text = domain.is_periodic() ? "i,j,nx,ny,nz,distance\n" : "i,j,distance\n";
@@ -55,7 +55,7 @@ void write(const NeighborList& list, const Domain& domain, const std::string& pa
     }
   }
   file.write(text);
-  file.commit();
+  return file.commit();
 }
 
 std::string summary(const NeighborsOptions& options, const ElementSets& sets,
@@ -66,11 +66,11 @@ std::string summary(const NeighborsOptions& options, const ElementSets& sets,
     most = std::max(most, list[i].size());
     alone += list[i].empty() ? 1 : 0;
   }
-  std::string text = fmt::format("{}: {}, cutoff {}\n", sets.first.source,
+  std::string text = fmt::format("{}: {}, cutoff {}\n", sets.first.name(),
                                  elements_text(sets.first), options.cutoff);
   const char* kind = options.kind == NeighborListKind::full ? "full " : "half ";
   if (sets.are_two()) {
-    text += fmt::format("against {}: {}\n", sets.second->source, elements_text(*sets.second));
+    text += fmt::format("against {}: {}\n", sets.second->name(), elements_text(*sets.second));
     kind = "";
   }
   const double size = static_cast<double>(std::max<std::size_t>(list.size(), 1));
@@ -118,7 +118,9 @@ void run(const NeighborsOptions& options) {
   const ElementSets sets = read(options, console);
   const LoadedRule rule(options.input, options.rule, sets, console);
   const NeighborList list = detect(options, sets, rule, console);
-  if (!options.output.empty()) write(list, sets.domain, options.output);
+  if (!options.output.empty()) {
+    warn_unless_synced(write(list, sets.domain, options.output), options.output, console);
+  }
   console.finish();
   if (console.is_quiet()) return;
   report_beside(options.output, summary(options, sets, rule, list));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/quoted_text.hpp"
+
 #include <abut/error.hpp>
 
 #include <fmt/format.h>
@@ -18,7 +20,8 @@ namespace abut::cli {
 
 [[noreturn]] inline void reject(std::string_view option, std::string_view text,
                                 std::string_view wanted) {
-  throw Error(ErrorCode::wrong_usage, fmt::format("{} {}: give {}", option, text, wanted));
+  throw Error(ErrorCode::wrong_usage,
+              fmt::format("{} {}: give {}", option, io::visible(text, 60), wanted));
 }
 
 template <class Number>

@@ -39,8 +39,8 @@ inline CLI::Option* add_switch(CLI::App& app, const std::string& names,
 }
 
 inline void add_quiet(CLI::App& app, ConsoleOptions& console) {
-  add_switch(app, "-q,--quiet", "say nothing but what was asked for, and errors", console.quiet,
-             true);
+  add_switch(app, "-q,--quiet", "say nothing but what was asked for, warnings and errors",
+             console.quiet, true);
 }
 
 inline void add_console(CLI::App& app, ConsoleOptions& console) {
@@ -67,6 +67,27 @@ inline CLI::Option* add_name(CLI::App& app, const std::string& name, const std::
     if (text.empty()) reject(name, "''", "a name");
     target = text;
   });
+}
+
+/// The file that a result goes to.
+inline CLI::Option* add_output(CLI::App& app, const std::string& type,
+                               const std::string& description, std::string& target) {
+  return add_value(app, "-o,--output", type, description, [&target](const std::string& text) {
+    if (text.empty()) reject("-o", "''", "the name of a file, or - for standard output");
+    target = text;
+  });
+}
+
+/// The file that elements are read from.
+inline CLI::Option* add_file(CLI::App& app, const std::string& name, const std::string& description,
+                             std::string& target) {
+  return app.add_option_function<std::string>(
+      name,
+      [name, &target](const std::string& text) {
+        if (text.empty()) reject(name, "''", "a name, or - for standard input");
+        target = text;
+      },
+      description);
 }
 
 /// The file of a second set of elements.
@@ -127,10 +148,10 @@ inline void add_domain(CLI::App& app, DomainOptions& domain) {
 }
 
 inline void add_input_format(CLI::App& app, InputOptions& input) {
-  add_value(
+  add_name(
       app, "--format", "NAME",
       "format of FILE: csv, lammps_data, lammps_dump or xyz; default by suffix, then by content",
-      [&input](const std::string& text) { input.format = text; });
+      input.format);
 }
 
 /// The options of a file that elements are read from.
@@ -141,7 +162,7 @@ inline void add_input(CLI::App& app, InputOptions& input) {
 }
 
 inline void add_file_or_scene(CLI::App& app, FileOrScene& source) {
-  app.add_option("FILE|SCENE", source.input.path, "elements to read; with --count a scene")
+  add_file(app, "FILE|SCENE", "elements to read; with --count a scene", source.input.path)
       ->required();
   add_value(app, "--count", "N", "number of elements of the scene",
             [&source](const std::string& text) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -39,7 +40,14 @@ Domain domain_of_box(const DomainOptions& options, const io::Snapshot& snapshot)
   }
   if (options.periodic.has_value()) {
     for (std::size_t axis = 0; axis < lengths.size(); ++axis) {
-      if (!contains(*options.periodic, axis)) lengths[axis] = unbounded;
+      if (!contains(*options.periodic, axis)) {
+        lengths[axis] = unbounded;
+      } else if (std::isinf(lengths[axis])) {
+        throw Error(ErrorCode::wrong_usage,
+                    fmt::format("--periodic names {0}, and --box gives that axis no end; give its "
+                                "length, or leave {0} out",
+                                letters[axis]));
+      }
     }
   }
   return lengths.size() == 2 ? Domain::periodic({lengths[0], lengths[1]})
@@ -66,6 +74,14 @@ Domain domain_of_lattice(const DomainOptions& options, const io::Snapshot& snaps
                            options.periodic.value_or(dimensions == 2 ? Axes::xy : Axes::xyz));
 }
 
+/// The elements of a plane have no third axis that could be periodic.
+void require_axes(const DomainOptions& options, const io::Snapshot& snapshot) {
+  if (snapshot.dimensions == 3 || !options.periodic || !contains(*options.periodic, 2)) return;
+  throw Error(
+      ErrorCode::wrong_usage,
+      fmt::format("--periodic names z, and {} has two dimensions; leave z out", snapshot.name()));
+}
+
 Domain domain_of_file(const DomainOptions& options, const io::Snapshot& snapshot) {
   const Axes axes = options.periodic.value_or(periodic_axes(snapshot));
   if (axes == Axes::none) return Domain::open();
@@ -73,7 +89,7 @@ Domain domain_of_file(const DomainOptions& options, const io::Snapshot& snapshot
     throw Error(ErrorCode::wrong_usage,
                 fmt::format("{}: periodic in {}, but the file names no box; give --box or "
                             "--lattice, or --periodic none to take it as open",
-                            snapshot.source, axes_text(axes)));
+                            snapshot.name(), axes_text(axes)));
   }
   return domain_of_vectors(snapshot, *snapshot.box, axes);
 }
@@ -119,12 +135,13 @@ std::vector<double> number_list(const std::string& option, const std::string& te
 
 Domain domain_of(const DomainOptions& options, const io::Snapshot& snapshot) {
   const bool of_file = options.box.empty() && options.lattice.empty();
+  require_axes(options, snapshot);
   try {
     if (!options.lattice.empty()) return domain_of_lattice(options, snapshot);
     return of_file ? domain_of_file(options, snapshot) : domain_of_box(options, snapshot);
   } catch (const Error& error) {
     if (error.code() == ErrorCode::wrong_usage) throw;
-    if (of_file) throw Error(error.code(), fmt::format("{}: {}", snapshot.source, error.what()));
+    if (of_file) throw Error(error.code(), fmt::format("{}: {}", snapshot.name(), error.what()));
     throw Error(
         ErrorCode::wrong_usage,
         fmt::format("{}: {}", options.lattice.empty() ? "--box" : "--lattice", error.what()));
@@ -142,7 +159,7 @@ Domain domain_of(const DomainOptions& options, const io::Snapshot& first,
   throw Error(ErrorCode::wrong_usage,
               fmt::format("{} is {} and {} is {}; say what holds for both with --box, --lattice "
                           "or --periodic",
-                          first.source, domain_words(domain), second.source, domain_words(other)));
+                          first.name(), domain_words(domain), second.name(), domain_words(other)));
 }
 
 void require_open(const DomainOptions& options, const io::Snapshot& snapshot,
@@ -152,7 +169,7 @@ void require_open(const DomainOptions& options, const io::Snapshot& snapshot,
   throw Error(ErrorCode::wrong_usage,
               fmt::format("{}: the domain is periodic in {}, and {} takes open space; give "
                           "--periodic none",
-                          snapshot.source, axes_text(domain.periodic_axes()), what));
+                          snapshot.name(), axes_text(domain.periodic_axes()), what));
 }
 
 std::string axes_text(Axes axes) {

@@ -3,6 +3,7 @@
 
 #include "options/parse.hpp"
 
+#include "io/quoted_text.hpp"
 #include "io/read/read_snapshot.hpp"
 #include "options/argument.hpp"
 #include "options/common_options.hpp"
@@ -89,16 +90,16 @@ void add_contacts(CLI::App& app, Command& command) {
       "abut contacts chains.data --groups mol --exclude bonds.csv");
   auto options = hand_over<ContactsOptions>(sub, command);
   auto format = std::make_shared<std::string>();
-  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_file(sub, "FILE", "elements to read; - is standard input", options->input.path)->required();
   add_against(sub, options->against);
-  add_value(
-      sub, "-o,--output", "OUT",
+  add_output(
+      sub, "OUT",
       "write the pairs to a file .csv, .json or .vtp, CSV without a suffix; - is standard output",
-      [options](const std::string& text) { options->output = text; });
-  add_value(sub, "--format", "NAME",
-            "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_data, lammps_dump, xyz; "
-            "default by suffix, then by content",
-            [format](const std::string& text) { *format = text; });
+      options->output);
+  add_name(sub, "--format", "NAME",
+           "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_data, lammps_dump, xyz; "
+           "default by suffix, then by content",
+           *format);
   CLI::Option* ids = add_switch(sub, "--ids", "add the file's own ids to OUT", options->ids, true);
   ids->needs(sub.get_option("--output"));
   add_report(sub, options->report);
@@ -121,7 +122,7 @@ void add_neighbors(CLI::App& app, Command& command) {
       "abut neighbors pour.dump --cutoff 2.5 --full -o neighbors.csv\n"
       "abut neighbors probes.csv --against atoms.xyz --cutoff 3.5");
   auto options = hand_over<NeighborsOptions>(sub, command);
-  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_file(sub, "FILE", "elements to read; - is standard input", options->input.path)->required();
   add_value(sub, "--cutoff", "C", "neighbors are centers at most C apart",
             [options](const std::string& text) { options->cutoff = length("--cutoff", text); })
       ->required();
@@ -133,8 +134,7 @@ void add_neighbors(CLI::App& app, Command& command) {
       ->excludes(full)
       ->excludes(against);
   full->excludes(against);
-  add_value(sub, "-o,--output", "OUT", "write the neighbors as CSV; - is standard output",
-            [options](const std::string& text) { options->output = text; });
+  add_output(sub, "OUT", "write the neighbors as CSV; - is standard output", options->output);
   add_search(sub, options->detection);
   add_limits(sub, options->detection);
   add_rule(sub, options->input, options->rule);
@@ -146,7 +146,7 @@ void add_info(CLI::App& app, Command& command) {
   CLI::App& sub = *app.add_subcommand("info", "says what is in a file");
   sub.footer("abut info packing.csv");
   auto options = hand_over<InfoOptions>(sub, command);
-  sub.add_option("FILE", options->input.path, "elements to read; - is standard input")->required();
+  add_file(sub, "FILE", "elements to read; - is standard input", options->input.path)->required();
   add_input_format(sub, options->input);
   add_json(sub, options->listing);
   add_frame_and_radius(sub, options->input);
@@ -170,10 +170,9 @@ void add_generate(CLI::App& app, Command& command) {
             [options](const std::string& text) {
               options->seed = number<std::uint64_t>("--seed", text, "a whole number");
             });
-  add_value(sub, "-o,--output", "FILE", "default - is standard output, as CSV",
-            [options](const std::string& text) { options->output = text; });
-  add_value(sub, "--format", "NAME", "csv, lammps_dump or xyz; default by suffix",
-            [options](const std::string& text) { options->output_format = text; });
+  add_output(sub, "FILE", "default - is standard output, as CSV", options->output);
+  add_name(sub, "--format", "NAME", "csv, lammps_dump or xyz; default by suffix",
+           options->output_format);
   add_switch(sub, "--json", "with --list: one JSON object", list->listing, Listing::json);
   add_quiet(sub, options->console);
   sub.callback([&command, options, list, scene, all, count] {
@@ -247,7 +246,7 @@ void add_explain(CLI::App& app, Command& command) {
             })
       ->required();
   CLI::Option* file =
-      sub.add_option("FILE", options->input.path, "a small file; - is standard input");
+      add_file(sub, "FILE", "a small file; - is standard input", options->input.path);
   CLI::Option* book = add_mark(sub, "--book", "the book's own example, numbered as in the book");
   add_margin(sub, options->margin);
   add_input(sub, options->input);
@@ -310,10 +309,13 @@ Command parse(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return HelpText{app.help()};
+    const std::vector<std::string> unknown = app.remaining();
+    if (unknown.empty()) return HelpText{app.help()};
+    throw Error(ErrorCode::wrong_usage,
+                fmt::format("{} is no command; see 'abut --help'", io::quoted(unknown.front())));
   } catch (const CLI::ParseError& error) {
     throw Error(ErrorCode::wrong_usage,
-                fmt::format("{}; see '{}'", error.what(), name_of_help(app)));
+                fmt::format("{}; see '{}'", io::visible(error.what()), name_of_help(app)));
   }
   return command;
 }

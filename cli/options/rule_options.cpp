@@ -1,5 +1,6 @@
 #include "options/rule_options.hpp"
 
+#include "io/quoted_text.hpp"
 #include "io/read/read_pairs.hpp"
 #include "options/argument.hpp"
 #include "text/human_text.hpp"
@@ -97,14 +98,15 @@ LoadedRule::LoadedRule(const InputOptions& input, const RuleOptions& options,
 
 void LoadedRule::load_groups(const InputOptions& input, const RuleOptions& options,
                              const ElementSets& sets, Console& console) {
+  const std::string name = io::visible(input.groups);
   if (sets.first.groups.size() != sets.first.size()) {
     throw Error(ErrorCode::wrong_usage,
-                fmt::format("--groups {}: a scene has no columns; take a file", input.groups));
+                fmt::format("--groups {}: a scene has no columns; take a file", name));
   }
   groups_[0] = sets.first.groups;
   if (sets.second) groups_[1] = sets.second->groups;
   if (options.denied.empty()) {
-    add_to_text(fmt::format("pairs of one {}", input.groups));
+    add_to_text(fmt::format("pairs of one {}", name));
     return;
   }
   DeniedGroups denied(options);
@@ -114,15 +116,15 @@ void LoadedRule::load_groups(const InputOptions& input, const RuleOptions& optio
   }
   table_ = denied.table(options);
   if (const std::string groups = denied.not_met(); !groups.empty()) {
-    console.note(fmt::format("--deny: no element is of {} {}", input.groups, groups));
+    console.note(fmt::format("--deny: no element is of {} {}", name, groups));
   }
   constexpr std::size_t few = 3;
   if (options.denied.size() > few) {
-    add_to_text(fmt::format("{} combinations of {}", options.denied.size(), input.groups));
+    add_to_text(fmt::format("{} combinations of {}", options.denied.size(), name));
     return;
   }
   for (const auto& [a, b] : options.denied) {
-    add_to_text(fmt::format("pairs of {} {} and {}", input.groups, a, b));
+    add_to_text(fmt::format("pairs of {} {} and {}", name, a, b));
   }
 }
 
@@ -133,7 +135,8 @@ void LoadedRule::load_exclusions(const RuleOptions& options, const ElementSets& 
   const std::vector<ContactPair> pairs =
       io::read_pairs(options.exclude, {first, second}, console.progress());
   exclusions_ = sets.are_two() ? ExclusionList(pairs, first, second) : ExclusionList(pairs, first);
-  const std::string source = options.exclude == "-" ? "standard input" : options.exclude;
+  const std::string source =
+      options.exclude == "-" ? "standard input" : io::visible(options.exclude);
   add_to_text(fmt::format("{} of {}", counted(exclusions_->size(), "pair"), source));
 }
 

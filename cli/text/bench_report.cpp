@@ -149,7 +149,7 @@ std::string bench_text(const ElementSets& sets, const LoadedRule& rule,
   const io::Snapshot& snapshot = sets.first;
   const Domain& domain = sets.domain;
   const std::vector<Answer> answers = answers_of(measurements);
-  std::string head = fmt::format("{}: {}", snapshot.source, elements_text(snapshot));
+  std::string head = fmt::format("{}: {}", snapshot.name(), elements_text(snapshot));
   if (domain.is_periodic()) head += ", periodic in " + axes_text(domain.periodic_axes());
   if (!answers.empty()) head += ", " + counted(answers.front().contact_pairs, "contact pair");
   if (!rule.text().empty()) head += fmt::format(" (left out: {})", rule.text());

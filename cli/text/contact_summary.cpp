@@ -1,6 +1,7 @@
 #include "text/contact_summary.hpp"
 
 #include "contact_findings.hpp"
+#include "io/quoted_text.hpp"
 #include "text/human_text.hpp"
 #include "text/text_table.hpp"
 
@@ -27,7 +28,7 @@ std::string domain_text(const ElementSets& sets) {
 }
 
 std::string file_text(const io::Snapshot& snapshot) {
-  std::string line = fmt::format("{}: {}", snapshot.source, snapshot.format);
+  std::string line = fmt::format("{}: {}", snapshot.name(), snapshot.format);
   if (snapshot.frame_count > 1) line += ", " + frame_text(snapshot);
   line += ", " + elements_text(snapshot);
   if (snapshot.size() > 0) {
@@ -159,7 +160,7 @@ std::string contact_summary(const ContactsOptions& options, const Contacts& cont
                                      byte_size(statistics.peak_bytes))});
   table.add_row({"time", time_text(options, pairs, seconds)});
   if (!options.output.empty() && options.output != "-") {
-    table.add_row({"written to", options.output});
+    table.add_row({"written to", io::visible(options.output)});
   }
   table.add_row({"next", next_command(options)});
   return files_text(sets) + table.text("  ");

@@ -1,5 +1,7 @@
 #include "text/human_text.hpp"
 
+#include "io/quoted_text.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -65,15 +67,22 @@ std::string shell_quoted(std::string_view word) {
   if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
     return std::string(word);
   }
-  std::string result = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      result += "'\\''";
-    } else {
-      result += c;
+  bool is_plain = true;
+  std::string simple = "'";
+  std::string escaped = "$'";
+  while (!word.empty()) {
+    const io::Character character = io::first_character(word);
+    const std::string_view text = word.substr(0, character.bytes);
+    is_plain = is_plain && character.is_visible;
+    simple += text == "'" ? "'\\''" : text;
+    if (text == "'" || text == "\\") escaped += '\\';
+    for (const char c : text) {
+      escaped += character.is_visible ? std::string(1, c)
+                                      : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
     }
+    word.remove_prefix(character.bytes);
   }
-  return result + "'";
+  return (is_plain ? simple : escaped) + "'";
 }
 
 }  // namespace abut::cli

@@ -5,7 +5,8 @@
 
 namespace abut::cli {
 
-/// A JSON string with its quotes. Bytes that are not UTF-8 become U+FFFD.
+/// A JSON string with its quotes. Bytes that are not UTF-8 become U+FFFD; characters that a
+/// terminal would obey are escaped.
 [[nodiscard]] std::string json_string(std::string_view text);
 
 /// The shortest number that reads back as `value`; null for NaN and infinities.

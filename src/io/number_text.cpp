@@ -1,6 +1,6 @@
 #include "io/number_text.hpp"
 
-#include <fmt/format.h>
+#include "io/quoted_text.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -76,20 +76,6 @@ std::string number_complaint(std::string_view text, NumberFault fault) {
     default:
       return quoted(text) + " is not a number; write it like 0.5 or 1e-3";
   }
-}
-
-std::string quoted(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string result = "'";
-  for (const char c : text.substr(0, longest)) {
-    if (c >= ' ' && c <= '~') {
-      result += c;
-    } else {
-      result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    }
-  }
-  result += text.size() > longest ? "...'" : "'";
-  return result;
 }
 
 }  // namespace abut::io

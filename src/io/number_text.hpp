@@ -24,7 +24,4 @@ struct ParsedNumber {
 /// What is wrong with a text that should be a number, and what to do: "'abc' is not a number; ...".
 [[nodiscard]] std::string number_complaint(std::string_view text, NumberFault fault);
 
-/// The text between quotes for a message: at most 40 bytes, bytes outside printable ASCII as \xNN.
-[[nodiscard]] std::string quoted(std::string_view text);
-
 }  // namespace abut::io

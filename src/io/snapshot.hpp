@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/quoted_text.hpp"
+
 #include <abut/element_view.hpp>
 
 #include <array>
@@ -36,12 +38,16 @@ struct Snapshot {
   std::optional<std::array<std::array<double, 3>, 3>> box;
   bool periodicity_is_assumed = false;  ///< the format has a box and does not say
 
+  bool is_blank = false;         ///< no line of the source holds anything
   std::string source;            ///< the file's name as given, "standard input" for "-"
   std::string format;            ///< "csv", "lammps_data", "lammps_dump", "xyz"
   std::int64_t frame = 0;        ///< the one that was read, from 0
   std::int64_t frame_count = 1;  ///< frames in the file
 
   [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
+
+  /// The source as messages and summaries show it.
+  [[nodiscard]] std::string name() const { return visible(source); }
 
   [[nodiscard]] bool holds_boxes() const noexcept { return shape == Shape::box; }
 

@@ -1,6 +1,6 @@
 #include "io/read/column_roles.hpp"
 
-#include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 
 #include <fmt/format.h>
 

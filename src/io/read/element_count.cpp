@@ -1,6 +1,7 @@
 #include "io/read/element_count.hpp"
 
 #include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "io/read/line_reader.hpp"
 
-#include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 
 #include <abut/error.hpp>
 
@@ -47,7 +47,6 @@ void LineReader::open(const std::string& path) {
     descriptor_ = STDIN_FILENO;
   } else {
     if (path.find('\0') != std::string::npos) {
-      name_ = quoted(path);
       fail("a file name cannot hold a NUL byte");
     }
     for (;;) {
@@ -114,12 +113,16 @@ std::optional<std::string_view> LineReader::next() {
 }
 
 std::string_view LineReader::checked(std::string_view line) const {
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  // Some conversions between systems leave several carriage returns at the end of a line.
+  while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   if (line.size() > longest_line) {
     fail_at_line("is longer than 1 MiB; this is not a table of elements");
   }
   if (!line.empty() && std::memchr(line.data(), 0, line.size()) != nullptr) {
     fail_at_line("holds a NUL byte; this is not a text file, or it is damaged");
+  }
+  if (!line.empty() && std::memchr(line.data(), '\r', line.size()) != nullptr) {
+    fail_at_line("holds a carriage return; lines must end with LF or CR LF: convert the file");
   }
   return line;
 }
@@ -225,20 +228,24 @@ void LineReader::report(bool always) {
   reported_ = here;
   if (progress_({"read", here, bytes_.value_or(0)}) == ProgressAction::proceed) return;
   throw Error(ErrorCode::cancelled,
-              fmt::format("cancelled while reading {} after {} bytes", name_, here));
+              fmt::format("cancelled while reading {} after {} bytes", shown_name(), here));
+}
+
+std::string LineReader::shown_name() const {
+  return name_.empty() ? "''" : visible(name_);
 }
 
 void LineReader::fail(std::string_view what) const {
-  throw Error(ErrorCode::invalid_input, fmt::format("{}: {}", name_, what));
+  throw Error(ErrorCode::invalid_input, fmt::format("{}: {}", shown_name(), what));
 }
 
 void LineReader::fail_at_line(std::string_view what) const {
-  throw Error(ErrorCode::invalid_input, fmt::format("{}, line {}: {}", name_, line_, what));
+  throw Error(ErrorCode::invalid_input, fmt::format("{}, line {}: {}", shown_name(), line_, what));
 }
 
 void LineReader::fail_in_column(std::string_view column, std::string_view what) const {
   throw Error(ErrorCode::invalid_input,
-              fmt::format("{}, line {}, column {}: {}", name_, line_, column, what));
+              fmt::format("{}, line {}, column {}: {}", shown_name(), line_, column, what));
 }
 
 }  // namespace abut::io

@@ -17,8 +17,10 @@ struct TextPosition {
 };
 
 /// The lines of a file or of standard input ("-"), read in large blocks. Memory follows the longest
-/// line, or what `keep_from` asks to keep of a pipe. Line ends are LF or CR LF; a byte order mark
-/// of UTF-8 is skipped. Every failure throws Error{invalid_input} naming the file and the line.
+/// line, or what `keep_from` asks to keep of a pipe. Line ends are LF or CR LF, and a CR anywhere
+/// else is an error, since a file of another system's lines would look like one line; a byte order
+/// mark of UTF-8 is skipped. Every failure throws Error{invalid_input} naming the file and the
+/// line.
 class LineReader {
  public:
   LineReader(const std::string& path, const ProgressHook& progress);
@@ -65,6 +67,7 @@ class LineReader {
   [[nodiscard]] bool fill();
   void make_room();
   void report(bool always);
+  [[nodiscard]] std::string shown_name() const;
   [[nodiscard]] std::string_view checked(std::string_view line) const;
 
   std::string name_;

@@ -1,4 +1,5 @@
 #include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 #include "io/read/column_roles.hpp"
 #include "io/read/csv_lines.hpp"
 #include "io/read/read_format.hpp"

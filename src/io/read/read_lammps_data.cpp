@@ -1,4 +1,4 @@
-#include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 #include "io/read/column_roles.hpp"
 #include "io/read/data_header.hpp"
 #include "io/read/element_count.hpp"

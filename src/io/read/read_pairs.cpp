@@ -1,6 +1,7 @@
 #include "io/read/read_pairs.hpp"
 
 #include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 #include "io/read/csv_lines.hpp"
 #include "io/read/line_reader.hpp"
 #include "io/read/row_parser.hpp"

@@ -2,6 +2,7 @@
 
 #include "base/written.hpp"
 #include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 #include "io/read/line_reader.hpp"
 #include "io/read/read_format.hpp"
 #include "io/read/row_parser.hpp"
@@ -97,6 +98,7 @@ Snapshot read(const std::string& path, const ReadOptions& options) {
                                   ? format_with_suffix(suffix_of(path)).value_or(csv)
                                   : choose_format(reader, path, options);
   Snapshot snapshot = empty ? read_nothing(reader, options) : readers[format](reader, options);
+  snapshot.is_blank = empty;
   snapshot.source = reader.name();
   snapshot.format = formats[format].name;
   // LAMMPS and others call the missing axis of a plane periodic.
@@ -106,7 +108,7 @@ Snapshot read(const std::string& path, const ReadOptions& options) {
 
 [[noreturn]] void fail_for_memory(const std::string& path) {
   throw Error(ErrorCode::limit_exceeded,
-              fmt::format("{}: there is not enough memory for its elements", path));
+              fmt::format("{}: there is not enough memory for its elements", visible(path)));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "io/read/xyz_comment.hpp"
 
 #include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 #include "io/read/row_parser.hpp"
 
 #include <fmt/format.h>

@@ -55,7 +55,7 @@ class ContactWriter {
   void wrote(std::uint64_t pairs);
 
   /// The file appears.
-  void commit() { file_.commit(); }
+  Durability commit() { return file_.commit(); }
 
  private:
   [[nodiscard]] bool is_cancelled() const;

@@ -1,6 +1,6 @@
 #include "io/write/output_file.hpp"
 
-#include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 #include "io/write/output_path.hpp"
 
 #include <abut/error.hpp>
@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <system_error>
@@ -18,6 +19,10 @@
 
 namespace abut::io {
 namespace {
+
+/// The temporary that the process would leave behind if it ended here.
+std::atomic<const char*> exposed_temporary{nullptr};
+static_assert(std::atomic<const char*>::is_always_lock_free, "signal handlers look at it");
 
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 
@@ -38,7 +43,6 @@ bool cannot_sync(int error) {
 OutputFile::OutputFile(std::string path, GiveUp give_up)
     : path_(std::move(path)), give_up_(std::move(give_up)) {
   const bool has_nul = path_.find('\0') != std::string::npos;
-  if (has_nul) path_ = quoted(path_);
   if (has_nul || path_.empty()) fail("name", EINVAL);
   if (const std::optional<int> descriptor = named_descriptor(path_)) {
     open_standard_output(*descriptor);
@@ -88,11 +92,12 @@ void OutputFile::open_temporary() {
   const mode_t mode = replaces ? 0600 : 0666;
   for (int attempt = 0; descriptor_ < 0; ++attempt) {
     temporary_ = folder + '/' + random_name();
+    exposed_temporary = temporary_.c_str();
     descriptor_ = ::open(temporary_.c_str(), flags, mode);
     if (descriptor_ >= 0 || (errno == EEXIST && attempt < 100)) continue;
     const int error = errno;
-    temporary_.clear();
-    fail(fmt::format("create a file in the folder {} for", folder), error);
+    forget_temporary();
+    fail(fmt::format("create a file in the folder {} for", visible(folder)), error);
   }
   if (!replaces) return;
   // The owner can be kept by the superuser only; the permissions always.
@@ -135,7 +140,11 @@ void OutputFile::stop_if_given_up() const {
 }
 
 void OutputFile::sync() const {
-  if (::fsync(descriptor_) != 0 && !cannot_sync(errno)) fail("write to", errno);
+  while (::fsync(descriptor_) != 0) {
+    if (cannot_sync(errno)) return;
+    if (errno != EINTR) fail("write to", errno);
+    stop_if_given_up();
+  }
 }
 
 void OutputFile::close() {
@@ -144,29 +153,50 @@ void OutputFile::close() {
   if (::close(descriptor) != 0 && errno != EINTR) fail("close", errno);
 }
 
-void OutputFile::commit() {
+Durability OutputFile::commit() {
   flush();
-  if (temporary_.empty()) return close();
+  if (temporary_.empty()) {
+    close();
+    return Durability::synced;
+  }
   sync();
   close();
   stop_if_given_up();
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename to", errno);
-  temporary_.clear();
-  // The new name must outlive a crash too. A folder that cannot be opened cannot be synced.
-  descriptor_ = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor_ < 0) return;
-  sync();
-  close();
+  forget_temporary();
+  return sync_folder();
+}
+
+/// The new name must outlive a crash, too. From here on nothing can be taken back, so that nothing
+/// may fail. A folder that cannot be opened or synced at all is as safe as it can be.
+Durability OutputFile::sync_folder() const noexcept {
+  const int folder =
+      ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NONBLOCK);
+  if (folder < 0) return Durability::synced;
+  const bool failed = ::fsync(folder) != 0 && !cannot_sync(errno);
+  ::close(folder);
+  return failed ? Durability::name_not_synced : Durability::synced;
 }
 
 void OutputFile::discard() noexcept {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  forget_temporary();
+}
+
+void OutputFile::forget_temporary() noexcept {
+  exposed_temporary = nullptr;
   temporary_.clear();
 }
 
 std::string OutputFile::name() const {
-  return path_ == "-" ? "standard output" : path_;
+  return path_ == "-" ? "standard output" : visible(path_);
+}
+
+void remove_temporary_in_handler() noexcept {
+  const char* const temporary = exposed_temporary;
+  if (temporary != nullptr) ::unlink(temporary);
 }
 
 void OutputFile::fail(std::string_view action, int error) const {

@@ -1,6 +1,6 @@
 #include "io/write/write_contacts.hpp"
 
-#include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 #include "io/suffix.hpp"
 #include "io/write/contact_writer.hpp"
 
@@ -24,7 +24,7 @@ void require_ids(const Snapshot& snapshot) {
   if (snapshot.ids.size() == snapshot.size()) return;
   throw Error(
       ErrorCode::invalid_input,
-      fmt::format("{} has no ids of its own; leave out the columns of ids", snapshot.source));
+      fmt::format("{} has no ids of its own; leave out the columns of ids", snapshot.name()));
 }
 
 void require_there(const ContactPair& pair, ElementIndex element, const Snapshot& snapshot) {
@@ -65,8 +65,8 @@ ContactFormat contact_format(std::string_view name, std::string_view path) {
                           quoted(name.empty() ? path : name)));
 }
 
-void write_contacts(const ContactOutput& output, const ContactElements& elements,
-                    std::span<const ContactPair> pairs, const ContactImages& images) {
+Durability write_contacts(const ContactOutput& output, const ContactElements& elements,
+                          std::span<const ContactPair> pairs, const ContactImages& images) {
   validate(output, elements, pairs, images);
   ContactWriter writer(output, elements, pairs, images);
   switch (output.format) {
@@ -80,7 +80,7 @@ void write_contacts(const ContactOutput& output, const ContactElements& elements
       write_contacts_vtp(writer);
       break;
   }
-  writer.commit();
+  return writer.commit();
 }
 
 }  // namespace abut::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/snapshot.hpp"
+#include "io/write/output_file.hpp"
 
 #include <abut/domain.hpp>
 #include <abut/image_shift.hpp>
@@ -70,7 +71,7 @@ struct ContactImages {
 /// Throws Error{output_failed}; Error{invalid_input} if ids are asked for and not there,
 /// Error{wrong_usage} for an element or shift that is not there; Error{cancelled}. A failed write
 /// leaves no file and the old one untouched.
-void write_contacts(const ContactOutput& output, const ContactElements& elements,
-                    std::span<const ContactPair> pairs, const ContactImages& images = {});
+Durability write_contacts(const ContactOutput& output, const ContactElements& elements,
+                          std::span<const ContactPair> pairs, const ContactImages& images = {});
 
 }  // namespace abut::io

@@ -1,6 +1,6 @@
 #include "io/write/write_elements.hpp"
 
-#include "io/number_text.hpp"
+#include "io/quoted_text.hpp"
 #include "io/suffix.hpp"
 #include "io/write/output_file.hpp"
 #include "io/write/text_output.hpp"
@@ -109,8 +109,8 @@ void write_xyz(OutputFile& file, const Snapshot& snapshot) {
 
 }  // namespace
 
-void write_elements(const std::string& path, std::string_view format, const Snapshot& snapshot,
-                    const GiveUp& give_up) {
+Durability write_elements(const std::string& path, std::string_view format,
+                          const Snapshot& snapshot, const GiveUp& give_up) {
   const ElementFormat chosen = element_format(format, path);
   require_finite(snapshot);
   OutputFile file(path, give_up);
@@ -125,7 +125,7 @@ void write_elements(const std::string& path, std::string_view format, const Snap
       write_xyz(file, snapshot);
       break;
   }
-  file.commit();
+  return file.commit();
 }
 
 }  // namespace abut::io

@@ -13,7 +13,7 @@ namespace abut::io {
 /// A snapshot has no box: the dump gets the one around the centres, and no axis is periodic.
 /// Throws Error{output_failed}, Error{wrong_usage}, Error{cancelled} if given up, and
 /// Error{invalid_input} for numbers that are not finite.
-void write_elements(const std::string& path, std::string_view format, const Snapshot& snapshot,
-                    const GiveUp& give_up = {});
+Durability write_elements(const std::string& path, std::string_view format,
+                          const Snapshot& snapshot, const GiveUp& give_up = {});
 
 }  // namespace abut::io

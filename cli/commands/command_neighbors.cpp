@@ -1,6 +1,7 @@
 #include "commands/command_neighbors.hpp"
 
 #include "element_sets.hpp"
+#include "interrupt.hpp"
 #include "io/write/output_file.hpp"
 #include "io/write/text_output.hpp"
 #include "options/output_option.hpp"
@@ -31,7 +32,7 @@ ElementView centers_of(const io::Snapshot& snapshot) {
 /// One line a neighbor, by element, as i,j[,nx,ny,nz],distance.
 io::Durability write(const NeighborList& list, const Domain& domain, const std::string& path) {
   constexpr std::size_t much = std::size_t{64} << 10;
-  io::OutputFile file(path);
+  io::OutputFile file(path, interrupted);
   std::string text = domain.is_periodic() ? "i,j,nx,ny,nz,distance\n" : "i,j,distance\n";
   const auto append = [&text](auto value) {
     io::append_integer(value, text);

@@ -95,6 +95,10 @@ void OutputFile::open_temporary() {
     exposed_temporary = temporary_.c_str();
     descriptor_ = ::open(temporary_.c_str(), flags, mode);
     if (descriptor_ >= 0 || (errno == EEXIST && attempt < 100)) continue;
+    if (errno == EINTR) {
+      stop_if_given_up();
+      continue;
+    }
     const int error = errno;
     forget_temporary();
     fail(fmt::format("create a file in the folder {} for", visible(folder)), error);
@@ -173,7 +177,11 @@ Durability OutputFile::sync_folder() const noexcept {
   const int folder =
       ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NONBLOCK);
   if (folder < 0) return Durability::synced;
-  const bool failed = ::fsync(folder) != 0 && !cannot_sync(errno);
+  int result = 0;
+  do {
+    result = ::fsync(folder);
+  } while (result != 0 && errno == EINTR);
+  const bool failed = result != 0 && !cannot_sync(errno);
   ::close(folder);
   return failed ? Durability::name_not_synced : Durability::synced;
 }

@@ -149,5 +149,82 @@ TEST(ReadLammpsData, ErrorsNameLineFieldAndValue) {
             "format with --format");
 }
 
+/// Rows that the number of atoms does not cover, and headers that do not tell it.
+TEST(ReadLammpsData, OtherThanCountRowsIsAnError) {
+  const std::string rows = "\nAtoms # sphere\n\n1 1 1 1 0 0 1\n2 1 1 1 1 0 1\n";
+  const auto expect = [&](std::string_view header, std::string_view body, std::string_view told) {
+    const std::string text = "comment\n" + std::string(header) + block + std::string(body);
+    const std::string sentence = error_text("a.data", text);
+    EXPECT_NE(sentence.find(told), std::string::npos) << sentence << "\nof\n" << text;
+  };
+  expect("NaN atoms\n", rows, "line 2: 'NaN' is no number of elements");
+  expect("2 2 atoms\n", rows,
+         "line 2: '2 2 atoms' is no line of a header; write it like 'N atoms'");
+  expect("two atoms\n", rows, "line 2: 'two' is no number of elements");
+  expect("2 atoms more\n", rows, "line 2: '2 atoms more' is no line of a header");
+  expect("atoms 2\n", rows, "line 2: 'atoms 2' is no line of a header");
+  expect("2.0 atoms\n", rows, "line 2: '2.0'");
+  expect("18446744073709551618 atoms\n", rows, "line 2: '18446744073709551618'");
+  expect("", rows, "line 6: the section Atoms comes without a line 'N atoms'");
+  expect("", "", "has no line 'N atoms' in its header");
+  expect("1 atoms\n", rows, "line 10: '2 1 1 1 1 0 1' comes after the 1 atoms");
+  expect("0 atoms\n", rows, "line 9: '1 1 1 1 0 0 1' comes after the 0 atoms");
+  expect("1 atoms\n", rows + "\nVelocities\n\n1 0 0 0\n", "line 10: '2 1 1 1 1 0 1'");
+  expect("3 atoms\n", rows + "\nVelocities\n\n1 0 0 0\n", "line 12: 'Velocities' comes after 2 of");
+  expect("2 atoms\n2 atoms\n", rows, "line 3: '2 atoms' comes after a line like 'N atoms'");
+  expect("2 atoms\n", rows + rows, "line 12: a second section Atoms");
+  expect("2 atoms\n", rows + "\nVelocities\n\n1 0 0 0\n\nAtoms\n\n", "a second section Atoms");
+  expect("2 atoms\n1 2 3\n", rows, "'1 2 3' stands in the header");
+  EXPECT_EQ(error_text("a.data", "2 atoms\n" + block + rows).find("a.data, line 6"), 0u)
+      << "the first line is a comment";
+}
+
+TEST(ReadLammpsData, BoxesGivenTwice) {
+  const auto sentence = [](std::string_view box) {
+    return error_text("a.data", "comment\n0 atoms\n" + std::string(box));
+  };
+  EXPECT_EQ(
+      sentence("0 1 xlo xhi\n0 2 xlo xhi\n"),
+      "a.data, line 4: '0 2 xlo xhi' comes after a line like '0 1 xlo xhi'; leave one of them "
+      "out");
+  EXPECT_NE(sentence("0 0 0 xy xz yz\n0 0 0 xy xz yz\n").find("line 4"), std::string::npos);
+  EXPECT_NE(sentence("0 1 xlo\n").find("write it like '0 1 xlo xhi'"), std::string::npos);
+  EXPECT_NE(sentence("0 1 xlo xhi 3\n").find("write it like '0 1 xlo xhi'"), std::string::npos);
+  EXPECT_NE(sentence("0 1 xhi xlo\n").find("write it like '0 1 xlo xhi'"), std::string::npos);
+  EXPECT_NE(sentence("0 inf xlo xhi\n").find("'inf' is not a finite number"), std::string::npos);
+  EXPECT_NE(sentence("1 0 0 avec\n0 1 0 bvec\n").find("needs all three"), std::string::npos);
+  EXPECT_NE(sentence("1 0 0 avec\n0 1 0 bvec\n0 0 1 cvec\n0 1 xlo xhi\n").find("box twice"),
+            std::string::npos);
+}
+
+TEST(ReadLammpsData, WhatMayStandBesideTheAtoms) {
+  const std::string text =
+      "comment: 5 atoms\n2  atoms # two\n7 bonds\n 1 atom types\n 2 extra bond per atom\n"
+      "3 crossterms\n" +
+      block +
+      "\nMasses\n\nC 12.0\n1 atoms\n\nPair Coeffs # lj/cut\n\n1 1 1\n\nAtoms # sphere\n\n"
+      "1 1 1 1 0 0 1 # first\n\n2 1 1 1 1 0 1\n\nSection of a fix\n\n1 2 3\n9 9 9\n\nBonds\n\n1 1 "
+      "1 2\n";
+  EXPECT_EQ(read_text("a.data", text).size(), 2u);
+}
+
+TEST(ReadLammpsData, WithoutAStyleEightColumnsAreNotGuessed) {
+  const auto sentence = [](std::string_view line, std::string_view row) {
+    const Scratch scratch;
+    const std::string path = scratch.file("a.data", data_file(block, line, {row}));
+    return sentence_of(ErrorCode::invalid_input,
+                       [&] { static_cast<void>(read_snapshot(path, with_radius(1))); });
+  };
+  const std::string told =
+      "names no atom style, and 8 columns do not tell it; write 'Atoms # sphere'";
+  EXPECT_NE(sentence("Atoms", "1 1 10 20 30 0 0 0").find(told), std::string::npos);
+  EXPECT_NE(sentence("Atoms", "1 1 1 0.5 2500 10 20 30").find(told), std::string::npos);
+  // Nine are six and image flags, which are whole numbers.
+  EXPECT_NE(sentence("Atoms", "1 1 10 20 30 0.5 0 0.5 2").find("'0.5' is no image flag"),
+            std::string::npos);
+  EXPECT_NE(sentence("Atoms # atomic", "1 1 1 0.5 2500 10.5 20 30").find("'10.5' is no image flag"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace abut::io::testing

@@ -22,12 +22,28 @@ std::string listed(const std::vector<std::string>& names) {
   return result.empty() ? "none" : result;
 }
 
+bool equal_but_for_case(std::string_view text, std::string_view lower) {
+  return std::equal(text.begin(), text.end(), lower.begin(), lower.end(), [](char a, char b) {
+    return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b);
+  });
+}
+
 /// Finds columns by name and gives them roles.
 class Finder {
  public:
   Finder(const LineReader& reader, TableColumns& table) : reader_(reader), table_(table) {}
 
   [[nodiscard]] bool has(std::string_view name) const { return find(name) != absent; }
+
+  /// Fails where a column is missing and another one has its name in capitals: left out, it would
+  /// make a plane of a volume.
+  void require_no_capital(std::string_view name) const {
+    for (const std::string& other : table_.names) {
+      if (other == name || !equal_but_for_case(other, name)) continue;
+      reader_.fail_at_line(fmt::format("there is no column {0}, but {1}; write {0}, or rename it",
+                                       name, quoted(other)));
+    }
+  }
 
   bool assign(std::string_view name, ColumnRole role) {
     const std::size_t column = find_alone(name);
@@ -115,6 +131,7 @@ TableColumns find_columns(const LineReader& reader, std::vector<std::string> nam
   finder.assign(found[0], ColumnRole::x);
   finder.assign(found[1], ColumnRole::y);
   table.dimensions = finder.assign(found[2], ColumnRole::z) ? 3 : 2;
+  if (table.dimensions == 2) finder.require_no_capital(found[2]);
   for (const AxisNames& other : axes) {
     if (table.dimensions == 3 || !finder.has(other[2])) continue;
     reader.fail_at_line(fmt::format("columns {} and {} come without {}, but there is {}; write {}",
@@ -157,6 +174,9 @@ TableColumns find_box_columns(const LineReader& reader, std::vector<std::string>
   };
   for (const Corner& corner : in_plane) require(corner);
   table.dimensions = finder.has("zmin") || finder.has("zmax") ? 3 : 2;
+  if (table.dimensions == 2) {
+    for (const Corner& corner : upright) finder.require_no_capital(corner.name);
+  }
   if (table.dimensions == 3) {
     for (const Corner& corner : upright) require(corner);
   }

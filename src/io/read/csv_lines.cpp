@@ -32,4 +32,13 @@ Separator separator_of(std::string_view header) {
   return best;
 }
 
+std::vector<std::string> column_names(const LineReader& reader, std::string_view header,
+                                      Separator separator) {
+  std::vector<std::string> names;
+  FieldCursor cursor(header, separator);
+  while (const std::optional<std::string_view> field = cursor.next()) names.emplace_back(*field);
+  if (cursor.met_odd_quote()) fail_at_quote(reader);
+  return names;
+}
+
 }  // namespace abut::io

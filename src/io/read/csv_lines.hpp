@@ -4,7 +4,9 @@
 #include "io/read/row_parser.hpp"
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 /// The lines of a table in a CSV file.
 namespace abut::io {
@@ -14,5 +16,9 @@ namespace abut::io {
 
 /// The separator that the header holds most often; blanks if it holds none.
 [[nodiscard]] Separator separator_of(std::string_view header);
+
+/// The names of the columns. Throws Error{invalid_input} for quotes that do not close.
+[[nodiscard]] std::vector<std::string> column_names(const LineReader& reader,
+                                                    std::string_view header, Separator separator);
 
 }  // namespace abut::io

@@ -31,17 +31,35 @@ BoxLine read_box_line(LineReader& reader, std::size_t fields) {
   return numbers;
 }
 
+/// What stands between "ITEM: BOX BOUNDS" and the boundaries.
+std::vector<std::string> words_of(DumpBox::Kind kind) {
+  if (kind == DumpBox::Kind::triclinic) return {"xy", "xz", "yz"};
+  if (kind == DumpBox::Kind::general) return {"abc", "origin"};
+  return {};
+}
+
+/// "pp", or a letter for each side of an axis that is not periodic (LAMMPS manual, "boundary").
+bool is_boundary(std::string_view word) {
+  const auto is_open = [](char c) { return c == 'f' || c == 's' || c == 'm'; };
+  return word == "pp" || (word.size() == 2 && is_open(word[0]) && is_open(word[1]));
+}
+
 /// Boundaries stand last, one word an axis, such as "pp"; dumps of before 2010 have none.
 void read_boundaries(const LineReader& reader, const std::vector<std::string>& words,
                      DumpBox& box) {
-  const std::size_t before = box.kind == DumpBox::Kind::orthogonal  ? 0
-                             : box.kind == DumpBox::Kind::triclinic ? 3
-                                                                    : 2;
-  if (words.size() == before) return;
-  if (words.size() != before + 3) {
-    reader.fail_at_line("a box has three boundaries such as 'pp pp ff'; correct the line");
+  const std::vector<std::string> before = words_of(box.kind);
+  const bool begins_so =
+      words.size() >= before.size() && std::equal(before.begin(), before.end(), words.begin());
+  if (begins_so && words.size() == before.size()) return;
+  if (!begins_so || words.size() != before.size() + 3 ||
+      !std::all_of(words.end() - 3, words.end(), is_boundary)) {
+    reader.fail_at_line(
+        "a box has three boundaries such as 'pp pp ff', before them 'xy xz yz' or 'abc origin' if "
+        "it is triclinic; correct the line");
   }
-  for (std::size_t axis = 0; axis < 3; ++axis) box.periodic[axis] = words[before + axis] == "pp";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.periodic[axis] = words[before.size() + axis] == "pp";
+  }
 }
 
 /// The bounds of a triclinic box are those of the upright box around it (LAMMPS manual, "Howto

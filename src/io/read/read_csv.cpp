@@ -15,7 +15,7 @@ constexpr AxisNames axis_names[] = {{"x", "y", "z"}};
 
 TableColumns read_header(LineReader& reader, std::string_view header, Separator separator,
                          const ReadOptions& options) {
-  std::vector<std::string> names = split(header, separator);
+  std::vector<std::string> names = column_names(reader, header, separator);
   if (!names.empty() && parse_number(names[0]).fault == NumberFault::none) {
     reader.fail_at_line(
         fmt::format("a header line is missing: {} is a number; begin the file with a line such as "

@@ -1,3 +1,4 @@
+#include "io/number_text.hpp"
 #include "io/quoted_text.hpp"
 #include "io/read/column_roles.hpp"
 #include "io/read/data_header.hpp"
@@ -52,10 +53,11 @@ std::vector<std::string> columns_of_style(const LineReader& reader, const std::s
 }
 
 /// Where no style is named, positions stand in the same place in all styles of so many columns, but
-/// a diameter cannot be told from a charge, nor a type from a molecule.
+/// a diameter cannot be told from a charge, nor a type from a molecule. Eight columns are those of
+/// styles with positions in other places, and of `atomic` with image flags.
 std::vector<std::string> columns_by_number(const LineReader& reader, std::size_t fields,
                                            const ReadOptions& options) {
-  const std::size_t without_flags = fields >= 8 ? fields - 3 : fields;
+  const std::size_t without_flags = fields >= 9 ? fields - 3 : fields;
   if (options.radius && without_flags >= 5 && without_flags <= 7) {
     std::vector<std::string> names{"id"};
     if (without_flags == 5) names.emplace_back("type");  // else a molecule may stand there
@@ -63,10 +65,10 @@ std::vector<std::string> columns_by_number(const LineReader& reader, std::size_t
     for (const std::string_view axis : axis_names[0]) names.emplace_back(axis);
     return names;
   }
-  reader.fail_at_line(
-      fmt::format("the section Atoms names no atom style, and {} columns do not tell it; write "
-                  "'Atoms # sphere', or what it is, above the atoms{}",
-                  fields, options.radius ? "" : ", or give one radius for all with --radius"));
+  reader.fail_at_line(fmt::format(
+      "the section Atoms names no atom style, and {} columns do not tell it; write "
+      "'Atoms # sphere', or what it is, above the atoms{}",
+      fields, options.radius || fields == 8 ? "" : ", or give one radius for all with --radius"));
 }
 
 /// The columns of the section, from its style and its first row.
@@ -84,10 +86,7 @@ std::string_view atom_line(LineReader& reader, std::uint64_t found, std::uint64_
   while (const std::optional<std::string_view> line = reader.next()) {
     const std::string_view text = without_comment(*line);
     if (text.empty()) continue;
-    if ((text.front() >= '0' && text.front() <= '9') || text.front() == '+' ||
-        text.front() == '-') {
-      return text;
-    }
+    if (begins_with_number(text)) return text;
     reader.fail_at_line(
         fmt::format("{} comes after {} of the {} atoms; the number of atoms is wrong "
                     "or lines are missing",
@@ -96,19 +95,37 @@ std::string_view atom_line(LineReader& reader, std::uint64_t found, std::uint64_
   reader.fail(fmt::format("ends after {} of the {} atoms; the file is cut off", found, count));
 }
 
+/// Image flags change no contact, but what stands in their place must be some: an atom style that
+/// is not named, or not the one that is named, has other numbers there.
+void require_image_flags(const LineReader& reader, std::string_view line,
+                         const TableColumns& columns) {
+  const std::size_t first = columns.names.size() - std::size(image_flags);
+  FieldCursor cursor(line, Separator::blanks);
+  for (std::size_t k = 0; const std::optional<std::string_view> field = cursor.next(); ++k) {
+    if (k < first || k >= columns.names.size() || parse_integer(*field)) continue;
+    reader.fail_in_column(quoted(columns.names[k]),
+                          quoted(*field) +
+                              " is no image flag, which is a whole number; name the "
+                              "atom style, as in 'Atoms # sphere'");
+  }
+}
+
 void read_atoms(LineReader& reader, const DataHeader& header, const ReadOptions& options,
                 Snapshot& snapshot) {
-  const std::size_t room = room_for(reader, header.count, fewest_columns);
-  std::string_view line = atom_line(reader, 0, header.count);
+  const std::uint64_t count = *header.count;
+  const std::size_t room = room_for(reader, count, fewest_columns);
+  std::string_view line = atom_line(reader, 0, count);
   const std::size_t fields = split(line, Separator::blanks).size();
   const TableColumns columns = find_columns(reader, columns_of(reader, header, fields, options),
                                             axis_names, wanted_columns(options));
   RowParser rows(reader, columns, Separator::blanks, options.radius, IdRule::must_be_integers,
                  snapshot);
   rows.reserve(room);
-  for (std::uint64_t k = 0; k < header.count; ++k) {
-    if (k > 0) line = atom_line(reader, k, header.count);
+  const bool has_flags = columns.names.back() == image_flags[2];
+  for (std::uint64_t k = 0; k < count; ++k) {
+    if (k > 0) line = atom_line(reader, k, count);
     rows.append(line);
+    if (has_flags) require_image_flags(reader, line, columns);
   }
 }
 
@@ -123,7 +140,8 @@ Snapshot read_lammps_data(LineReader& reader, const ReadOptions& options) {
   const DataHeader header = read_data_header(reader);
   Snapshot snapshot;
   snapshot.frame = frame_number(reader, options, 1);
-  if (header.count > 0) read_atoms(reader, header, options, snapshot);
+  if (*header.count > 0) read_atoms(reader, header, options, snapshot);
+  if (header.has_atoms) require_no_more_atoms(reader, *header.count);
   snapshot.box = header.edges;
   snapshot.periodic = {true, true, !is_plane(snapshot)};
   snapshot.periodicity_is_assumed = true;

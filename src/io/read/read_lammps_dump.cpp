@@ -1,3 +1,4 @@
+#include "io/number_text.hpp"
 #include "io/quoted_text.hpp"
 #include "io/read/column_roles.hpp"
 #include "io/read/dump_box.hpp"
@@ -18,11 +19,18 @@ constexpr AxisNames axis_names[] = {
     {"x", "y", "z"}, {"xu", "yu", "zu"}, {"xs", "ys", "zs"}, {"xsu", "ysu", "zsu"}};
 constexpr std::size_t first_scaled = 2;
 
+constexpr std::string_view time_step = "ITEM: TIMESTEP";
+constexpr std::string_view time_of_run = "ITEM: TIME";
+constexpr std::string_view units = "ITEM: UNITS";
+constexpr std::string_view number_of_atoms = "ITEM: NUMBER OF ATOMS";
+constexpr std::string_view box_bounds = "ITEM: BOX BOUNDS";
+
 /// What stands above the atoms of a frame.
 struct FrameHeader {
   std::optional<std::uint64_t> count;
   std::optional<DumpBox> box;
   std::vector<std::string> columns;
+  std::vector<std::string_view> met;  ///< names of sections
 };
 
 std::string_view require_line(LineReader& reader, std::string_view where) {
@@ -47,15 +55,48 @@ std::optional<std::string_view> section(std::string_view line, std::string_view 
   return rest;
 }
 
+/// If the line is the section of that name, which has no further words, that it is.
+bool is_section(const LineReader& reader, std::string_view line, std::string_view name) {
+  const auto rest = section(line, name);
+  if (!rest) return false;
+  if (split(*rest, Separator::blanks).empty()) return true;
+  reader.fail_at_line(fmt::format("{} has words behind '{}'; leave them out", quoted(line), name));
+}
+
+/// The line below a section that is no number of atoms: a time, or the name of units.
+void pass_over_value(LineReader& reader, std::string_view name) {
+  const std::string field = one_field(reader, require_line(reader, "inside the header of a frame"));
+  if (name == units) return;
+  const auto [value, fault] = parse_number(field);
+  if (fault != NumberFault::none) reader.fail_at_line(number_complaint(field, fault));
+}
+
+/// Marks a section of a frame as met; throws if it was before.
+void meet(const LineReader& reader, std::string_view name, std::vector<std::string_view>& met) {
+  if (std::find(met.begin(), met.end(), name) == met.end()) {
+    met.push_back(name);
+    return;
+  }
+  reader.fail_at_line(
+      fmt::format("'{}' comes twice before the atoms of a frame; leave one of them out, or "
+                  "complete the frame before",
+                  name));
+}
+
 /// Treats one section; whether it was the atoms, the last of a frame.
 bool read_section(LineReader& reader, std::string_view line, FrameHeader& header) {
-  if (section(line, "ITEM: TIMESTEP") || section(line, "ITEM: TIME") ||
-      section(line, "ITEM: UNITS")) {
-    static_cast<void>(require_line(reader, "inside the header of a frame"));
-  } else if (section(line, "ITEM: NUMBER OF ATOMS")) {
+  for (const std::string_view name : {time_step, time_of_run, units}) {
+    if (!is_section(reader, line, name)) continue;
+    meet(reader, name, header.met);
+    pass_over_value(reader, name);
+    return false;
+  }
+  if (is_section(reader, line, number_of_atoms)) {
+    meet(reader, number_of_atoms, header.met);
     const std::string_view text = require_line(reader, "before the number of atoms");
     header.count = parse_element_count(reader, one_field(reader, text));
-  } else if (const auto words = section(line, "ITEM: BOX BOUNDS")) {
+  } else if (const auto words = section(line, box_bounds)) {
+    meet(reader, box_bounds, header.met);
     header.box = read_dump_box(reader, std::string(*words));
   } else if (const auto names = section(line, "ITEM: ATOMS")) {
     header.columns = split(*names, Separator::blanks);
@@ -82,8 +123,22 @@ FrameHeader read_frame_header(LineReader& reader) {
   return header;
 }
 
+[[noreturn]] void fail_at_section(const LineReader& reader, std::uint64_t found,
+                                  std::uint64_t count) {
+  reader.fail_at_line(
+      fmt::format("a section begins after {} of the {} atoms of the frame; the "
+                  "number of atoms is wrong or lines are missing",
+                  found, count));
+}
+
+/// Only that no other frame lies inside is looked at: its number would be wrong.
 void skip_frame(LineReader& reader) {
-  reader.skip(*read_frame_header(reader).count);
+  const std::uint64_t count = *read_frame_header(reader).count;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const std::optional<std::string_view> line = reader.next();
+    if (!line) return;
+    if (line->starts_with("ITEM:")) fail_at_section(reader, k, count);
+  }
 }
 
 bool names_only_x_and_y(const std::vector<std::string>& names) {
@@ -128,12 +183,7 @@ void read_atoms(LineReader& reader, const FrameHeader& header, const ReadOptions
           fmt::format("ends after {} of the {} atoms of its last frame; the file is cut off", k,
                       *header.count));
     }
-    if (section(*line, "ITEM:")) {
-      reader.fail_at_line(
-          fmt::format("a section begins after {} of the {} atoms of the frame; the "
-                      "number of atoms is wrong or lines are missing",
-                      k, *header.count));
-    }
+    if (line->starts_with("ITEM:")) fail_at_section(reader, k, *header.count);
     rows.append(*line);
     if (scaled) unscale_last(reader, *header.box, snapshot);
   }

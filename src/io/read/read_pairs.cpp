@@ -49,7 +49,7 @@ PairColumns read_header(LineReader& reader) {
     reader.fail("is empty; a header line such as i,j is needed even without pairs");
   }
   PairColumns columns{separator_of(*header)};
-  const std::vector<std::string> names = split(*header, columns.separator);
+  const std::vector<std::string> names = column_names(reader, *header, columns.separator);
   if (parse_number(names[0]).fault == NumberFault::none) {
     reader.fail_at_line(fmt::format(
         "a header line is missing: {} is a number; begin the file with a line such as i,j",
@@ -82,13 +82,14 @@ ContactPair pair_of(const LineReader& reader, const PairColumns& columns, std::s
     if (fields == columns.i) pair.first = element_numbered(reader, "i", *field, elements.first);
     if (fields == columns.j) pair.second = element_numbered(reader, "j", *field, elements.second);
   }
+  if (cursor.met_odd_quote()) fail_at_quote(reader);
   if (fields != columns.count) fail_at_size(reader, fields, columns.count);
   return pair;
 }
 
 [[noreturn]] void fail_for_memory(const std::string& path) {
   throw Error(ErrorCode::limit_exceeded,
-              fmt::format("{}: there is not enough memory for its pairs", path));
+              fmt::format("{}: there is not enough memory for its pairs", visible(path)));
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ std::string_view FieldCursor::next_quoted() {
   // A quote that is not closed, or text behind it: the whole is the field, and refused if needed.
   if (close == rest_.size() || !without_blanks(behind).empty()) {
     field = rest_.substr(open, more_ ? end - open : end);
+    met_odd_quote_ = true;
   }
   rest_.remove_prefix(more_ ? end + 1 : rest_.size());
   return without_blanks(field);
@@ -137,6 +138,7 @@ void RowParser::append(std::string_view row) {
       look_at_candidate(fields, *field);
     }
   }
+  if (cursor.met_odd_quote()) fail_at_quote(reader_);
   if (fields != columns) fail_at_size(reader_, fields, columns);
   if (common_radius_) snapshot_.radius.push_back(*common_radius_);
   if (snapshot_.holds_boxes()) append_stand_in();
@@ -228,6 +230,12 @@ void RowParser::look_at_candidate(std::size_t column, std::string_view field) {
   if (found == candidates_.end() || parse_group(field)) return;
   snapshot_.group_columns.erase(snapshot_.group_columns.begin() + (found - candidates_.begin()));
   candidates_.erase(found);
+}
+
+void fail_at_quote(const LineReader& reader) {
+  reader.fail_at_line(
+      "has a quote that does not close at the end of its field; fields cannot go over several "
+      "lines: close it, or leave that column out");
 }
 
 void fail_at_size(const LineReader& reader, std::size_t fields, std::size_t columns) {

@@ -19,12 +19,17 @@ class FieldCursor {
 
   [[nodiscard]] std::optional<std::string_view> next();
 
+  /// Whether a quote was opened and not closed before the end of a field: of a field over several
+  /// lines, which is not read, or a fault.
+  [[nodiscard]] bool met_odd_quote() const noexcept { return met_odd_quote_; }
+
  private:
   [[nodiscard]] std::string_view next_quoted();
 
   std::string_view rest_;
   Separator separator_;
   bool more_;
+  bool met_odd_quote_ = false;
 };
 
 /// Whether a snapshot can do without the file's ids if they are not whole numbers.
@@ -63,6 +68,9 @@ class RowParser {
 
 /// Throws Error{invalid_input} for a row of so many fields in a table of so many columns.
 [[noreturn]] void fail_at_size(const LineReader& reader, std::size_t fields, std::size_t columns);
+
+/// Throws Error{invalid_input} for a quote that is not closed where its field ends.
+[[noreturn]] void fail_at_quote(const LineReader& reader);
 
 /// The fields of a row.
 [[nodiscard]] std::vector<std::string> split(std::string_view row, Separator separator);

@@ -21,6 +21,8 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+constexpr std::string_view blanks = " \t";
+
 /// The character that ends a value which begins with this one; a blank for bare values.
 char closing(char open) {
   constexpr std::string_view opens = "\"'{[";
@@ -34,24 +36,46 @@ struct KeyValue {
   std::string_view value;
 };
 
-/// Takes the first word or key=value off the text.
+/// Where the value ends that begins with an opening character: at the one that closes it. Brackets
+/// may lie in each other, and a backslash takes the meaning from a quote.
+std::size_t end_of_value(std::string_view text) {
+  const char open = text.front();
+  const char close = closing(open);
+  std::size_t depth = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (open == close && text[k] == '\\') {
+      ++k;
+    } else if (text[k] == close && (open != close || k > 0)) {
+      if (open == close || --depth == 0) return k;
+    } else if (text[k] == open) {
+      ++depth;
+    }
+  }
+  return std::string_view::npos;
+}
+
+/// Takes the first word or key=value off the text; blanks may stand around the sign.
 std::optional<KeyValue> take_pair(const LineReader& reader, std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  const auto pass_blanks = [&text] {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  };
+  pass_blanks();
   if (text.empty()) return std::nullopt;
   const std::size_t key_end = std::min(text.find_first_of("= \t"), text.size());
   KeyValue pair{lower(text.substr(0, key_end)), {}};
   text.remove_prefix(key_end);
+  pass_blanks();
   if (text.empty() || text.front() != '=') return pair;
   text.remove_prefix(1);
-  const char close = text.empty() ? ' ' : closing(text.front());
-  if (close != ' ') text.remove_prefix(1);
-  const std::size_t end = close == ' ' ? text.find_first_of(" \t") : text.find(close);
-  if (close != ' ' && end == std::string_view::npos) {
-    reader.fail_at_line(
-        fmt::format("the value of {} has no closing {}; add it", quoted(pair.key), close));
+  pass_blanks();
+  const bool bare = text.empty() || closing(text.front()) == ' ';
+  const std::size_t end = bare ? text.find_first_of(blanks) : end_of_value(text);
+  if (!bare && end == std::string_view::npos) {
+    reader.fail_at_line(fmt::format("the value of {} has no closing {}; add it", quoted(pair.key),
+                                    closing(text.front())));
   }
-  pair.value = text.substr(0, end);
-  text.remove_prefix(std::min(pair.value.size() + (close == ' ' ? 0 : 1), text.size()));
+  pair.value = bare ? text.substr(0, end) : text.substr(1, end - 1);
+  text.remove_prefix(std::min(pair.value.size() + (bare ? 0 : 2), text.size()));
   return pair;
 }
 
@@ -81,6 +105,11 @@ void append_columns(std::string_view property, std::int64_t count,
   }
 }
 
+/// A word, a whole number, a number, or a truth value.
+bool is_type(std::string_view type) {
+  return type == "S" || type == "I" || type == "R" || type == "L";
+}
+
 std::vector<std::string> parse_properties(const LineReader& reader, std::string_view text) {
   std::vector<std::string> parts;
   for (std::size_t start = 0; start <= text.size();) {
@@ -93,7 +122,7 @@ std::vector<std::string> parse_properties(const LineReader& reader, std::string_
     const std::optional<std::int64_t> count =
         k + 2 < parts.size() ? parse_integer(parts[k + 2]) : std::nullopt;
     const auto so_far = static_cast<std::int64_t>(columns.size());
-    if (!count || *count < 1 || *count > most_columns - so_far) {
+    if (!count || !is_type(parts[k + 1]) || *count < 1 || *count > most_columns - so_far) {
       reader.fail_at_line(
           fmt::format("Properties {} is not a list of name:type:count such as "
                       "species:S:1:pos:R:3:radius:R:1; correct it",
@@ -143,19 +172,41 @@ std::array<std::array<double, 3>, 3> parse_lattice(const LineReader& reader,
   return lattice;
 }
 
+/// Whether one of the keys that are read stands there before the sign "=".
+bool holds_known_key(std::string_view line) {
+  const std::string folded = lower(line);
+  for (const std::string_view key : {"properties", "lattice", "pbc"}) {
+    for (std::size_t at = folded.find(key); at != std::string::npos;
+         at = folded.find(key, at + 1)) {
+      const std::size_t behind = folded.find_first_not_of(blanks, at + key.size());
+      if (behind != std::string::npos && folded[behind] == '=') return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 XyzComment parse_xyz_comment(const LineReader& reader, std::string_view line) {
   XyzComment comment;
   // The comment of a plain file is free text, which may hold an odd quote.
-  const std::string folded = lower(line);
-  const auto holds = [&](const char* key) { return folded.find(key) != std::string::npos; };
-  if (!holds("properties=") && !holds("lattice=") && !holds("pbc=")) return comment;
+  if (!holds_known_key(line)) return comment;
   std::optional<std::array<bool, 3>> pbc;
+  const auto require_first = [&](const KeyValue& pair, bool is_there) {
+    if (!is_there) return;
+    reader.fail_at_line(fmt::format("{} is there twice; leave one of them out", quoted(pair.key)));
+  };
   while (const std::optional<KeyValue> pair = take_pair(reader, line)) {
-    if (pair->key == "properties") comment.columns = parse_properties(reader, pair->value);
-    if (pair->key == "lattice") comment.lattice = parse_lattice(reader, pair->value);
-    if (pair->key == "pbc") pbc = parse_pbc(reader, pair->value);
+    if (pair->key == "properties") {
+      require_first(*pair, comment.columns.has_value());
+      comment.columns = parse_properties(reader, pair->value);
+    } else if (pair->key == "lattice") {
+      require_first(*pair, comment.lattice.has_value());
+      comment.lattice = parse_lattice(reader, pair->value);
+    } else if (pair->key == "pbc") {
+      require_first(*pair, pbc.has_value());
+      pbc = parse_pbc(reader, pair->value);
+    }
   }
   // A lattice without pbc is periodic on all axes (extended XYZ specification).
   const bool has_lattice = comment.lattice.has_value();

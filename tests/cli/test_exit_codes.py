@@ -62,6 +62,21 @@ def test_0_empty_input(abut, text):
     (["contacts", YADE, "--format", "pdf"], "pdf"),
     (["contacts", YADE, "-o", "x.pdf"], "pdf"),
     (["contacts", YADE, "-o", YADE], "is read"),
+    (["contacts", YADE, "-o", ""], "-o ''"),
+    (["neighbors", YADE, "--cutoff", "1", "--output", ""], "-o ''"),
+    (["generate", "gas", "--count", "5", "-o", ""], "-o ''"),
+    (["contacts", YADE, "--format", ""], "--format ''"),
+    (["contacts", ""], "FILE ''"),
+    (["explain", "munjiza_nbs", ""], "FILE ''"),
+    (["compare", ""], "FILE|SCENE ''"),
+    (["nosuch", "--help"], "'nosuch'"),
+    (["--help", "nosuch"], "'nosuch'"),
+    (["nosuch", "-h", "contacts"], "'nosuch'"),
+    (["--version", "nosuch"], "nosuch"),
+    (["contacts", YADE, "--periodic", "x", "--box", "inf,1,1"], "--periodic names x"),
+    (["contacts", YADE, "--box", "1,1,inf", "--periodic", "xyz"], "--periodic names z"),
+    (["contacts", "-", "--box", "1,1", "--periodic", "z"], "--periodic names z"),
+    (["contacts", "-", "--box", "1,1", "--periodic", "xz"], "--periodic names z"),
     (["contacts", YADE, "--periodic", "xy"], "--box"),
     (["contacts", YADE, "--periodic", "xyx"], "--periodic xyx"),
     (["contacts", YADE, "--periodic", ""], "none, or axes"),
@@ -94,8 +109,69 @@ def test_0_empty_input(abut, text):
     (["explain", "auto", "--book"], "auto"),
 ])
 def test_2_wrong_usage(fails, tmp_path, arguments, told):
-    assert told in fails(2, *arguments, cwd=tmp_path)
+    assert told in fails(2, *arguments, cwd=tmp_path, stdin=DISCS)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_0_help_of_a_command_whatever_else(abut):
+    """Who asks for help need not know the options."""
+    assert abut("contacts", "--nosuch", "--help").stdout == abut("contacts", "--help").stdout
+
+
+@pytest.mark.parametrize("arguments", [["contacts", "INPUT"],
+                                       ["neighbors", "INPUT", "--cutoff", "1"],
+                                       ["contacts", "other.csv", "--against", "INPUT"],
+                                       ["contacts", "other.csv", "--exclude", "INPUT"]])
+@pytest.mark.parametrize("given", ["file.csv", "./file.csv", "link.csv", "hard.csv", "-",
+                                   "/dev/stdin", "/proc/self/fd/0"])
+@pytest.mark.parametrize("output", ["file.csv", "link.csv", "hard.csv", "../FOLDER/file.csv", "-",
+                                    "/dev/stdout"])
+def test_2_the_output_is_the_input(tmp_path, arguments, given, output):
+    """By any name, through links, standard streams included: the input stays as it is."""
+    path = tmp_path / "file.csv"
+    path.write_text(DISCS)
+    (tmp_path / "other.csv").write_text(DISCS)
+    (tmp_path / "link.csv").symlink_to("file.csv")
+    os.link(path, tmp_path / "hard.csv")
+    words = [given if word == "INPUT" else word for word in arguments]
+    with open(path) as source, open(path, "a") as target:
+        done = subprocess.run(
+            [os.environ["ABUT"], *words, "-q", "-o", output.replace("FOLDER", tmp_path.name)],
+            cwd=tmp_path, stdin=source, stderr=subprocess.PIPE, env=environment(),
+            stdout=target if output in ("-", "/dev/stdout") else subprocess.DEVNULL, check=False)
+    assert done.returncode == 2 and b"is read" in done.stderr, done.stderr
+    assert path.read_text() == DISCS and len(list(tmp_path.iterdir())) == 4
+
+
+def test_0_what_is_both_read_and_written(tmp_path):
+    """Devices and pipes may be both, and files that only look alike."""
+    (tmp_path / "a.csv").write_text(DISCS)
+    (tmp_path / "b.csv").write_text(DISCS)
+    for words in (["a.csv", "-o", "b.csv"], ["/dev/null", "-o", "/dev/null"],
+                  ["-", "-o", "-"], ["-", "-o", "/dev/stdout"]):
+        done = subprocess.run([os.environ["ABUT"], "contacts", *words, "-q"], cwd=tmp_path,
+                              input=DISCS.encode(), capture_output=True, env=environment(),
+                              check=False)
+        assert done.returncode == 0, done.stderr
+
+
+def test_0_an_input_without_a_line_is_warned_of(abut, tmp_path):
+    """The program before it may have failed; a header says that there are no elements."""
+    (tmp_path / "empty.csv").write_text("")
+    for name, shown, text in (("-", "standard input", ""), ("-", "standard input", "\n \n"),
+                              ("empty.csv", "empty.csv", ""), ("/dev/null", "/dev/null", "")):
+        for more in ([], ["-q"]):
+            done = abut("contacts", name, "--count", *more, stdin=text, cwd=tmp_path)
+            assert (done.returncode, done.stdout) == (0, "0\n")
+            assert done.stderr == (
+                f"abut: {shown}: holds nothing, which is taken as no elements; if a program was to "
+                "write it, see whether that failed\n")
+    for command in (["info", "-"], ["neighbors", "-", "--cutoff", "1"], ["compare", "-"]):
+        done = abut(*command)
+        assert done.returncode == 0 and "holds nothing" in done.stderr
+    for text in ("x,y,radius\n", "0\n\n", "LAMMPS\n0 atoms\n"):
+        done = abut("contacts", "-", "--count", "--periodic", "none", stdin=text)
+        assert (done.returncode, done.stdout, done.stderr) == (0, "0\n", "")
 
 
 def test_3_unreadable(fails, tmp_path):
@@ -175,7 +251,7 @@ def test_7_different_pairs_in_bench(abut):
     assert json_form.returncode == 7 and '"equal": false' in json_form.stdout
 
 
-@pytest.mark.parametrize("kind", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("kind", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_130_interrupted(long_search, tmp_path, kind):
     """In the midst of a search that would take minutes; the bar shows that it has begun."""
     with subprocess.Popen(

@@ -175,6 +175,10 @@ TEST(ReadLammpsData, OtherThanCountRowsIsAnError) {
   expect("2 atoms\n", rows + rows, "line 12: a second section Atoms");
   expect("2 atoms\n", rows + "\nVelocities\n\n1 0 0 0\n\nAtoms\n\n", "a second section Atoms");
   expect("2 atoms\n1 2 3\n", rows, "'1 2 3' stands in the header");
+  EXPECT_NE(error_text("a.data", "x\n2 atoms\njunk\n" + block + rows)
+                .find("line 4: '0 4 xlo xhi' comes after the header"),
+            std::string::npos)
+      << "the box would be lost";
   EXPECT_EQ(error_text("a.data", "2 atoms\n" + block + rows).find("a.data, line 6"), 0u)
       << "the first line is a comment";
 }
@@ -202,7 +206,7 @@ TEST(ReadLammpsData, WhatMayStandBesideTheAtoms) {
       "comment: 5 atoms\n2  atoms # two\n7 bonds\n 1 atom types\n 2 extra bond per atom\n"
       "3 crossterms\n" +
       block +
-      "\nMasses\n\nC 12.0\n1 atoms\n\nPair Coeffs # lj/cut\n\n1 1 1\n\nAtoms # sphere\n\n"
+      "\nMasses\n\nC 12.0\n\nPair Coeffs # lj/cut\n\n1 1 1\n\nAtoms # sphere\n\n"
       "1 1 1 1 0 0 1 # first\n\n2 1 1 1 1 0 1\n\nSection of a fix\n\n1 2 3\n9 9 9\n\nBonds\n\n1 1 "
       "1 2\n";
   EXPECT_EQ(read_text("a.data", text).size(), 2u);

@@ -78,14 +78,29 @@ std::size_t form_of(const std::vector<std::string>& fields) {
   return static_cast<std::size_t>(found - forms.begin());
 }
 
-/// Throws unless the line is as the form wants it, and the first of that form.
-void require_form(const LineReader& reader, std::string_view line,
-                  const std::vector<std::string>& fields, const HeaderForm& form, bool is_there) {
+bool has_form(const std::vector<std::string>& fields, const HeaderForm& form) {
   bool fits = fields.size() == form.size();
   for (std::size_t k = form.numbers; fits && k < form.size(); ++k) {
     fits = fields[k] == form.words[k - form.numbers];
   }
-  if (!fits) {
+  return fits;
+}
+
+/// A line that is no line of a header ends the header; what belongs there must not come behind it.
+void require_not_of_header(const LineReader& reader, std::string_view line) {
+  const std::vector<std::string> fields = split(line, Separator::blanks);
+  const std::size_t form = form_of(fields);
+  if (form == forms.size() || !has_form(fields, forms[form])) return;
+  reader.fail_at_line(
+      fmt::format("{} comes after the header, which ended at the first line that begins with "
+                  "another word; move it to the other lines of the header",
+                  quoted(line)));
+}
+
+/// Throws unless the line is as the form wants it, and the first of that form.
+void require_form(const LineReader& reader, std::string_view line,
+                  const std::vector<std::string>& fields, const HeaderForm& form, bool is_there) {
+  if (!has_form(fields, form)) {
     reader.fail_at_line(
         fmt::format("{} is no line of a header; write it like '{}'", quoted(line), form.written));
   }
@@ -206,6 +221,7 @@ DataHeader read_data_header(LineReader& reader) {
     const bool is_of_header =
         begins_with_number(text) || form_of(split(text, Separator::blanks)) < forms.size();
     if (in_header && is_of_header) parser.take(text);
+    if (!in_header) require_not_of_header(reader, text);
     in_header = in_header && is_of_header;
   }
   if (!header.count && header.has_atoms) {

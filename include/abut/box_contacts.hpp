@@ -14,41 +14,48 @@
 
 namespace abut {
 
-/// A part of a box: for each axis −1 on its lower bound, 1 on its upper bound, 0 between them. A
-/// corner has no 0, the interior nothing else. In 2D the third is 0.
+/// Part of a box: its interior, a face, an edge or a vertex.
 struct BoxFeature {
-  FeatureKind kind = FeatureKind::interior;
+  FeatureKind kind = FeatureKind::interior;  ///< vertex, edge, face or interior
+  /// Place on each axis: −1 on the lower bound of the box, 1 on the upper one, 0 between them. A
+  /// vertex has no 0, the interior only zeros. In 2D the third is 0.
   std::array<std::int8_t, 3> side{};
 
+  /// Compares the kinds, then the sides.
   friend constexpr auto operator<=>(const BoxFeature&, const BoxFeature&) = default;
 };
 
-/// A sphere that touches a box or lies within reach of it, and where.
+/// Contact of a sphere and a box that touch or lie within reach of each other.
 struct BoxContact {
-  ElementIndex sphere = 0;
-  ElementIndex box = 0;
-  BoxFeature feature;
+  ElementIndex sphere = 0;  ///< index of the sphere
+  ElementIndex box = 0;     ///< index of the box
+  BoxFeature feature;       ///< part of the box that holds the point nearest to the center
 
+  /// Compares the spheres, then the boxes, then the features.
   friend constexpr auto operator<=>(const BoxContact&, const BoxContact&) = default;
 };
 
+/// Contacts of spheres and boxes, ascending.
 using BoxContactList = ContactList<BoxContact>;
 
-/// Spheres against axis-aligned solid boxes: sphere i and box j are a contact if the distance of
-/// the center to the nearest point of the box is at most r_i + margin, in real arithmetic; in a
-/// periodic domain (i, j, n), with the box moved by n A. The feature is that of fewest dimensions
-/// that holds the nearest point; of a flat box the lower side. Discs against rectangles likewise.
-/// Ascending by (sphere, box, n), whatever order the options say; `shifts()` has the n if
-/// Options::shifts asks for them.
+/// Finds the contacts of spheres and axis-aligned solid boxes, or of discs and rectangles.
 ///
-/// Throws as find_contact_pairs of two sets does; Error{wrong_usage} unless the first are spheres
-/// or discs and the second boxes or rectangles of as many dimensions.
+/// Sphere i and box j are a contact if the distance of the center to the nearest point of the box
+/// is at most r_i + margin, in real arithmetic; in a periodic domain (i, j, n) is one if this holds
+/// with the box moved by n A. The feature is the one of fewest dimensions that holds the nearest
+/// point; where a box is flat, the lower side counts.
+///
+/// Contacts ascend by (sphere, box, n), whatever order the options ask for; `shifts()` holds the n
+/// if Options::shifts asks for them.
+///
+/// Throws what find_contact_pairs of two sets throws, and Error{wrong_usage} unless the first are
+/// spheres or discs and the second boxes or rectangles of as many dimensions.
 [[nodiscard]] ABUT_API BoxContactList find_box_contacts(const ElementView& spheres,
                                                         const ElementView& boxes,
                                                         const Domain& domain,
                                                         const Options& options = {});
 
-/// In open space.
+/// Finds the contacts of spheres and boxes in open space.
 [[nodiscard]] ABUT_API BoxContactList find_box_contacts(const ElementView& spheres,
                                                         const ElementView& boxes,
                                                         const Options& options = {});

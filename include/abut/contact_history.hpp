@@ -16,12 +16,12 @@
 
 namespace abut {
 
-/// A contact of the step before that is none any more, with what was known of it.
+/// A contact of the previous step that no longer exists, with its last value.
 template <class T>
 struct LostContact {
-  std::uint64_t first = 0;  ///< ids; numbers of the step before, where there are no ids
-  std::uint64_t second = 0;
-  T value{};
+  std::uint64_t first = 0;   ///< id of the first element; without ids its index in that step
+  std::uint64_t second = 0;  ///< id of the second element
+  T value{};                 ///< the caller's value, as it stood in the previous step
 };
 
 namespace detail {
@@ -29,7 +29,7 @@ namespace detail {
 /// Finds contact pairs of one step among those of the next.
 class ABUT_API ContactMatcher {
  public:
-  /// `count` pairs from `now` on are those from `before` on.
+  /// Pairs in a row that both steps have: `count` pairs from `now` on are those from `before` on.
   struct Run {
     PairCount now = 0;
     PairCount before = 0;
@@ -50,7 +50,7 @@ class ABUT_API ContactMatcher {
   void match(const PairList& pairs, const ElementView& elements, const Domain& domain,
              std::span<const std::uint64_t> ids);
 
-  /// The pairs matched last are the ones to compare with from now on.
+  /// Keeps the pairs matched last, for the next call to compare with.
   void accept() noexcept;
 
   [[nodiscard]] std::span<const Run> runs() const noexcept;
@@ -65,14 +65,15 @@ class ABUT_API ContactMatcher {
 
 }  // namespace detail
 
-/// Data of the caller, one value for each contact pair, carried from step to step: a contact that
-/// persists keeps its value, a new one begins with T{}. What persists is the pair of elements and
-/// the image, whatever is done to numbers and positions in between:
+/// Values of the caller, one for each contact pair, taken over from step to step. A contact that
+/// persists keeps its value; a new one begins with T{}.
 ///
-///  elements inserted, removed or renumbered   where ids are given, one for each element
-///  positions wrapped into the cell            for elements that move less than half a cell a step
+/// A contact is a pair of elements and an image. It persists also where
 ///
-/// Without ids an element is its number.
+/// * elements are inserted, removed or renumbered, if each element has an id;
+/// * positions are wrapped into the cell, if elements move by less than half a cell in a step.
+///
+/// Without ids an element is identified by its index.
 template <class T>
 requires std::is_trivially_copyable_v<T> && std::is_default_constructible_v<T>
 class ContactHistory {
@@ -82,8 +83,9 @@ class ContactHistory {
   /// elements while ids stay or only grow.
   ///
   /// Throws Error, and then nothing has changed:
-  ///  wrong_usage    pairs in another order, without shifts, or not of these elements
-  ///  invalid_input  ids of another number than elements; an id that comes twice
+  ///
+  /// * `wrong_usage`: pairs in another order, without shifts, or not of these elements;
+  /// * `invalid_input`: ids of another number than elements; an id that comes twice.
   void update(const PairList& pairs, const ElementView& elements,
               const Domain& domain = Domain::open(), std::span<const std::uint64_t> ids = {}) {
     matcher_.match(pairs, elements, domain, ids);
@@ -94,22 +96,23 @@ class ContactHistory {
     kept_ = pairs.size() - matcher_.born().size();
   }
 
-  /// One for each pair of the list updated with, in its order.
+  /// Values of the contacts: one for each pair of the last list, in its order.
   [[nodiscard]] std::span<T> values() noexcept { return values_; }
+  /// Values of the contacts, for reading.
   [[nodiscard]] std::span<const T> values() const noexcept { return values_; }
 
-  /// How many contacts there were in the step before, too.
+  /// Number of contacts that the previous step had, too.
   [[nodiscard]] PairCount kept() const noexcept { return kept_; }
 
-  /// Positions in the list of those that are new, ascending.
+  /// Positions in the list of the contacts that are new, ascending.
   [[nodiscard]] std::span<const PairCount> born() const noexcept { return matcher_.born(); }
 
-  /// Those that were in the step before and are no more.
+  /// Contacts of the previous step that no longer exist.
   [[nodiscard]] std::span<const LostContact<T>> lost() const noexcept { return lost_; }
 
-  /// Positions in the list of kept contacts whose elements have changed roles, ascending: what was
-  /// `first` is `second` now. Values that point from the one to the other must be turned around.
-  /// None as long as elements keep their order.
+  /// Positions in the list of kept contacts whose elements have changed roles, ascending: the
+  /// element that was `first` is `second` now. Values that point from one element to the other must
+  /// be turned around. Empty as long as elements keep their order.
   [[nodiscard]] std::span<const PairCount> flipped() const noexcept { return matcher_.flipped(); }
 
   /// Forgets all contacts.

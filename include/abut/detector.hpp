@@ -16,59 +16,76 @@ namespace abut {
 /// it keeps pairs that nearly touch, too, and tests those again while elements move little. The
 /// results are those of the free functions of the same names.
 ///
-/// One call at a time; several detectors may work at once.
+/// A detector takes one call at a time; several detectors may work at once.
 class ABUT_API Detector {
  public:
+  /// Makes a detector without skin and ids.
   explicit Detector(Options options = {});
+  /// Releases the memory.
   ~Detector();
 
+  /// Takes over another detector with its memory and lists.
   Detector(Detector&&) noexcept;
+  /// Takes over another detector with its memory and lists.
   Detector& operator=(Detector&&) noexcept;
 
+  /// Options of the next call.
   [[nodiscard]] const Options& options() const noexcept;
-  /// For the calls that follow.
+  /// Sets the options for the calls that follow.
   void set_options(Options options);
 
-  /// For the calls that follow; at first there is none. With a skin, pairs come in canonical order
-  /// also where they may come as found.
+  /// Sets the skin for the calls that follow; without this call there is none. With a skin, pairs
+  /// come in canonical order also where Order::as_found would allow another.
   void set_skin(Skin skin);
+  /// Skin of the next call.
   [[nodiscard]] Skin skin() const noexcept;
-  /// Names of the elements, one for each, all different, for the calls with one set that follow;
-  /// copied. None, as at first: elements are known by their numbers. With a skin, candidate pairs
-  /// last while elements come, go, come back and change places in the caller's arrays. Ids never
-  /// change a result: set them when they change. Throws Error{invalid_input} where an id comes
-  /// twice, and then nothing has changed; a call of another number of elements throws it, too.
+
+  /// Sets the ids of the elements, for the calls with one set that follow: one for each element,
+  /// all different; they are copied. Without ids (the default, or an empty span) elements are
+  /// identified by index. With a skin, ids let candidate pairs last while elements come, go, come
+  /// back and change places in the caller's arrays. They never change a result. Call it again
+  /// whenever an id changes.
+  ///
+  /// Throws Error{invalid_input} if an id comes twice, and then nothing has changed. A call with
+  /// another number of elements throws it, too.
   void set_ids(std::span<const std::uint64_t> ids);
 
-  /// Of the calls since the skin was set.
+  /// Statistics of the calls since the skin was set.
   [[nodiscard]] const SkinStatistics& skin_statistics() const noexcept;
 
-  /// The list is valid until the next call that returns one. Throws as the free function does; the
-  /// last list is then empty.
+  /// Finds all contact pairs. The list is valid until the next call that returns one. Throws what
+  /// the free function throws; the last list is then empty.
   const PairList& find_contact_pairs(const ElementView& elements,
                                      const Domain& domain = Domain::open());
 
+  /// Counts the contact pairs without storing them.
   Statistics count_contact_pairs(const ElementView& elements,
                                  const Domain& domain = Domain::open());
 
+  /// Hands the pairs to a visitor in batches.
   Statistics for_each_batch(const ElementView& elements, const Domain& domain,
                             const PairBatchVisitor& visitor);
+  /// Hands the pairs and their image shifts to a visitor in batches.
   Statistics for_each_shifted_batch(const ElementView& elements, const Domain& domain,
                                     const ShiftedBatchVisitor& visitor);
 
-  /// The list is valid until the next call that returns one.
+  /// Builds a neighbor list, which is valid until the next call that returns one.
   const NeighborList& build_neighbor_list(const ElementView& elements, const Domain& domain,
                                           NeighborListKind kind);
 
-  /// The same for two sets, as the free functions in two_sets.hpp.
+  /// Finds the contact pairs of two sets; see two_sets.hpp.
   const PairList& find_contact_pairs(const ElementView& first, const ElementView& second,
                                      const Domain& domain = Domain::open());
+  /// Counts the contact pairs of two sets.
   Statistics count_contact_pairs(const ElementView& first, const ElementView& second,
                                  const Domain& domain = Domain::open());
+  /// Hands the pairs of two sets to a visitor in batches.
   Statistics for_each_batch(const ElementView& first, const ElementView& second,
                             const Domain& domain, const PairBatchVisitor& visitor);
+  /// Hands the pairs of two sets and their image shifts to a visitor in batches.
   Statistics for_each_shifted_batch(const ElementView& first, const ElementView& second,
                                     const Domain& domain, const ShiftedBatchVisitor& visitor);
+  /// Builds a neighbor list with one row for each element of `first` and indices of `second`.
   const NeighborList& build_neighbor_list(const ElementView& first, const ElementView& second,
                                           const Domain& domain = Domain::open());
 

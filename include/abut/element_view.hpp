@@ -11,9 +11,13 @@
 
 namespace abut {
 
-enum class Precision { float32, float64 };
+/// Precision of the caller's numbers.
+enum class Precision {
+  float32,  ///< float
+  float64,  ///< double
+};
 
-/// What the elements are.
+/// Shape of the elements of a view.
 enum class Shape {
   sphere,  ///< spheres, in 2D discs
   box,     ///< closed axis-aligned boxes, in 2D rectangles
@@ -23,26 +27,26 @@ enum class Shape {
 /// rectangles in 2D, in float or double, structs or separate arrays. It owns nothing and copies
 /// nothing; the arrays must outlive it and must not change while a detection runs.
 ///
-/// Made by `spheres(...)`, `discs(...)`, `boxes(...)` and `rectangles(...)`.
+/// The functions `spheres(...)`, `discs(...)`, `boxes(...)` and `rectangles(...)` make views.
 class ElementView {
  public:
-  /// A strided array of float or double, whichever `precision()` says.
+  /// A strided array of float or double; `precision()` says which.
   struct Numbers {
-    const std::byte* first = nullptr;
-    std::ptrdiff_t stride_bytes = 0;
+    const std::byte* first = nullptr;  ///< address of the number of element 0
+    std::ptrdiff_t stride_bytes = 0;   ///< distance from one element to the next
   };
 
-  /// Columns of unequal length throw Error{invalid_input}.
+  /// Views spheres with a radius each. Columns of unequal length throw Error{invalid_input}.
   template <Real T, std::size_t Dim>
   ElementView(const std::array<Column<T>, Dim>& centers, Column<T> radii)
       : ElementView(Shape::sphere, centers, radii.size, numbers(radii), 0.0) {}
 
-  /// One radius for all.
+  /// Views spheres with one radius for all.
   template <Real T, std::size_t Dim>
   ElementView(const std::array<Column<T>, Dim>& centers, double radius)
       : ElementView(Shape::sphere, centers, centers[0].size, std::nullopt, radius) {}
 
-  /// Boxes from their lower and upper corners.
+  /// Views boxes by their lower and upper corners.
   template <Real T, std::size_t Dim>
   ElementView(const std::array<Column<T>, Dim>& lower, const std::array<Column<T>, Dim>& upper)
       : ElementView(Shape::box, lower, lower[0].size, std::nullopt, 0.0) {
@@ -52,23 +56,30 @@ class ElementView {
     }
   }
 
+  /// Number of elements.
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  /// Shape of all elements.
   [[nodiscard]] Shape shape() const noexcept { return shape_; }
+  /// Number of dimensions, 2 or 3.
   [[nodiscard]] int dimensions() const noexcept { return dimensions_; }
+  /// Precision of the caller's numbers.
   [[nodiscard]] Precision precision() const noexcept { return precision_; }
 
-  /// Of spheres; of boxes the same as `lower`.
+  /// Centers of spheres along an axis; for boxes the same as `lower`.
   [[nodiscard]] const Numbers& center(int axis) const noexcept {
     return centers_[static_cast<std::size_t>(axis)];
   }
-  /// Corners of boxes.
+  /// Lower bounds of boxes along an axis.
   [[nodiscard]] const Numbers& lower(int axis) const noexcept { return center(axis); }
+  /// Upper bounds of boxes along an axis.
   [[nodiscard]] const Numbers& upper(int axis) const noexcept {
     return uppers_[static_cast<std::size_t>(axis)];
   }
+  /// True if one radius holds for all spheres; also for boxes.
   [[nodiscard]] bool has_common_radius() const noexcept { return !radii_.has_value(); }
+  /// Radius of all spheres, if there is a common one; 0 for boxes.
   [[nodiscard]] double common_radius() const noexcept { return common_radius_; }
-  /// Of spheres, where there is no common radius.
+  /// Radii of spheres. Call it only if there is no common radius.
   [[nodiscard]] const Numbers& radii() const noexcept { return *radii_; }
 
  private:
@@ -158,7 +169,7 @@ auto columns(Points&& points) {
 
 }  // namespace detail
 
-/// Spheres from separate arrays. `radii` is an array of the same type or one number for all.
+/// Views spheres in separate arrays. `radii` is an array of the same type or one number for all.
 template <ColumnLike X, ColumnLike Y, ColumnLike Z, detail::RadiiOf<ColumnScalar<X>> R>
 requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>> &&
     std::same_as<ColumnScalar<X>, ColumnScalar<Z>>
@@ -170,7 +181,7 @@ requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>> &&
       static_cast<R&&>(radii));
 }
 
-/// Discs from separate arrays.
+/// Views discs in separate arrays. `radii` is an array of the same type or one number for all.
 template <ColumnLike X, ColumnLike Y, detail::RadiiOf<ColumnScalar<X>> R>
 requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>>
 [[nodiscard]] ElementView discs(X&& x, Y&& y, R&& radii) {
@@ -180,22 +191,22 @@ requires std::same_as<ColumnScalar<X>, ColumnScalar<Y>>
       static_cast<R&&>(radii));
 }
 
-/// Spheres from an array of points of three numbers.
+/// Views spheres in an array of points of three numbers.
 template <class Points, class R>
 requires detail::PointsOf<Points, 3> && detail::RadiiOfPoints<R, Points>
 [[nodiscard]] ElementView spheres(Points&& centers, R&& radii) {
   return detail::view(detail::columns<3>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
 }
 
-/// Discs from an array of points of two numbers.
+/// Views discs in an array of points of two numbers.
 template <class Points, class R>
 requires detail::PointsOf<Points, 2> && detail::RadiiOfPoints<R, Points>
 [[nodiscard]] ElementView discs(Points&& centers, R&& radii) {
   return detail::view(detail::columns<2>(static_cast<Points&&>(centers)), static_cast<R&&>(radii));
 }
 
-/// Boxes from separate arrays of one type, in the order of the columns of a CSV file. Closed; lower
-/// <= upper is checked by the detection.
+/// Views closed boxes in six arrays of one type: xmin, ymin, zmin, xmax, ymax, zmax. The detection
+/// checks that no lower bound exceeds the upper one.
 template <ColumnLike X, ColumnLike... Others>
 requires(sizeof...(Others) == 5 && (std::same_as<ColumnScalar<X>, ColumnScalar<Others>> && ...))
     [[nodiscard]] ElementView boxes(X&& xmin, Others&&... ymin_zmin_xmax_ymax_zmax) {
@@ -206,7 +217,7 @@ requires(sizeof...(Others) == 5 && (std::same_as<ColumnScalar<X>, ColumnScalar<O
                      std::array<Column<T>, 3>{all[3], all[4], all[5]});
 }
 
-/// Boxes in the plane from separate arrays of one type.
+/// Views closed rectangles in four arrays of one type: xmin, ymin, xmax, ymax.
 template <ColumnLike X, ColumnLike... Others>
 requires(sizeof...(Others) == 3 && (std::same_as<ColumnScalar<X>, ColumnScalar<Others>> && ...))
     [[nodiscard]] ElementView rectangles(X&& xmin, Others&&... ymin_xmax_ymax) {
@@ -217,7 +228,7 @@ requires(sizeof...(Others) == 3 && (std::same_as<ColumnScalar<X>, ColumnScalar<O
                      std::array<Column<T>, 2>{all[2], all[3]});
 }
 
-/// Boxes from arrays of their lower and upper corners, points of three numbers of one type.
+/// Views boxes in two arrays, of their lower and of their upper corners: points of three numbers.
 template <class Lower, class Upper>
 requires detail::PointsOf<Lower, 3> && detail::PointsOf<Upper, 3>
 [[nodiscard]] ElementView boxes(Lower&& lower, Upper&& upper) {
@@ -225,7 +236,8 @@ requires detail::PointsOf<Lower, 3> && detail::PointsOf<Upper, 3>
                      detail::columns<3>(static_cast<Upper&&>(upper)));
 }
 
-/// Boxes in the plane from arrays of their lower and upper corners, points of two numbers.
+/// Views rectangles in two arrays, of their lower and of their upper corners: points of two
+/// numbers.
 template <class Lower, class Upper>
 requires detail::PointsOf<Lower, 2> && detail::PointsOf<Upper, 2>
 [[nodiscard]] ElementView rectangles(Lower&& lower, Upper&& upper) {

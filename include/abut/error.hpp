@@ -7,11 +7,11 @@
 
 namespace abut {
 
-/// What went wrong. The value is also the exit code of the tool.
+/// Kind of an error. The value is also the exit code of the tool.
 enum class ErrorCode : int {
-  unexpected = 1,      ///< a fault of abut itself
-  wrong_usage = 2,     ///< an option out of range, or an algorithm that cannot carry what was asked
-  invalid_input = 3,   ///< elements or a file that cannot be read as such
+  unexpected = 1,     ///< a fault of abut itself
+  wrong_usage = 2,    ///< an option out of range, or an algorithm that does not support the request
+  invalid_input = 3,  ///< elements or a file that cannot be read as such
   limit_exceeded = 4,  ///< a limit or the memory would be exceeded; said before allocating
   output_failed = 5,   ///< the output cannot be written
   unavailable = 6,     ///< a device, library or instruction set asked for is not there
@@ -23,12 +23,17 @@ enum class ErrorCode : int {
 /// where, the value, what to do.
 class ABUT_API Error : public std::runtime_error {
  public:
+  /// Makes an error with its sentence.
   Error(ErrorCode code, const std::string& sentence);
+  /// Releases the sentence.
   ~Error() override;
 
+  /// Copies an error.
   Error(const Error&) = default;
+  /// Copies an error.
   Error& operator=(const Error&) = default;
 
+  /// Kind of the error.
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
 
  private:

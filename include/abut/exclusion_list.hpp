@@ -10,39 +10,43 @@
 
 namespace abut {
 
-/// Pairs that are never contact pairs, for example bonded neighbors, made ready for look-up. Made
-/// once and used for as many detections as wanted; it keeps no view of the pairs given.
+/// Pairs that are never contact pairs, for example bonded neighbors, sorted for look-up. One list
+/// serves any number of detections. It copies the pairs.
 class ABUT_API ExclusionList {
  public:
+  /// Makes a list that excludes nothing.
   ExclusionList() = default;
 
-  /// Pairs of `elements` elements: in any order, either number first, repeated ones do no harm; an
-  /// element with itself excludes the element's own images. A number that is not there throws
-  /// Error{invalid_input} naming the pair. Detections may have more elements than that.
+  /// Makes a list for `elements` elements of one set. Pairs may come in any order, with either
+  /// index first, and repeatedly; an element with itself excludes the element's own images. Throws
+  /// Error{invalid_input} for an index >= `elements`; the message names the pair. A detection may
+  /// have more elements than that.
   ExclusionList(std::span<const ContactPair> pairs, std::size_t elements);
 
-  /// Pairs of two sets: element `first` of the one, `second` of the other.
+  /// Makes a list for two sets: `first` of a pair is an element of the one, `second` of the other.
   ExclusionList(std::span<const ContactPair> pairs, std::size_t first_elements,
                 std::size_t second_elements);
 
-  /// Different pairs.
+  /// Number of different pairs.
   [[nodiscard]] std::size_t size() const noexcept { return partners_.size(); }
+  /// True if it was made for two sets.
   [[nodiscard]] bool is_of_two_sets() const noexcept { return of_two_sets_; }
 
-  /// Elements that it was made for, of the only or the first set and of the second.
+  /// Number of elements that it was made for, in the only or the first set.
   [[nodiscard]] std::size_t first_elements() const noexcept {
     return begins_.empty() ? 0 : begins_.size() - 1;
   }
+  /// Number of elements that it was made for, in the second set.
   [[nodiscard]] std::size_t second_elements() const noexcept { return second_elements_; }
 
-  /// The partners of an element in ascending order; of one set, those that are not smaller.
+  /// Partners of an element, ascending; in a list for one set only those that are not smaller.
   [[nodiscard]] std::span<const ElementIndex> partners_of(ElementIndex first) const noexcept {
     if (first >= first_elements()) return {};
     const std::uint64_t begin = begins_[first];
     return {partners_.data() + begin, static_cast<std::size_t>(begins_[first + 1] - begin)};
   }
 
-  /// Whether the pair is excluded. Of one set, either number may be first.
+  /// True if the pair is excluded. In a list for one set either index may be first.
   [[nodiscard]] bool contains(ContactPair pair) const noexcept;
 
  private:

@@ -6,12 +6,12 @@
 
 namespace abut {
 
-/// What part of a body a sphere touches.
+/// Kind of the part of a body that a sphere touches.
 enum class FeatureKind : std::uint32_t {
-  interior,  ///< the inside of a solid, in 2D of an area, without its boundary
-  face,      ///< without its edges
-  edge,      ///< without its ends
-  vertex,
+  interior,  ///< inside of a solid, in 2D of an area, without its boundary
+  face,      ///< face without its edges
+  edge,      ///< edge without its ends
+  vertex,    ///< point where edges end
 };
 
 }  // namespace abut

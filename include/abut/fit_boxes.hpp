@@ -27,12 +27,12 @@ concept CellsOfNumbers =
 
 }  // namespace detail
 
-/// Which vertices make up each cell of a mesh, seen through the caller's array: cell k has the
+/// Vertices of each cell of a mesh, seen through the caller's array: cell k has the
 /// `vertices_per_cell` numbers from place k * vertices_per_cell on. It owns nothing.
 class Connectivity {
  public:
-  /// An array of cells, each an array of whole numbers: segments of 2 vertices, triangles of 3,
-  /// tetrahedra of 4, or others.
+  /// Views an array of cells, each an array of whole numbers: segments of 2 vertices, triangles of
+  /// 3, tetrahedra of 4, or others.
   template <detail::CellsOfNumbers Cells>
   Connectivity(Cells&& cells)  // NOLINT: a mesh is given as it is
       : first_(std::ranges::data(cells)), cells_(std::ranges::size(cells)) {
@@ -43,11 +43,16 @@ class Connectivity {
     is_signed_ = std::is_signed_v<Number>;
   }
 
+  /// Number of cells.
   [[nodiscard]] std::size_t size() const noexcept { return cells_; }
+  /// Number of vertices of each cell.
   [[nodiscard]] std::size_t vertices_per_cell() const noexcept { return vertices_per_cell_; }
 
+  /// Address of the first vertex number.
   [[nodiscard]] const void* first() const noexcept { return first_; }
+  /// Size of a vertex number in bytes.
   [[nodiscard]] std::size_t number_bytes() const noexcept { return number_bytes_; }
+  /// True if the type of the vertex numbers is signed.
   [[nodiscard]] bool is_signed() const noexcept { return is_signed_; }
 
  private:
@@ -58,34 +63,36 @@ class Connectivity {
   bool is_signed_ = false;
 };
 
-/// Boxes that own their corners, by axis; in 2D the third is empty.
+/// Boxes that own their corners, one array for each axis; in 2D the third is empty.
 struct FittedBoxes {
-  int dimensions = 3;
-  std::array<std::vector<double>, 3> lower;
-  std::array<std::vector<double>, 3> upper;
+  int dimensions = 3;                        ///< 2 or 3
+  std::array<std::vector<double>, 3> lower;  ///< lower bounds, by axis
+  std::array<std::vector<double>, 3> upper;  ///< upper bounds, by axis
 
+  /// Number of boxes.
   [[nodiscard]] std::size_t size() const noexcept { return lower[0].size(); }
 
-  /// Valid as long as these boxes stay as they are.
+  /// Views the boxes. The view is valid as long as these boxes do not change.
   [[nodiscard]] ABUT_API ElementView view() const;
 };
 
-/// The smallest box around the vertices of each cell, wider by `skin` on every side: rounded
-/// outwards, so that none is smaller than that. `vertices` are the centers of a view, in the unit
-/// of the positions; `skin` is finite and >= 0.
+/// Computes the smallest box around the vertices of each cell, wider by `skin` on every side and
+/// rounded outwards, so that no box is too small. `vertices` are the centers of a view; `skin` is
+/// in the unit of the positions, finite and >= 0.
 ///
-/// Throws Error{invalid_input}: a vertex number that is not there (which cell, which number), a
-/// vertex of a cell that is not finite, a skin out of range.
+/// Throws Error{invalid_input} for a vertex number that does not exist (with the cell and the
+/// number), for a vertex of a cell that is not finite, and for a skin out of range.
 [[nodiscard]] ABUT_API FittedBoxes fit_boxes(const ElementView& vertices, const Connectivity& cells,
                                              double skin = 0.0);
 
-/// The same for vertices in space, as points of three numbers, and in the plane.
+/// Computes boxes as fit_boxes does, for vertices given as points of three numbers.
 template <class Points>
 requires detail::PointsOf<Points, 3>
 [[nodiscard]] FittedBoxes fit_boxes_3d(Points&& vertices, const Connectivity& cells,
                                        double skin = 0.0) {
   return fit_boxes(spheres(static_cast<Points&&>(vertices), 0.0), cells, skin);
 }
+/// Computes rectangles as fit_boxes does, for vertices given as points of two numbers.
 template <class Points>
 requires detail::PointsOf<Points, 2>
 [[nodiscard]] FittedBoxes fit_boxes_2d(Points&& vertices, const Connectivity& cells,

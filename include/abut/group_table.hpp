@@ -8,26 +8,31 @@
 
 namespace abut {
 
-/// Which of some groups of elements may pair: a symmetric table of one bit for each two groups,
-/// which start allowed.
+/// Table of the groups of elements that may pair: symmetric, one bit for each two groups. At first
+/// all may pair.
 class ABUT_API GroupTable {
  public:
-  /// Groups are numbered from 0. Throws Error{limit_exceeded} for more than most_groups.
+  /// Makes a table for groups 0 to `groups` − 1. Throws Error{limit_exceeded} for more than
+  /// most_groups.
   explicit GroupTable(std::uint32_t groups);
 
-  static constexpr std::uint32_t most_groups = 32768;  ///< 128 MiB
+  /// Largest number of groups; the table then takes 128 MiB.
+  static constexpr std::uint32_t most_groups = 32768;
 
+  /// Number of groups.
   [[nodiscard]] std::uint32_t size() const noexcept { return groups_; }
 
-  /// Both orders; a == b is a group with itself. Throws Error{wrong_usage} for groups that are not
-  /// there.
+  /// Allows pairs of an element of group a and one of group b, in both orders; a may equal b.
+  /// Throws Error{wrong_usage} for a group that does not exist.
   GroupTable& allow(std::uint32_t a, std::uint32_t b);
+  /// Denies pairs of an element of group a and one of group b, in both orders; a may equal b.
+  /// Throws Error{wrong_usage} for a group that does not exist.
   GroupTable& deny(std::uint32_t a, std::uint32_t b);
 
-  /// Denies all; for tables in which few pairs are allowed.
+  /// Denies all pairs; a start for tables that allow few.
   GroupTable& deny_all() noexcept;
 
-  /// Both numbers must be < size().
+  /// True if elements of these groups may pair. Both numbers must be < size().
   [[nodiscard]] bool allows(std::uint32_t a, std::uint32_t b) const noexcept {
     const std::size_t bit = place(a, b);
     return (bits_[bit / 64] >> (bit % 64) & 1U) != 0;

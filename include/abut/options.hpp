@@ -15,61 +15,66 @@ namespace abut {
 /// Order of the pairs that are returned.
 enum class Order {
   canonical,  ///< ascending by (first, second, shift): the same bytes from every algorithm
-  as_found,   ///< as the algorithm meets them: deterministic, but its own
+  as_found,   ///< the algorithm's own order, deterministic
 };
 
-/// Whether a list of contacts holds the image shift of each, for periodic domains.
+/// Choice whether lists hold the image shift of each contact, for periodic domains.
 enum class Shifts {
-  none,    ///< a pair of several images within reach is listed as often as it has such images
+  none,    ///< no shifts; a pair is listed as often as it has images within reach
   stored,  ///< 12 bytes more a pair
 };
 
-/// What a neighbor list holds beside the numbers of the neighbors.
+/// Data that a neighbor list holds beside the indices of the neighbors.
 enum class NeighborData {
-  none,
+  none,                   ///< nothing more
   distances,              ///< 8 bytes more a neighbor
   vectors,                ///< 24 bytes more a neighbor
   distances_and_vectors,  ///< both
 };
 
-/// No limit on the number of pairs.
+/// Value of Options::max_pairs for no limit on the number of pairs.
 inline constexpr PairCount unlimited_pairs = std::numeric_limits<PairCount>::max();
 
-/// The memory of the machine; for arrays that follow the extent of the domain rather than the
-/// elements (heads of cells or rows) 1 GiB + 2 KiB per element.
+/// Value of Options::max_bytes for the memory of the machine; arrays that follow the extent of the
+/// domain rather than the elements (heads of cells or rows) may take 1 GiB + 2 KiB per element.
 inline constexpr std::uint64_t automatic_memory_bound = 0;
 
+/// Options of a detection. Each has a default; set what you need.
 struct Options {
+  /// Algorithm that finds the pairs.
   Algorithm algorithm = Algorithm::automatic;
+  /// Order of the pairs in a list.
   Order order = Order::canonical;
 
+  /// Choice whether lists hold image shifts.
   Shifts shifts = Shifts::none;
 
-  /// For neighbor lists.
+  /// Data that neighbor lists hold beside the neighbors.
   NeighborData neighbor_data = NeighborData::none;
 
-  /// Elements within this distance of touching are contact pairs too; finite, >= 0, in the unit
+  /// Distance from touching up to which elements are contact pairs, too; finite, >= 0, in the unit
   /// of the positions.
   double margin = 0.0;
 
-  /// Which of the elements may pair; all, unless it says something.
+  /// Rule that says which elements may pair; all, if it is empty.
   PairRule rule = {};
 
-  /// One more pair than this throws Error{limit_exceeded}.
+  /// Largest number of pairs. One more throws Error{limit_exceeded}.
   PairCount max_pairs = unlimited_pairs;
 
-  /// Bytes that a detection may hold in buffers of its own. Checked before each allocation:
-  /// Error{limit_exceeded} names the bytes needed.
+  /// Largest number of bytes that a detection may hold in its own buffers. It is checked before
+  /// each allocation; Error{limit_exceeded} names the bytes needed.
   std::uint64_t max_bytes = automatic_memory_bound;
 
-  /// Number of threads, 0 for what OpenMP takes by default. The algorithms of the book use one
-  /// whatever it says. Any number gives the same bytes.
+  /// Number of threads; 0 for OpenMP's default. The algorithms of the book always use one. Any
+  /// number gives the same bytes.
   int threads = 0;
 
   /// Instruction set of the kernels of `rows`. One that this processor lacks throws
   /// Error{unavailable}.
   Simd simd = Simd::automatic;
 
+  /// Function that is told how far a long detection is, and may cancel it.
   ProgressHook progress = {};
 };
 

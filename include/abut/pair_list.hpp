@@ -50,32 +50,42 @@ struct PageAllocator {
 
 }  // namespace detail
 
-/// Pairs in a row.
+/// Array of pairs.
 using PairArray = std::vector<ContactPair, detail::PageAllocator<ContactPair>>;
 
-/// Image shifts in a row.
+/// Array of image shifts.
 using ShiftArray = std::vector<ImageShift, detail::PageAllocator<ImageShift>>;
 
 /// The contact pairs of one detection, each once, in the order that was asked for.
 class PairList {
  public:
+  /// Makes an empty list.
   PairList() = default;
+  /// Makes a list without shifts; called by the library.
   PairList(PairArray pairs, Statistics statistics)
       : pairs_(std::move(pairs)), statistics_(std::move(statistics)) {}
+  /// Makes a list with shifts; called by the library.
   PairList(PairArray pairs, ShiftArray shifts, Statistics statistics)
       : pairs_(std::move(pairs)), shifts_(std::move(shifts)), statistics_(std::move(statistics)) {}
 
+  /// Number of pairs.
   [[nodiscard]] PairCount size() const noexcept { return pairs_.size(); }
+  /// True if there is no pair.
   [[nodiscard]] bool empty() const noexcept { return pairs_.empty(); }
+  /// Pair k, from 0; k must be < size().
   [[nodiscard]] const ContactPair& operator[](PairCount k) const noexcept { return pairs_[k]; }
+  /// Iterator to the first pair.
   [[nodiscard]] auto begin() const noexcept { return pairs_.begin(); }
+  /// Iterator behind the last pair.
   [[nodiscard]] auto end() const noexcept { return pairs_.end(); }
+  /// All pairs.
   [[nodiscard]] std::span<const ContactPair> pairs() const noexcept { return pairs_; }
 
-  /// Of each pair the shift n for which `second`, moved by n, is within reach of `first`. Empty
+  /// Image shifts n, one for each pair: `second`, moved by n, is within reach of `first`. Empty
   /// unless Options::shifts asks for them; zeros in an open domain.
   [[nodiscard]] std::span<const ImageShift> shifts() const noexcept { return shifts_; }
 
+  /// Statistics of the detection that found the pairs.
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
 
  private:

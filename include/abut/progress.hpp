@@ -8,17 +8,22 @@
 
 namespace abut {
 
-/// Where a long detection stands.
+/// State of a long detection.
 struct Progress {
-  std::string_view phase;  ///< "gather", "search" or "order"
-  std::uint64_t done = 0;  ///< elements treated in this phase
-  std::uint64_t total = 0;
+  std::string_view phase;   ///< "gather", "search" or "order"
+  std::uint64_t done = 0;   ///< elements treated in this phase
+  std::uint64_t total = 0;  ///< elements to treat in this phase
 };
 
-enum class ProgressAction { proceed, cancel };
+/// Answer of a progress hook.
+enum class ProgressAction {
+  proceed,  ///< go on
+  cancel,   ///< stop: the detection throws Error{cancelled}
+};
 
-/// Called now and then from the calling thread. `cancel` makes the detection throw
-/// Error{cancelled}; nothing is returned. An exception thrown by the hook passes through.
+/// Function that is called now and then from the calling thread. If it returns `cancel`, the
+/// detection throws Error{cancelled} and returns nothing. An exception that it throws passes
+/// through.
 using ProgressHook = std::function<ProgressAction(const Progress&)>;
 
 }  // namespace abut

@@ -7,26 +7,36 @@
 
 namespace abut {
 
-/// How much farther than asked for a Detector looks, so that what it found serves for later calls
-/// too: until elements have moved so far that a pair beyond the skin may have come within reach. A
-/// skin never changes which pairs are delivered, only what that costs.
+/// Skin of a Detector (Verlet skin): a length that it adds to the reach when it detects, so that
+/// the candidate pairs that it finds serve for later calls, too, until elements have moved so far
+/// that a pair beyond the skin may have come within reach. A skin never changes which pairs are
+/// returned, only what that costs.
 class ABUT_API Skin {
  public:
-  enum class Kind : std::uint8_t { none, fixed, automatic };
+  /// Way in which the length is chosen.
+  enum class Kind : std::uint8_t {
+    none,       ///< no skin
+    fixed,      ///< the caller's length
+    automatic,  ///< by measured cost
+  };
 
-  /// Each call detects anew.
+  /// Makes no skin: each call detects anew.
   [[nodiscard]] static constexpr Skin none() noexcept { return {Kind::none, 0.0}; }
 
-  /// Of this length, in the unit of the positions. Throws Error{invalid_input} unless it is finite
-  /// and not negative.
+  /// Makes a skin of this length, in the unit of the positions. Throws Error{invalid_input} unless
+  /// it is finite and not negative.
   [[nodiscard]] static Skin fixed(double length);
 
-  /// Of the length that costs least, by the seconds measured and the motion seen so far.
+  /// Makes a skin of the length that costs least, by the seconds measured and the motion seen so
+  /// far.
   [[nodiscard]] static constexpr Skin automatic() noexcept { return {Kind::automatic, 0.0}; }
 
+  /// Way in which the length is chosen.
   [[nodiscard]] constexpr Kind kind() const noexcept { return kind_; }
+  /// Length of a fixed skin; 0 for the other kinds.
   [[nodiscard]] constexpr double length() const noexcept { return length_; }
 
+  /// True if kind and length are equal.
   friend constexpr bool operator==(const Skin&, const Skin&) = default;
 
  private:
@@ -36,19 +46,18 @@ class ABUT_API Skin {
   double length_;
 };
 
-/// What a Detector's skin was good for, since it was set.
+/// Statistics of a Detector's skin since it was set.
 struct SkinStatistics {
   std::uint64_t detections = 0;  ///< calls that detected anew
   std::uint64_t reuses = 0;      ///< calls that tested candidate pairs of an earlier one
-  std::uint64_t carried = 0;  ///< of these, calls whose elements had come, gone or changed numbers
-  std::uint64_t inserted =
-      0;                     ///< elements searched against all, since they were new in such a call
-  PairCount candidates = 0;  ///< candidate pairs kept now
-  PairCount survivors = 0;   ///< of them, contact pairs of the last call
-  double skin = 0.0;         ///< length with which they were found
+  std::uint64_t carried = 0;     ///< reuses after elements had come, gone or changed their indices
+  std::uint64_t inserted = 0;    ///< new elements that such reuses searched against all others
+  PairCount candidates = 0;      ///< candidate pairs kept now
+  PairCount survivors = 0;       ///< candidate pairs that were contact pairs in the last call
+  double skin = 0.0;             ///< length with which the candidate pairs were found
 
-  /// Upper bound, at the last call that found candidate pairs kept: how much closer than then any
-  /// two elements may have come.
+  /// Upper bound on how much closer any two elements may have come between the detection of the
+  /// candidate pairs and the last call that looked at them.
   double approach = 0.0;
 };
 

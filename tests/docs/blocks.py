@@ -36,7 +36,9 @@ class PageError(Exception):
 def pages(root):
     """All pages, in a fixed order."""
     found = [root / name for name in TOP_PAGES if (root / name).exists()]
-    return found + sorted((root / "docs").rglob("*.md"))
+    for folder in ("docs", "benchmarks/notes"):
+        found += sorted((root / folder).rglob("*.md"))
+    return found
 
 
 def blocks_of(page):

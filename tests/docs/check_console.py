@@ -2,9 +2,8 @@
 
 The blocks of a page run one after the other in one empty folder that holds examples/data. Standard
 output and standard error are shown together, as on a terminal. A command may fail only where the
-next one is `echo $?`. A line `...` stands for any lines. Durations are masked, and what follows the
-tuning of `rows`: bytes of memory and its candidate tests; so are all numbers of `bench`, and which
-algorithm was the best.
+next one is `echo $?`. A line `...` stands for any lines. Durations and bytes of memory stand as `…`;
+all else must be what the tool prints. record_console.py writes the pages so.
 """
 
 import argparse
@@ -39,17 +38,37 @@ def commands_of(block):
     return result
 
 
+TIME = r"\b\d+(?:\.\d+)?(?:e[-+]\d+)? ?(?:ns|µs|us|ms|s)\b"
+BYTES = r"\b\d+(?:\.\d+)? [kMG]?B\b"
+JSON_TIME = r'(?<=")((?:\w+_)?(?:read|search|write|total|seconds|gather|order)": ?)[-+.e\d]+'
+JSON_BYTES = r'(?<=")((?:peak|working)_bytes": ?)\d+'
+BENCH = (r"^( *\w+ +\d+ +(?:canonical|as_found|count|half list|full list))"
+         r"((?: +[\d.,]+){3})( +[\d.,]+)( +[\d.,]+)$")
+
+
+def dots(match):
+    """The mark; as wide as what it hides where that is a cell of a table."""
+    before, after = match.string[:match.start()], match.string[match.end():]
+    in_table = before.endswith("  ") and (not after or after.startswith("  "))
+    return "…".rjust(len(match[0])) if in_table else "…"
+
+
+def dotted(numbers):
+    """A mark for each of some numbers in columns."""
+    return re.sub(r"[\d.,]+", lambda match: "…".rjust(len(match[0])), numbers)
+
+
 def masked(line):
-    """A line with durations, bytes, tests of `rows` masked, and runs of blanks as one."""
-    line = re.sub(r'("(?:\w+_)?(?:read|search|write|total|seconds|gather|order)": ?)[-+.e\d]+',
-                  r"\1<time>", line)
-    line = re.sub(r"^( *\w+ +\d+ +(?:canonical|as_found) ).*", r"\1<work>", line)
-    line = re.sub(r"^ *\w+ +\d+ +(count|half list|full list) .*", r"<best> \1 <work>", line)
-    line = re.sub(r"\b\d+(\.\d+)?(e[-+]\d+)? ?(ns|µs|us|ms|s)\b", "<time>", line)
-    line = re.sub(r"\b\d+(\.\d+)? [kMG]?B\b", "<bytes>", line)
-    line = re.sub(r'("(?:peak_bytes|candidate_tests)": ?)\d+', r"\1<work>", line)
-    line = re.sub(r"\b[\d,]+ (candidate tests)", r"<work> \1", line)
-    line = re.sub(r"^( *rows .*<bytes>) +[\d,]+", r"\1 <work>", line)
+    """A line as pages show it: what differs from run to run or from machine to machine is `…`."""
+    line = re.sub(BENCH, lambda m: m[1] + dotted(m[2]) + m[3] + dotted(m[4]), line)
+    line = re.sub(JSON_TIME, r"\1…", line)
+    line = re.sub(JSON_BYTES, r"\1…", line)
+    return re.sub(f"{TIME}|{BYTES}", dots, line)
+
+
+def comparable(line):
+    """A masked line with runs of blanks as one, and without the name of the fastest algorithm."""
+    line = re.sub(r"^ *\w+ +(\d+ +(?:count|half list|full list) )", r"<best> \1", masked(line))
     return re.sub(r"[ \t]+", " ", line).strip()
 
 
@@ -93,7 +112,10 @@ def check(block, folder, environment):
             problems.append(f"{block.where()}: `{command}` ends with {code}")
         while shown and not shown[-1]:
             shown.pop()
-        if not matches([masked(s) for s in shown], [masked(p) for p in printed]):
+        if any(masked(line) != line for line in shown):
+            problems.append(f"{block.where()}: `{command}` shows a time or bytes of memory; run "
+                            "tests/docs/record_console.py")
+        if not matches([comparable(s) for s in shown], [comparable(p) for p in printed]):
             problems.append(f"{block.where()}: `{command}` prints\n" + "\n".join(printed) +
                             "\ninstead of\n" + "\n".join(shown))
     if len(results) != len(commands):

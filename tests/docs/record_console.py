@@ -1,8 +1,9 @@
-"""Writes into the console blocks of the pages what their commands print now:
+"""Writes into the console blocks of all pages what their commands print now:
 
-    tests/docs/record_console.py build/bin/abut docs/cli.md README.md
+    tests/docs/record_console.py build/bin/abut [PAGE...]
 
-A command whose shown lines hold `...` keeps them; read the difference before you commit it.
+Durations and bytes of memory become `…`. A command whose shown lines hold `...` keeps them, and is
+named where they no longer fit. Read the difference before you commit it.
 """
 
 import pathlib
@@ -20,10 +21,12 @@ def recorded(block, folder, environment):
     lines = []
     for (command, shown), (_, printed) in zip(
             commands, check_console.run(commands, folder, environment)):
-        same = check_console.matches([check_console.masked(s) for s in shown],
-                                     [check_console.masked(p) for p in printed])
-        keep = same or "..." in shown
-        lines += f"$ {command}".split("\n") + (shown if keep else [p.rstrip() for p in printed])
+        now = [check_console.masked(line.rstrip()) for line in printed]
+        same = check_console.matches([check_console.comparable(s) for s in shown],
+                                     [check_console.comparable(p) for p in printed])
+        if "..." in shown and not same:
+            print(f"{block.where()}: `{command}` prints something else; mend it by hand")
+        lines += f"$ {command}".split("\n") + (shown if "..." in shown else now)
     return lines
 
 
@@ -38,9 +41,11 @@ def record(page, environment):
 
 
 def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
     tool, *pages = sys.argv[1:]
-    for page in pages:
-        record(pathlib.Path(page), check_console.environment_with(tool))
+    for page in map(pathlib.Path, pages) if pages else blocks.pages(ROOT):
+        record(page, check_console.environment_with(tool))
 
 
 if __name__ == "__main__":

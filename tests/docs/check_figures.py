@@ -11,13 +11,14 @@ import tempfile
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--root", required=True)
-    images = pathlib.Path(parser.parse_args().root) / "docs" / "images"
+    root = pathlib.Path(parser.parse_args().root)
+    images, script = root / "docs" / "images", root / "scripts" / "figures" / "draw_figures.py"
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([sys.executable, "-B", images / "draw_figures.py", folder], check=True)
+        subprocess.run([sys.executable, "-B", script, folder], check=True)
         drawn = sorted(path.name for path in pathlib.Path(folder).iterdir())
         _, differ, missing = filecmp.cmpfiles(folder, images, drawn, shallow=False)
     for name in differ + missing:
-        print(f"docs/images/{name}: draw it again with docs/images/draw_figures.py")
+        print(f"docs/images/{name}: draw it again with scripts/figures/draw_figures.py")
     print(f"{len(drawn)} figures, {len(differ + missing)} problems")
     return 1 if differ or missing or not drawn else 0
 

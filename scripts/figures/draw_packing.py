@@ -2,7 +2,7 @@
 """Draws a slice through a packing with its contacts, from the tool's own output.
 
     abut contacts examples/data/yade_settled_5000.csv -o contacts.csv
-    docs/images/draw_packing.py examples/data/yade_settled_5000.csv contacts.csv \
+    scripts/figures/draw_packing.py examples/data/yade_settled_5000.csv contacts.csv \
         docs/images/packing.png
 """
 

@@ -1,4 +1,4 @@
-"""Just enough SVG for the figures of the algorithms: boxes, numbers, arrows, grids of cells."""
+"""Just enough SVG for the figures of the pages: boxes, numbers, arrows, polygons, grids of cells."""
 
 INK, FAINT, PAPER = "#1f2937", "#9ca3af", "#ffffff"
 CENTRAL, ADJACENT, MARKED = "#fcd9a8", "#cfe3f7", "#d9ead3"
@@ -27,6 +27,11 @@ class Drawing:
     def circle(self, x, y, radius, fill=PAPER, stroke=INK, line=1.0):
         self.parts.append(f'<circle cx="{x:g}" cy="{y:g}" r="{radius:g}" fill="{fill}" '
                           f'stroke="{stroke}" stroke-width="{line:g}"/>')
+
+    def polygon(self, points, fill="none", stroke=INK, line=1.0):
+        corners = " ".join(f"{x:g},{y:g}" for x, y in points)
+        self.parts.append(f'<polygon points="{corners}" fill="{fill}" stroke="{stroke}" '
+                          f'stroke-width="{line:g}"/>')
 
     def line(self, x1, y1, x2, y2, stroke=INK, line=1.0, dash=""):
         dashes = f' stroke-dasharray="{dash}"' if dash else ""

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Redraws the figures of the algorithm pages from the book's example systems:
+"""Redraws the figures of the algorithm pages, from the book's example systems, and those of the
+derivations:
 
-    docs/images/draw_figures.py [folder]
+    scripts/figures/draw_figures.py [folder]
 
 Elements and cells are counted from 1, as in A. Munjiza, The Combined Finite-Discrete Element
 Method, Wiley 2004, chapter 3. Each list is built here and compared with the book's numbers.
@@ -10,10 +11,11 @@ Method, Wiley 2004, chapter 3. Each list is built here and compared with the boo
 import pathlib
 import sys
 
+import derivations
 from rows_figures import blocks, rows_block, rows_tiles
 from svg import ADJACENT, CENTRAL, FAINT, INK, MARKED, PAPER, Drawing, Grid, minus
 
-HERE = pathlib.Path(__file__).resolve().parent
+IMAGES = pathlib.Path(__file__).resolve().parents[2] / "docs" / "images"
 
 SCREENING = {1: (5, 7), 2: (5, 7), 3: (2, 7), 4: (5, 7), 5: (2, 7), 6: (5, 6), 7: (2, 7),
              8: (6, 6), 9: (2, 7)}
@@ -359,10 +361,10 @@ def nbs_3d():
 
 
 FIGURES = [contact_mask, direct_check, binary_tree, screening_array, sorting_array, partition_sort,
-           nbs_rows, nbs_cells, nbs_3d, rows_tiles]
+           nbs_rows, nbs_cells, nbs_3d, rows_tiles, *derivations.FIGURES]
 
 if __name__ == "__main__":
-    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
+    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else IMAGES
     for figure in FIGURES:
         figure().save(folder / f"{figure.__name__}.svg")
     rows_block_of_the_book().save(folder / "rows_block.svg")

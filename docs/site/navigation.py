@@ -1,5 +1,6 @@
 """Makes the tables of docs/README.md, and of each other README.md, the navigation of the site."""
 
+import os
 import re
 
 from pygments.lexers.special import TextLexer
@@ -24,7 +25,7 @@ def of_sections(text):
         heading, _, body = section.partition("\n")
         pages = [page for page in links_of(body) if page not in listed]
         listed.update(pages)
-        if pages and "navigation: none" not in body:
+        if pages:
             result += toctree(pages, heading)
     return result
 
@@ -35,10 +36,20 @@ def of_folder(text):
     return toctree(pages, "") if pages else ""
 
 
+def to_index(docname, text):
+    """The links to docs/README.md, which is the index of the site."""
+    folder = os.path.dirname(docname)
+    target = os.path.relpath("docs/README.md", folder or ".")
+    index = os.path.relpath("index.md", folder or ".")
+    return text.replace(f"]({target})", f"]({index})")
+
+
 def add(app, docname, source):
     if docname == "index":
         source[0] += of_sections(source[0])
-    elif docname.endswith("/README"):
+        return
+    source[0] = to_index(docname, source[0])
+    if docname.endswith("/README"):
         source[0] += of_folder(source[0])
 
 

@@ -14,7 +14,8 @@ struct Segment {
   std::int32_t first_cell;
 };
 
-/// The map from a coordinate to a cell number on one axis: the only one in the library.
+/// The map from a coordinate to a cell number on one axis, for all algorithms of the book. Tiles
+/// have one of their own (engine/tile_grid.hpp).
 ///
 ///   cell(x) = first_cell + floor((x * scale - start) / cell_size)
 ///

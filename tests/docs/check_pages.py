@@ -1,4 +1,4 @@
-"""Checks the pages themselves: lengths, links, paths named in the text, pictures."""
+"""Checks the pages themselves: lengths, links, paths and arrays named in the text, pictures."""
 
 import argparse
 import pathlib
@@ -57,6 +57,22 @@ def named_paths(line):
             yield word
 
 
+def words_of_source(root):
+    """All words of the sources."""
+    return {word for path in (root / "src").rglob("*.?pp")
+            for word in re.findall(r"\w+", path.read_text(encoding="utf-8"))}
+
+
+def unknown_names(page, words):
+    """Names in the tables of an algorithm's page that are no words of the sources."""
+    for number, line in enumerate(without_blocks(page.read_text(encoding="utf-8")), 1):
+        if line.startswith("|"):
+            for code in re.findall(r"`([\w\[\]()]+)`", line):
+                for name in re.findall(r"[a-z]\w+", code):
+                    if name not in words:
+                        yield f"{page}:{number}: `{name}` is in no source"
+
+
 def check_page(root, page):
     """Problems of one page."""
     text = page.read_text(encoding="utf-8")
@@ -97,6 +113,9 @@ def main():
     root = pathlib.Path(parser.parse_args().root).resolve()
     pages = blocks.pages(root)
     problems = [p for page in pages for p in check_page(root, page)] + check_pictures(root)
+    words = words_of_source(root)
+    for page in sorted((root / "docs" / "algorithms").glob("*.md")):
+        problems += unknown_names(page, words)
     example = (root / "examples" / "first_contacts.cpp").read_text(encoding="utf-8")
     if f"```cpp\n{example}```" not in (root / "README.md").read_text(encoding="utf-8"):
         problems.append("README.md: its program differs from examples/first_contacts.cpp")

@@ -112,6 +112,12 @@ class Checkers(unittest.TestCase):
             bad = page(self.folder, text + "\n")
             self.assertEqual(len(check_pages.check_page(self.folder, bad)), 1, text)
 
+    def test_arrays_that_the_sources_do_not_have(self):
+        table = page(self.folder, "| a | `row_head[central]`, `gone_` |\n\n`not_in_a_table`\n")
+        self.assertEqual(len(list(check_pages.unknown_names(table, {"row_head", "central"}))), 1)
+        self.assertEqual(list(check_pages.unknown_names(table, {"row_head", "central", "gone_"})),
+                         [])
+
     def test_long_pages(self):
         self.assertEqual(check_pages.check_page(self.folder, page(self.folder, "x\n" * 150)), [])
         long = page(self.folder, "x\n" * 151)

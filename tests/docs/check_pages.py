@@ -68,7 +68,7 @@ def unknown_names(page, words):
     for number, line in enumerate(without_blocks(page.read_text(encoding="utf-8")), 1):
         if line.startswith("|"):
             for code in re.findall(r"`([\w\[\]()]+)`", line):
-                for name in re.findall(r"[a-z]\w+", code):
+                for name in re.findall(r"[A-Za-z]\w+", code):
                     if name not in words:
                         yield f"{page}:{number}: `{name}` is in no source"
 

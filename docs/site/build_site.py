@@ -135,7 +135,7 @@ def write_reference(folder, xml):
     index = REFERENCE_HEAD
     for title, headers in REFERENCE.items():
         name = title.lower().replace(" ", "_")
-        text = heading(title, "=")
+        text = heading(f"Interface: {title[0].lower()}{title[1:]}", "=")
         for header in headers:
             space = "abut::trace" if header == "trace" else "abut"
             text += heading(f"abut/{header}.hpp", "-") + f".. cpp:namespace:: {space}\n\n"

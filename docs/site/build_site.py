@@ -121,10 +121,10 @@ def concepts(xml):
         name = concept.findtext("compoundname").removeprefix("abut::")
         parameter = concept.find("templateparamlist/param")
         words = [parameter.findtext("type"), parameter.findtext("declname") or ""]
-        brief = " ".join("".join(concept.find("briefdescription").itertext()).split())
+        about = " ".join("".join(concept.find("detaileddescription").itertext()).split())
         header = header_of(concept)
         result[header] = result.get(header, "") + \
-            f".. cpp:concept:: template <{' '.join(words).strip()}> {name}\n\n   {brief}\n\n"
+            f".. cpp:concept:: template <{' '.join(words).strip()}> {name}\n\n   {about}\n\n"
     return result
 
 

@@ -18,10 +18,9 @@ enum class NeighborListKind {
   full,  ///< each pair twice: also i is a neighbor of j, with the opposite image shift
 };
 
-/// The neighbors of each element in compressed rows (CSR): the neighbors of element e are
-/// neighbors[offsets[e]] .. neighbors[offsets[e + 1] - 1], in ascending order. In a periodic domain
-/// an element comes once for each of its images within reach, by ascending shift, and may be a
-/// neighbor of itself.
+/// The neighbors of each element in compressed rows (CSR): those of element e are neighbors[k] for
+/// offsets[e] <= k < offsets[e + 1], in ascending order. In a periodic domain an element comes once
+/// for each of its images within reach, by ascending shift, and may be a neighbor of itself.
 class NeighborList {
  public:
   /// Type of the array of offsets.

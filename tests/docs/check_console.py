@@ -42,6 +42,7 @@ TIME = r"\b\d+(?:\.\d+)?(?:e[-+]\d+)? ?(?:ns|µs|us|ms|s)\b"
 BYTES = r"\b\d+(?:\.\d+)? [kMG]?B\b"
 JSON_TIME = r'(?<=")((?:\w+_)?(?:read|search|write|total|seconds|gather|order)": ?)[-+.e\d]+'
 JSON_BYTES = r'(?<=")((?:peak|working)_bytes": ?)\d+'
+PROGRESS = r"abut: \w+ after \d+:\d\d"  # a line every 10 seconds, on a machine that is busy
 BENCH = (r"^( *\w+ +\d+ +(?:canonical|as_found|count|half list|full list))"
          r"((?: +[\d.,]+){3})( +[\d.,]+)( +[\d.,]+)$")
 
@@ -96,7 +97,7 @@ def run(commands, folder, environment):
                 lines.pop()
             result.append((int(line.split()[-1]), lines))
             lines = []
-        else:
+        elif not re.match(PROGRESS, line):
             lines.append(line)
     return result
 

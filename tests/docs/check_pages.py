@@ -73,12 +73,22 @@ def unknown_names(page, words):
                         yield f"{page}:{number}: `{name}` is in no source"
 
 
+def accidental_markup(page):
+    """Lines of a paragraph that begin with a sign that makes them a quotation or a list."""
+    lines = without_blocks(page.read_text(encoding="utf-8"))
+    for number, (before, line) in enumerate(zip(lines, lines[1:]), 2):
+        sign = re.match(r"\s*([>+]) ", line)
+        if sign and before.strip() and not re.match(r"\s*[>+] ", before):
+            yield f"{page}:{number}: a line of text begins with '{sign[1]}'"
+
+
 def check_page(root, page):
     """Problems of one page."""
     text = page.read_text(encoding="utf-8")
     longest = LONGEST.get(str(page.relative_to(root)), LONGEST_OTHER)
     lines = without_tables_of_programs(text).count("\n")
     problems = [f"{page}: {lines} lines, more than {longest}"] if lines > longest else []
+    problems += accidental_markup(page)
     for number, line in enumerate(without_blocks(text), 1):
         for target in re.findall(r"\]\(([^)\s]+)\)", line):
             problems.append(check_link(page, number, target))

@@ -118,6 +118,12 @@ class Checkers(unittest.TestCase):
         self.assertEqual(list(check_pages.unknown_names(table, {"row_head", "central", "gone_"})),
                          [])
 
+    def test_lines_that_become_quotations(self):
+        good = page(self.folder, "> said\n> so\n\n+ one\n+ two\n")
+        self.assertEqual(list(check_pages.accidental_markup(good)), [])
+        for text in ("as a\n> b holds\n", "the sum a\n+ b\n"):
+            self.assertEqual(len(list(check_pages.accidental_markup(page(self.folder, text)))), 1)
+
     def test_long_pages(self):
         self.assertEqual(check_pages.check_page(self.folder, page(self.folder, "x\n" * 150)), [])
         long = page(self.folder, "x\n" * 151)

@@ -1,24 +1,30 @@
 """Shows the sources that pages link to as pages of their own, since a browser would only save them."""
 
+import os
 import pathlib
 
 from docutils import nodes
 from sphinx import addnodes
 
-LANGUAGES = {".hpp": "cpp", ".cpp": "cpp", ".py": "python", ".cmake": "cmake"}
+LANGUAGES = {".hpp": "cpp", ".cpp": "cpp", ".py": "python", ".cmake": "cmake", ".md": "markdown"}
+
+
+def is_page(app, path):
+    """Whether Sphinx makes a page of this file."""
+    name = os.path.relpath(os.path.normpath(path), app.srcdir)
+    return os.path.splitext(name)[0] in app.env.found_docs
 
 
 def target_of(app, docname, node):
-    """The file or folder of the project that a link means, relative to the root; or None."""
+    """The file or folder of the project that a link means, relative to the root, if it is no page;
+    or None."""
     target = node.get("reftarget", "").partition("#")[0]
-    page = pathlib.Path(app.env.doc2path(docname))
-    goal = (page.parent / target).resolve()
+    path = pathlib.Path(app.env.doc2path(docname)).parent / target
+    goal = path.resolve()
     root = pathlib.Path(app.config.project_root)
-    if not target or not goal.is_relative_to(root):
+    if not target or not goal.exists() or not goal.is_relative_to(root) or is_page(app, path):
         return None
-    if isinstance(node, addnodes.download_reference) or goal.is_dir():
-        return goal.relative_to(root)
-    return None
+    return goal.relative_to(root)
 
 
 def redirect(app, doctree):

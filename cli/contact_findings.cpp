@@ -24,7 +24,7 @@ Coordination coordination_of(const std::vector<std::uint32_t>& pairs_of_elements
 }  // namespace
 
 Findings findings(const ElementSets& sets, const PairList& pairs) {
-  constexpr std::uint64_t pairs_between_looks = 1 << 20;
+  const InterruptsEndAtOnce at_once;
   Findings found;
   std::vector<std::uint32_t> of_first(sets.first.size(), 0);
   std::vector<std::uint32_t> of_second(sets.are_two() ? sets.second->size() : 0, 0);
@@ -32,7 +32,6 @@ Findings findings(const ElementSets& sets, const PairList& pairs) {
   const ElementView first = sets.first.elements();
   const ElementView partners = sets.partners().elements();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if ((k + 1) % pairs_between_looks == 0) stop_if_interrupted();
     const ContactPair& pair = pairs[k];
     const ImageShift shift = pairs.shifts().empty() ? ImageShift{} : pairs.shifts()[k];
     ++of_first[pair.first];

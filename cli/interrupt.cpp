@@ -6,14 +6,24 @@
 
 #include <csignal>
 
+#include <unistd.h>
+
 namespace abut::cli {
 namespace {
 
+constexpr int exit_code_of_interrupts = 130;
+
 volatile std::sig_atomic_t interrupt_flag = 0;
+volatile std::sig_atomic_t ends_at_once = 0;
 volatile std::sig_atomic_t met[NSIG] = {};
 
 extern "C" void note_interrupt(int signal) {
   interrupt_flag = 1;
+  if (ends_at_once != 0) {
+    constexpr char sentence[] = "abut: interrupted\n";
+    if (write(STDERR_FILENO, sentence, sizeof sentence - 1) < 0) _exit(exit_code_of_interrupts);
+    _exit(exit_code_of_interrupts);
+  }
   if (met[signal] == 0) {
     met[signal] = 1;
     return;
@@ -43,6 +53,18 @@ bool interrupted() noexcept {
 
 void stop_if_interrupted() {
   if (interrupted()) throw Error(ErrorCode::cancelled, "interrupted");
+}
+
+InterruptsEndAtOnce::InterruptsEndAtOnce() : before_(ends_at_once) {
+  ends_at_once = 1;
+  // An interrupt before was only noted.
+  if (!interrupted()) return;
+  ends_at_once = before_;
+  stop_if_interrupted();
+}
+
+InterruptsEndAtOnce::~InterruptsEndAtOnce() {
+  ends_at_once = before_;
 }
 
 }  // namespace abut::cli

@@ -12,4 +12,18 @@ void catch_interrupts();
 /// Throws Error{cancelled} after an interrupt.
 void stop_if_interrupted();
 
+/// While one lives, a first interrupt ends the tool at once, with its message and exit code: for
+/// work that asks nobody and leaves nothing behind, with no output begun.
+class InterruptsEndAtOnce {
+ public:
+  /// Throws Error{cancelled} after an interrupt.
+  InterruptsEndAtOnce();
+  ~InterruptsEndAtOnce();
+  InterruptsEndAtOnce(const InterruptsEndAtOnce&) = delete;
+  InterruptsEndAtOnce& operator=(const InterruptsEndAtOnce&) = delete;
+
+ private:
+  int before_;  ///< one may live in another
+};
+
 }  // namespace abut::cli

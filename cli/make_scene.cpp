@@ -1,5 +1,6 @@
 #include "make_scene.hpp"
 
+#include "interrupt.hpp"
 #include "scenes/scene.hpp"
 #include "text/human_text.hpp"
 
@@ -34,6 +35,7 @@ void require_memory(std::uint64_t count) {
 io::Snapshot make_scene(const std::string& name, std::uint64_t count, std::uint64_t seed) {
   const scenes::SceneInfo& info = scenes::scene_named(name);
   require_memory(count);
+  const InterruptsEndAtOnce at_once;
   scenes::Scene scene = info.make(static_cast<std::size_t>(count), seed);
   io::Snapshot snapshot;
   snapshot.dimensions = scene.dimensions;

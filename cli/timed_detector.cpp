@@ -1,5 +1,6 @@
 #include "timed_detector.hpp"
 
+#include "interrupt.hpp"
 #include "io/write/digest.hpp"
 #include "phase_seconds.hpp"
 
@@ -59,6 +60,7 @@ double TimedDetector::call() {
 }
 
 std::string TimedDetector::digest() const {
+  const InterruptsEndAtOnce at_once;
   return form_ == Form::count ? "" : io::digest(canonical_pairs());
 }
 

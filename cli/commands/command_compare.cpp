@@ -1,6 +1,7 @@
 #include "commands/command_compare.hpp"
 
 #include "answer.hpp"
+#include "interrupt.hpp"
 #include "io/write/digest.hpp"
 #include "talk.hpp"
 #include "text/human_text.hpp"
@@ -57,6 +58,7 @@ Run run_one(Algorithm algorithm, const CompareOptions& options, const Subject& s
     const PairList pairs =
         find_contact_pairs(subject.snapshot.elements(), subject.domain, detection);
     run.statistics = pairs.statistics();
+    const InterruptsEndAtOnce at_once;
     run.digest = io::digest(pairs.pairs(), pairs.shifts());
   } catch (const Error& error) {
     run.refusal = refusal(error);

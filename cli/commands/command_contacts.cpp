@@ -1,6 +1,7 @@
 #include "commands/command_contacts.hpp"
 
 #include "element_sets.hpp"
+#include "interrupt.hpp"
 #include "io/write/digest.hpp"
 #include "io/write/write_contacts.hpp"
 #include "options/output_option.hpp"
@@ -78,6 +79,7 @@ void write(const ContactsOptions& options, io::ContactFormat format, const Eleme
 }
 
 std::string digest_line(const ContactsOptions& options, const PairList& pairs) {
+  const InterruptsEndAtOnce at_once;
   if (options.detection.order == Order::canonical) {
     return io::digest(pairs.pairs(), pairs.shifts()) + '\n';
   }

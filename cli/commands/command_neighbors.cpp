@@ -61,6 +61,7 @@ io::Durability write(const NeighborList& list, const Domain& domain, const std::
 
 std::string summary(const NeighborsOptions& options, const ElementSets& sets,
                     const LoadedRule& rule, const NeighborList& list) {
+  const InterruptsEndAtOnce at_once;
   std::size_t most = 0;
   std::size_t alone = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "options/rule_options.hpp"
 
+#include "interrupt.hpp"
 #include "io/quoted_text.hpp"
 #include "io/read/read_pairs.hpp"
 #include "options/argument.hpp"
@@ -134,6 +135,7 @@ void LoadedRule::load_exclusions(const RuleOptions& options, const ElementSets& 
   const std::size_t second = sets.partners().size();
   const std::vector<ContactPair> pairs =
       io::read_pairs(options.exclude, {first, second}, console.progress());
+  const InterruptsEndAtOnce at_once;
   exclusions_ = sets.are_two() ? ExclusionList(pairs, first, second) : ExclusionList(pairs, first);
   const std::string source =
       options.exclude == "-" ? "standard input" : io::visible(options.exclude);

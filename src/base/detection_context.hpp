@@ -18,6 +18,7 @@ class DetectionContext {
  public:
   MemoryMeter& memory;
   ProgressReporter progress;
+  WorkCounter work{progress, 0};  ///< of the caller's thread
   trace::Sink* trace = nullptr;
 
   std::uint64_t candidate_tests = 0;

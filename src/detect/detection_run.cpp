@@ -15,7 +15,6 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
-#include <exception>
 
 namespace abut::api {
 namespace {
@@ -50,6 +49,12 @@ Shifts shifts_to_find(const DetectionRequest& request) {
   return is_measured(request) ? Shifts::stored : request.options.shifts;
 }
 
+void fill_with_none(ShiftArray& shifts, base::WorkCounter& work) {
+  work.in_pieces(0, shifts.size(), [&](std::size_t begin, std::size_t end) {
+    std::fill(shifts.data() + begin, shifts.data() + end, ImageShift{});
+  });
+}
+
 void require_measurable(const DetectionRequest& request) {
   if (!is_measured(request) || request.elements.shape() != Shape::box) return;
   throw Error(ErrorCode::wrong_usage,
@@ -65,7 +70,7 @@ Statistics DetectionRun::guarded(const DetectionRequest& request, Body&& body) {
   if (request.others == nullptr) skin_.require_ids_for(request.elements.size());
   memory_.start_anew(memory_bound(request.options));
   DetectionContext context(memory_, request.options.progress);
-  try {
+  return base::letting_through([&] {
     return reporting_lack_of_memory(memory_, [&] {
       Statistics statistics = body(context);
       statistics.candidate_tests = context.candidate_tests;
@@ -75,9 +80,7 @@ Statistics DetectionRun::guarded(const DetectionRequest& request, Body&& body) {
       statistics.working_bytes = memory_.working_peak();
       return statistics;
     });
-  } catch (const base::CallersException& theirs) {
-    std::rethrow_exception(theirs.exception);
-  }
+  });
 }
 
 template <int Dim>
@@ -152,7 +155,7 @@ Statistics DetectionRun::list_pairs(const DetectionRequest& request, PairArray& 
         store(request, {options.max_pairs, shifts_to_find(request), options.order, list.buffer()},
               context);
     Stopwatch stopwatch;
-    write_pairs(request, pairs, shifts, static_cast<std::size_t>(statistics.threads));
+    write_pairs(request, pairs, shifts, static_cast<std::size_t>(statistics.threads), context.work);
     statistics.order_seconds = stopwatch.lap();
     return statistics;
   });
@@ -161,7 +164,7 @@ Statistics DetectionRun::list_pairs(const DetectionRequest& request, PairArray& 
 }
 
 void DetectionRun::write_pairs(const DetectionRequest& request, PairArray& pairs,
-                               ShiftArray& shifts, std::size_t workers) {
+                               ShiftArray& shifts, std::size_t workers, base::WorkCounter& work) {
   const PairPieces pieces = found_.pieces();
   const std::size_t kept = found_.in_buffer();
   const std::size_t elements = request.elements.size();
@@ -170,12 +173,12 @@ void DetectionRun::write_pairs(const DetectionRequest& request, PairArray& pairs
   const ResultBuffer shift_buffer(shifts, shift_count, memory_, std::min(kept, shifts.size()));
   if (shifts_to_find(request) == Shifts::stored) {
     const ImagePieces images{pieces, found_.shift_pieces()};
-    return found_.must_be_sorted() ? order_.sort(images, elements, pairs, shifts, workers)
-                                   : order_.join(images, pairs, shifts, workers, kept);
+    return found_.must_be_sorted() ? order_.sort(images, elements, pairs, shifts, workers, work)
+                                   : order_.join(images, pairs, shifts, workers, work, kept);
   }
-  std::fill(shifts.begin(), shifts.end(), ImageShift{});
-  if (found_.must_be_sorted()) return order_.sort(pieces, elements, pairs, workers);
-  order_.join(pieces, pairs, workers, kept);
+  fill_with_none(shifts, work);
+  if (found_.must_be_sorted()) return order_.sort(pieces, elements, pairs, workers, work);
+  order_.join(pieces, pairs, workers, work, kept);
 }
 
 Statistics DetectionRun::visit_batches(const DetectionRequest& request, const Visitors& visitors) {
@@ -190,24 +193,23 @@ Statistics DetectionRun::visit_batches(const DetectionRequest& request, const Vi
 
 Statistics DetectionRun::list_neighbors(const DetectionRequest& request, NeighborListKind kind,
                                         const NeighborArrays& arrays) {
-  arrays.offsets.clear();
-  arrays.neighbors.clear();
-  arrays.shifts.clear();
-  arrays.distances.clear();
-  arrays.vectors.clear();
+  RowBuffers buffers(arrays);
   require_measurable(request);
-  return guarded(request, [&](DetectionContext& context) {
+  const Statistics result = guarded(request, [&](DetectionContext& context) {
     Statistics statistics = store(
         request, {.limit = request.options.max_pairs, .shifts = shifts_to_find(request)}, context);
     Stopwatch stopwatch;
-    write_rows(request, kind, arrays, static_cast<std::size_t>(statistics.threads));
+    write_rows(request, kind, arrays, static_cast<std::size_t>(statistics.threads), context.work);
     statistics.order_seconds = stopwatch.lap();
     return statistics;
   });
+  buffers.keep();
+  return result;
 }
 
 void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind kind,
-                              const NeighborArrays& arrays, std::size_t workers) {
+                              const NeighborArrays& arrays, std::size_t workers,
+                              base::WorkCounter& work) {
   const NeighborData data = request.options.neighbor_data;
   const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
   const auto entries_if = [entries](bool wanted) { return wanted ? entries : 0; };
@@ -220,34 +222,35 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
   const ResultBuffer shift_buffer(arrays.shifts, entries_if(with_shifts), memory_);
   const ResultBuffer distance_buffer(arrays.distances, entries_if(distances), memory_);
   const ResultBuffer vector_buffer(arrays.vectors, entries_if(vectors), memory_);
-  list_rows(shifts_to_find(request), kind, arrays, workers);
+  list_rows(shifts_to_find(request), kind, arrays, workers, work);
   if (is_measured(request)) {
-    request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, workers)
-                                       : measure_rows<3>(request, arrays, workers);
+    request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, workers, work)
+                                       : measure_rows<3>(request, arrays, workers, work);
   }
   arrays.offsets.pop_back();
   if (request.options.shifts == Shifts::none) arrays.shifts.clear();
 }
 
 void DetectionRun::list_rows(Shifts found_shifts, NeighborListKind kind,
-                             const NeighborArrays& arrays, std::size_t workers) {
+                             const NeighborArrays& arrays, std::size_t workers,
+                             base::WorkCounter& work) {
   const PairPieces pieces = found_.pieces();
   if (found_shifts == Shifts::none) {
-    std::fill(arrays.shifts.begin(), arrays.shifts.end(), ImageShift{});
+    fill_with_none(arrays.shifts, work);
     return neighbor_rows_.list(pieces, kind,
                                std::span(arrays.offsets).first(arrays.offsets.size() - 1),
-                               arrays.neighbors, workers);
+                               arrays.neighbors, workers, work);
   }
   while (row_rooms_.size() < workers) {
     row_rooms_.push_back(base::make_array_for_overwrite<Partner>(memory_, 0));
   }
   list_image_rows({pieces, found_.shift_pieces()}, kind, arrays.offsets, arrays.neighbors,
-                  arrays.shifts, std::span(row_rooms_).first(workers));
+                  arrays.shifts, std::span(row_rooms_).first(workers), work);
 }
 
 template <int Dim>
 void DetectionRun::measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
-                                std::size_t workers) {
+                                std::size_t workers, base::WorkCounter& work) {
   const Arrays<Dim>& own = this->arrays<Dim>();
   using Spheres = std::span<const base::Sphere<Dim>>;
   const bool one_set = request.others == nullptr;
@@ -255,7 +258,7 @@ void DetectionRun::measure_rows(const DetectionRequest& request, const NeighborA
   const Spheres second = one_set ? first : own.two_set_search.second();
   const MeasuredRows<Dim> rows{first,          second,           lattice_of(request.domain),
                                arrays.offsets, arrays.neighbors, arrays.shifts};
-  measure_neighbors<Dim>(rows, arrays.distances, arrays.vectors, workers);
+  measure_neighbors<Dim>(rows, arrays.distances, arrays.vectors, workers, work);
 }
 
 }  // namespace abut::api

@@ -90,14 +90,14 @@ class DetectionRun {
                    base::DetectionContext& context);
 
   void write_pairs(const DetectionRequest& request, PairArray& pairs, ShiftArray& shifts,
-                   std::size_t workers);
+                   std::size_t workers, base::WorkCounter& work);
   void write_rows(const DetectionRequest& request, NeighborListKind kind,
-                  const NeighborArrays& arrays, std::size_t workers);
+                  const NeighborArrays& arrays, std::size_t workers, base::WorkCounter& work);
   void list_rows(Shifts found_shifts, NeighborListKind kind, const NeighborArrays& arrays,
-                 std::size_t workers);
+                 std::size_t workers, base::WorkCounter& work);
   template <int Dim>
   void measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
-                    std::size_t workers);
+                    std::size_t workers, base::WorkCounter& work);
 
   base::MemoryMeter memory_;
   Arrays<2> in_2d_{memory_};

@@ -41,8 +41,9 @@ ElementView view_of(std::span<const base::Sphere<Dim>> spheres) {
 /// The elements where they lie now: a periodic search may have moved the array.
 template <int Dim>
 Snapshot<Dim> snapshot(const SkinCall<Dim>& call) {
-  return {call.elements.spheres,     call.elements.bounds,       call.task.domain,
-          call.task.settings.margin, call.task.settings.workers, call.task.settings.simd};
+  const engine::RowsSettings& settings = call.task.settings;
+  return {call.elements.spheres, call.elements.bounds, call.task.domain, settings.margin,
+          settings.workers,      settings.simd,        call.context.work};
 }
 
 }  // namespace

@@ -119,8 +119,9 @@ Partition first_partition(std::span<const std::int32_t> values) {
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   if (*lowest == *highest) return result;
   reference::CompanionArrays<1> arrays({std::span(result.values)});
-  result.left_size =
-      arrays.exchange(0, values.size(), 0, reference::partition_middle(*lowest, *highest));
+  base::DetectionContext context;
+  result.left_size = arrays.exchange(0, values.size(), 0,
+                                     reference::partition_middle(*lowest, *highest), context.work);
   return result;
 }
 

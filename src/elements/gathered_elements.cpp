@@ -1,6 +1,6 @@
 #include "elements/gathered_elements.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 #include "base/written.hpp"
 #include "grid/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
@@ -19,7 +19,9 @@
 namespace abut::api {
 namespace {
 
-constexpr std::size_t elements_between_polls = 4096;
+constexpr std::size_t elements_at_a_time = 1024;
+/// Columns of an element are read one by one.
+constexpr std::uint64_t steps_of_reading = 8;
 
 [[noreturn]] void reject(std::size_t element, const char* field, double value, const char* rule) {
   throw Error(ErrorCode::invalid_input, "element " + std::to_string(element) + " has " + field +
@@ -221,13 +223,16 @@ void gather(const ElementView& elements, const GatherSettings& settings,
   gathered.parts.assign(settings.workers, {});
   // Each worker its part in order, and of two exceptions the first worker's is thrown: that of the
   // first bad element.
-  base::for_each_worker(settings.workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, settings.workers, elements.size());
-    for (std::size_t k = first; k < last; k += elements_between_polls) {
-      if (worker == 0) context.progress.report(k);
-      gathered.parts[worker].include(gatherer.read(k, std::min(k + elements_between_polls, last)));
-    }
-  });
+  base::for_each_share(
+      settings.workers, context.work, [&](std::size_t share, base::WorkCounter& work) {
+        const auto [first, last] = base::share_of(share, settings.workers, elements.size());
+        for (std::size_t k = first; k < last; k += elements_at_a_time) {
+          const std::size_t end = std::min(k + elements_at_a_time, last);
+          gathered.parts[share].include(gatherer.read(k, end));
+          context.progress.advance(end - k);
+          work.did(steps_of_reading * (end - k));
+        }
+      });
   gathered.bounds = {};
   for (const grid::Bounds<Dim>& part : gathered.parts) gathered.bounds.include(part);
   if (elements.shape() == Shape::box) gathered.bounds.count_largest_twice();

@@ -1,6 +1,6 @@
 #include "elements/joined_sets.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 
 #include <abut/error.hpp>
 
@@ -41,28 +41,33 @@ void JoinedSets<Dim>::keep_all(Set& set, std::size_t workers) {
 
 /// Those that the mask does not rule out.
 template <int Dim>
-void JoinedSets<Dim>::keep_some(Set& set, std::size_t workers) {
+void JoinedSets<Dim>::keep_some(Set& set, std::size_t workers, base::WorkCounter& work) {
   base::make_room(set.kept, set.size());
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, set.size());
+  base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
+    const auto [first, last] = base::share_of(share, workers, set.size());
     const base::Sphere<Dim>* const spheres = set.elements.spheres.data();
-    std::size_t end = first;
-    for (std::size_t k = first; k < last; ++k) {
-      set.kept[end] = static_cast<ElementIndex>(k);
-      end += mask_.may_be_within_reach(spheres[k]) ? 1 : 0;
-    }
-    set.counts[worker] = end - first;
+    std::size_t next = first;
+    its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        set.kept[next] = static_cast<ElementIndex>(k);
+        next += mask_.may_be_within_reach(spheres[k]) ? 1 : 0;
+      }
+    });
+    set.counts[share] = next - first;
   });
   set.count = std::accumulate(set.counts.begin(), set.counts.end(), std::size_t{0});
 }
 
 template <int Dim>
-void JoinedSets<Dim>::leave_out(const Search& search) {
+void JoinedSets<Dim>::leave_out(const Search& search, base::WorkCounter& work) {
   const auto leave_out_far = [&](Set& set, const Set& other) {
     const auto& bounds = set.elements.bounds;
     mask_.cover_box(other.elements.bounds, bounds.largest_radius, search.margin);
-    if (set.size() / times_larger >= other.size()) mask_.cover_cells(other.elements.spheres);
-    if (!mask_.covers_all_of(bounds)) keep_some(set, search.gather.workers);
+    if (set.size() / times_larger >= other.size()) {
+      mask_.cover_cells(other.elements.spheres);
+      work.did(other.size());
+    }
+    if (!mask_.covers_all_of(bounds)) keep_some(set, search.gather.workers, work);
   };
   leave_out_far(first_, second_);
   leave_out_far(second_, first_);
@@ -70,7 +75,7 @@ void JoinedSets<Dim>::leave_out(const Search& search) {
 
 template <int Dim>
 void JoinedSets<Dim>::place(const Set& set, std::size_t worker, std::size_t begin,
-                            GatheredElements<Dim>& joined) {
+                            GatheredElements<Dim>& joined, base::WorkCounter& work) {
   const std::size_t workers = set.counts.size();
   const std::size_t first = base::share_of(worker, workers, set.size()).first;
   const std::size_t count = set.counts[worker];
@@ -80,18 +85,23 @@ void JoinedSets<Dim>::place(const Set& set, std::size_t worker, std::size_t begi
   const base::Sphere<Dim>* const spheres = set.elements.spheres.data();
   const bool boxes = !set.elements.boxes.empty();
   grid::Bounds<Dim>& bounds = joined.parts[worker];
-  for (std::size_t k = first; k < first + count; ++k, ++to) {
+  const auto place_one = [&](std::size_t k) {
     const std::size_t number = all ? k : set.kept[k];
     joined.spheres[to] = spheres[number];
     if (boxes) joined.boxes[to] = set.elements.boxes[number];
     bounds.include_center(spheres[number]);
     bounds.include_radius(spheres[number].radius);
     if (!all_there_) numbers_[to] = static_cast<ElementIndex>(number);
-  }
+    ++to;
+  };
+  work.in_pieces(first, first + count, [&](std::size_t from, std::size_t end) {
+    for (std::size_t k = from; k < end; ++k) place_one(k);
+  });
 }
 
 template <int Dim>
-void JoinedSets<Dim>::join(std::size_t workers, GatheredElements<Dim>& joined) {
+void JoinedSets<Dim>::join(std::size_t workers, GatheredElements<Dim>& joined,
+                           base::WorkCounter& work) {
   all_there_ = first_.count == first_.size() && second_.count == second_.size();
   const std::size_t count = first_.count + second_.count;
   const bool boxes = !first_.elements.boxes.empty() || !second_.elements.boxes.empty();
@@ -99,9 +109,9 @@ void JoinedSets<Dim>::join(std::size_t workers, GatheredElements<Dim>& joined) {
   base::resize_for_overwrite(joined.boxes, boxes ? count : 0);
   if (!all_there_) base::make_room(numbers_, count);
   joined.parts.assign(workers, {});
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    place(first_, worker, 0, joined);
-    place(second_, worker, first_.count, joined);
+  base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
+    place(first_, share, 0, joined, its_work);
+    place(second_, share, first_.count, joined, its_work);
   });
   joined.bounds = {};
   for (const grid::Bounds<Dim>& part : joined.parts) joined.bounds.include(part);
@@ -119,8 +129,9 @@ void JoinedSets<Dim>::gather(const ElementView& first, const ElementView& second
   keep_all(second_, search.gather.workers);
   // The spheres that stand for boxes are rounded; the mask takes them at their word.
   const bool spheres = first.shape() == Shape::sphere;
-  if (spheres && search.open_space && first.size() > 0 && second.size() > 0) leave_out(search);
-  join(search.gather.workers, joined);
+  if (spheres && search.open_space && first.size() > 0 && second.size() > 0)
+    leave_out(search, context.work);
+  join(search.gather.workers, joined, context.work);
 }
 
 template class JoinedSets<2>;

@@ -66,11 +66,12 @@ class JoinedSets {
     std::size_t count = 0;            ///< of all
   };
 
-  void leave_out(const Search& search);
+  void leave_out(const Search& search, base::WorkCounter& work);
   void keep_all(Set& set, std::size_t workers);
-  void keep_some(Set& set, std::size_t workers);
-  void join(std::size_t workers, GatheredElements<Dim>& joined);
-  void place(const Set& set, std::size_t worker, std::size_t begin, GatheredElements<Dim>& joined);
+  void keep_some(Set& set, std::size_t workers, base::WorkCounter& work);
+  void join(std::size_t workers, GatheredElements<Dim>& joined, base::WorkCounter& work);
+  void place(const Set& set, std::size_t worker, std::size_t begin, GatheredElements<Dim>& joined,
+             base::WorkCounter& work);
 
   Set first_;
   Set second_;

@@ -19,10 +19,17 @@ bool within(const base::Sphere<Dim>& sphere, const grid::Bounds<Dim>& box, doubl
   return inside;
 }
 
+template <class Body>
+void for_each_number(const Numbers& numbers, base::WorkCounter& work, Body&& body) {
+  work.in_pieces(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) body(numbers[k]);
+  });
+}
+
 /// The box of some elements and their radii.
 template <int Dim>
 grid::Bounds<Dim> bounds_of(const base::Elements<Dim>& elements, const Numbers& numbers,
-                            const kernels::ElementKernels& kernels) {
+                            const kernels::ElementKernels& kernels, base::WorkCounter& work) {
   grid::Bounds<Dim> bounds;
   SphereBlock<Dim> block;
   SphereBlock<Dim>::for_each(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
@@ -34,6 +41,7 @@ grid::Bounds<Dim> bounds_of(const base::Elements<Dim>& elements, const Numbers& 
       bounds.include_center(spheres[k]);
       bounds.include_radius(spheres[k].radius);
     }
+    work.did(end - begin);
   });
   return bounds;
 }
@@ -42,45 +50,45 @@ grid::Bounds<Dim> bounds_of(const base::Elements<Dim>& elements, const Numbers& 
 
 template <int Dim>
 Group<Dim> group_of(const base::Elements<Dim>& elements, const Members& members, Wanted wanted,
-                    const kernels::ElementKernels& kernels) {
+                    const kernels::ElementKernels& kernels, base::WorkCounter& work) {
   Group<Dim> group;
   group.natives = Members::numbers(members.natives);
   group.foreigns = Members::numbers(members.foreigns);
   group.visitors = Members::numbers(members.visitors);
   group.wanted = wanted;
-  group.bounds = bounds_of(elements, group.natives, kernels);
-  for (const std::uint32_t number : members.foreigns) {
-    group.bounds.include_radius(elements[number].radius);
-  }
+  group.bounds = bounds_of(elements, group.natives, kernels, work);
+  work.in_pieces(0, group.foreigns.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      group.bounds.include_radius(elements[group.foreigns[k]].radius);
+    }
+  });
   if (elements.are_boxes()) group.bounds.count_largest_twice();
   return group;
 }
 
 template <int Dim>
 void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group, double cut,
-                    Floor<Dim>& floor) {
+                    Floor<Dim>& floor, base::WorkCounter& work) {
   Members& large = floor.large;
   Members& small = floor.small;
   Members& across = floor.across;
   large.clear();
   small.clear();
   across.clear();
-  for (std::size_t k = 0; k < group.visitors.size(); ++k) {
-    large.visitors.push_back(group.visitors[k]);
-    small.visitors.push_back(group.visitors[k]);
-  }
+  for_each_number(group.visitors, work, [&](std::uint32_t number) {
+    large.visitors.push_back(number);
+    small.visitors.push_back(number);
+  });
   const bool with_natives = group.wanted == Wanted::all_pairs;
-  for (std::size_t k = 0; k < group.natives.size(); ++k) {
-    const std::uint32_t number = group.natives[k];
+  for_each_number(group.natives, work, [&](std::uint32_t number) {
     const bool is_small = elements[number].radius < cut;
     (is_small ? small : large).natives.push_back(number);
     if (!is_small && with_natives) {
       small.visitors.push_back(number);
       across.visitors.push_back(number);
     }
-  }
-  for (std::size_t k = 0; k < group.foreigns.size(); ++k) {
-    const std::uint32_t number = group.foreigns[k];
+  });
+  for_each_number(group.foreigns, work, [&](std::uint32_t number) {
     if (elements[number].radius < cut) {
       small.foreigns.push_back(number);
       across.natives.push_back(number);
@@ -88,31 +96,37 @@ void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group
       large.foreigns.push_back(number);
       small.visitors.push_back(number);
     }
-  }
+  });
 }
 
 template <int Dim>
 Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles,
                         std::size_t tile, double cell_size, double margin,
-                        const kernels::ElementKernels& kernels, Members& members) {
+                        const kernels::ElementKernels& kernels, Members& members,
+                        base::WorkCounter& work) {
   const std::span<const base::Sphere<Dim>> spheres = elements.spheres;
   const auto records = tiles.records(tile);
   const std::size_t own = tiles.own_count(tile);
   members.clear();
   members.natives.resize(own);
-  for (std::size_t k = 0; k < own; ++k) members.natives[k] = records[k].number;
-  grid::Bounds<Dim> bounds = bounds_of(elements, Members::numbers(members.natives), kernels);
+  work.in_pieces(0, own, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) members.natives[k] = records[k].number;
+  });
+  grid::Bounds<Dim> bounds = bounds_of(elements, Members::numbers(members.natives), kernels, work);
   const double wider = margin + position_slack * cell_size;
-  for (const std::uint32_t number : tiles.visitors(tile)) {
+  const std::span<const std::uint32_t> visitors = tiles.visitors(tile);
+  for_each_number({visitors.data(), visitors.size()}, work, [&](std::uint32_t number) {
     if (Catchment<Dim>::of(elements, number, bounds.largest_radius, wider).meets(bounds)) {
       members.visitors.push_back(number);
     }
-  }
-  for (const Record<Dim>& record : records.subspan(own)) {
-    if (!within(spheres[record.number], bounds, cell_size)) continue;
-    members.foreigns.push_back(record.number);
-    bounds.include_radius(spheres[record.number].radius);
-  }
+  });
+  work.in_pieces(own, records.size(), [&](std::size_t begin, std::size_t end) {
+    for (const Record<Dim>& record : records.subspan(begin, end - begin)) {
+      if (!within(spheres[record.number], bounds, cell_size)) continue;
+      members.foreigns.push_back(record.number);
+      bounds.include_radius(spheres[record.number].radius);
+    }
+  });
   if (elements.are_boxes()) bounds.count_largest_twice();
   return {Members::numbers(members.natives),
           Members::numbers(members.foreigns),
@@ -123,14 +137,18 @@ Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& t
 }
 
 template Group<2> group_of(const base::Elements<2>&, const Members&, Wanted,
-                           const kernels::ElementKernels&);
+                           const kernels::ElementKernels&, base::WorkCounter&);
 template Group<3> group_of(const base::Elements<3>&, const Members&, Wanted,
-                           const kernels::ElementKernels&);
-template void divide_by_size(const base::Elements<2>&, const Group<2>&, double, Floor<2>&);
-template void divide_by_size(const base::Elements<3>&, const Group<3>&, double, Floor<3>&);
+                           const kernels::ElementKernels&, base::WorkCounter&);
+template void divide_by_size(const base::Elements<2>&, const Group<2>&, double, Floor<2>&,
+                             base::WorkCounter&);
+template void divide_by_size(const base::Elements<3>&, const Group<3>&, double, Floor<3>&,
+                             base::WorkCounter&);
 template Group<2> collect_tile(const base::Elements<2>&, const Tiles<2>&, std::size_t, double,
-                               double, const kernels::ElementKernels&, Members&);
+                               double, const kernels::ElementKernels&, Members&,
+                               base::WorkCounter&);
 template Group<3> collect_tile(const base::Elements<3>&, const Tiles<3>&, std::size_t, double,
-                               double, const kernels::ElementKernels&, Members&);
+                               double, const kernels::ElementKernels&, Members&,
+                               base::WorkCounter&);
 
 }  // namespace abut::engine

@@ -1,6 +1,6 @@
 #include "engine/group_search.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 #include "engine/divide.hpp"
 #include "engine/size_cut.hpp"
 
@@ -100,8 +100,10 @@ bool is_clustered(const SortedTile<Dim>& tile) {
 
 template <int Dim>
 void count_radii(RadiusHistogram& histogram, const base::Elements<Dim>& elements,
-                 const Numbers& numbers) {
-  for (std::size_t k = 0; k < numbers.size(); ++k) histogram.add(elements[numbers[k]].radius);
+                 const Numbers& numbers, base::WorkCounter& work) {
+  work.in_pieces(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) histogram.add(elements[numbers[k]].radius);
+  });
 }
 
 }  // namespace
@@ -130,8 +132,8 @@ void GroupSearch<Dim>::search(const Group<Dim>& group, const Post& post) {
   if (group.wanted == Wanted::pairs_of_visitors && group.visitors.empty()) return;
   if (group.bounds.smallest_radius < group.bounds.largest_radius) {
     post.histogram.clear();
-    count_radii(post.histogram, task_.elements, group.natives);
-    count_radii(post.histogram, task_.elements, group.foreigns);
+    count_radii(post.histogram, task_.elements, group.natives, work_at(post));
+    count_radii(post.histogram, task_.elements, group.foreigns, work_at(post));
     const double cell = cell_size_for(group.bounds, task_);
     const double volume = volume_in_cells(group.bounds, cell);
     if (const auto cut =
@@ -145,11 +147,14 @@ void GroupSearch<Dim>::search(const Group<Dim>& group, const Post& post) {
 template <int Dim>
 void GroupSearch<Dim>::search_divided(const Group<Dim>& group, double cut, const Post& post) {
   Floor<Dim>& floor = post.floors.at(post.depth);
-  divide_by_size(task_.elements, group, cut, floor);
-  search(group_of(task_.elements, floor.large, group.wanted, task_.element_kernels), post.deeper());
-  search(group_of(task_.elements, floor.small, group.wanted, task_.element_kernels), post.deeper());
-  search(group_of(task_.elements, floor.across, Wanted::pairs_of_visitors, task_.element_kernels),
-         post.deeper());
+  base::WorkCounter& work = work_at(post);
+  divide_by_size(task_.elements, group, cut, floor, work);
+  const auto search_part = [&](const Members& members, Wanted wanted) {
+    search(group_of(task_.elements, members, wanted, task_.element_kernels, work), post.deeper());
+  };
+  search_part(floor.large, group.wanted);
+  search_part(floor.small, group.wanted);
+  search_part(floor.across, Wanted::pairs_of_visitors);
 }
 
 template <int Dim>
@@ -157,29 +162,32 @@ void GroupSearch<Dim>::search_tiles(const Group<Dim>& group, const Post& post) {
   const TileGrid<Dim> grid = cut_into_tiles(group, cell_size_for(group.bounds, task_));
   Tiles<Dim>& tiles = post.floors.at(post.depth).tiles;
   if (post.worker != nullptr) {
-    tiles.partition(task_.elements, group, grid, task_.margin, task_.element_kernels, 1);
+    tiles.partition(task_.elements, group, grid, task_.margin, task_.element_kernels, 1,
+                    work_at(post));
     for (std::size_t tile = 0; tile < grid.tile_count; ++tile) {
       search_tile(group, grid, tiles, tile, post);
     }
     return;
   }
-  tiles.partition(task_.elements, group, grid, task_.margin, task_.element_kernels, worker_count_);
+  tiles.partition(task_.elements, group, grid, task_.margin, task_.element_kernels, worker_count_,
+                  work_at(post));
   if (worker_count_ > 1 && grid.tiles_in_box() == 1.0 &&
       group.natives.size() >= least_shared_tile) {
     return search_one_tile(group, grid, tiles, post);
   }
-  base::for_each_index(worker_count_, grid.tile_count, [&](std::size_t w, std::size_t tile) {
+  const auto search_one = [&](std::size_t w, std::size_t tile, base::WorkCounter& work) {
+    work.did(1);
     TileSearcher<Dim>& worker = *workspace_.workers[w];
     if (tiles.own_count(tile) == 0) return;
     worker.begin_unit(next_unit_ + tile);
     search_tile(group, grid, tiles, tile,
                 {&worker, worker.bench().floors, worker.bench().histogram, 0});
     if (worker_count_ > 1) worker.finish_unit();
-    searched_ += tiles.own_count(tile);
-    if (w == 0) context_.progress.report(searched_);
-  });
+    context_.progress.advance(tiles.own_count(tile));
+  };
+  base::for_each_index(worker_count_, grid.tile_count, work_at(post), search_one);
   next_unit_ += grid.tile_count;
-  context_.progress.report(searched_);
+  context_.progress.poll();
   search_waiting(post);
 }
 
@@ -192,8 +200,8 @@ void GroupSearch<Dim>::search_one_tile(const Group<Dim>& group, const TileGrid<D
   search_tile(group, grid, tiles, grid.first_tile(),
               {&first, first.bench().floors, first.bench().histogram, 0, Crew::all});
   first.finish_unit();
-  searched_ += group.natives.size();
-  context_.progress.report(searched_);
+  context_.progress.advance(group.natives.size());
+  context_.progress.poll();
   search_waiting(post);
 }
 
@@ -207,13 +215,14 @@ void GroupSearch<Dim>::search_pairs(double unit, const Post& post) {
   const kernels::Layers all = kernels::all_layers(tile.view(), Dim);
   const auto layers = static_cast<std::size_t>(all.end);
   const std::size_t parts = std::min(layers, parts_for_each * worker_count_);
-  base::for_each_index(worker_count_, parts, [&](std::size_t w, std::size_t part) {
+  const auto search_part = [&](std::size_t w, std::size_t part, base::WorkCounter&) {
     const auto [begin, end] = base::share_of(part, parts, layers);
     TileSearcher<Dim>& worker = *workspace_.workers[w];
     worker.begin_unit(next_unit_ + part);
     worker.search(tile, {static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)}, unit);
     worker.finish_unit();
-  });
+  };
+  base::for_each_index(worker_count_, parts, work_at(post), search_part);
   next_unit_ += parts;
   post.worker->begin_unit(next_unit_++);
 }
@@ -228,10 +237,11 @@ void GroupSearch<Dim>::search_tile(const Group<Dim>& group, const TileGrid<Dim>&
   const auto records = tiles.records(tile);
   SortedTile<Dim>& sorted = post.worker->bench().tile;
   TileCells<Dim> cells = choose_tile_cells(grid, tiles.unit(), records.size());
-  sorted.count(records, own, cells, task_.element_kernels);
+  base::WorkCounter& work = post.worker->work();
+  sorted.count(records, own, cells, task_.element_kernels, work);
   if (cells.coarse && is_clustered(sorted)) {
     cells = choose_tile_cells(grid, tiles.unit(), cells_of_cluster * records.size());
-    sorted.count(records, own, cells, task_.element_kernels);
+    sorted.count(records, own, cells, task_.element_kernels, work);
   }
   if (records.size() > few_elements && sorted.crowding() > crowd * records.size() &&
       search_crowded_tile(group, grid, tiles, tile, cells, post)) {
@@ -241,7 +251,7 @@ void GroupSearch<Dim>::search_tile(const Group<Dim>& group, const TileGrid<Dim>&
   sorted.sort(
       records,
       {tiles.shape(), tiles.sizes(tile), static_cast<float>(bounds.largest_radius * tiles.unit())},
-      task_.element_kernels);
+      task_.element_kernels, work);
   if (all_pairs) search_pairs(tiles.unit(), post);
   if (visitors.empty()) return;
   post.worker->visit(
@@ -265,7 +275,7 @@ bool GroupSearch<Dim>::search_crowded_tile(const Group<Dim>& group, const TileGr
   const bool waits = post.depth == 0 && tiles.own_count(tile) >= large_group;
   Members& members = waits ? spare_members() : post.floors.at(post.depth).part;
   Part part{collect_tile(task_.elements, tiles, tile, grid.cell_size, task_.margin,
-                         task_.element_kernels, members),
+                         task_.element_kernels, members, post.worker->work()),
             cut};
   part.group.wanted = group.wanted;
   // Cells that are much smaller, because the box is, are progress enough.
@@ -291,10 +301,13 @@ std::optional<double> GroupSearch<Dim>::size_cut_in(const Group<Dim>& group,
   if (group.bounds.smallest_radius == group.bounds.largest_radius) return std::nullopt;
   post.histogram.clear();
   grid::Bounds<Dim> sizes;
-  for (const Record<Dim>& record : tiles.records(tile)) {
-    post.histogram.add(task_.elements[record.number].radius);
-    sizes.include_radius(task_.elements[record.number].radius);
-  }
+  const auto records = tiles.records(tile);
+  post.worker->work().in_pieces(0, records.size(), [&](std::size_t begin, std::size_t end) {
+    for (const Record<Dim>& record : records.subspan(begin, end - begin)) {
+      post.histogram.add(task_.elements[record.number].radius);
+      sizes.include_radius(task_.elements[record.number].radius);
+    }
+  });
   if (task_.elements.are_boxes()) sizes.count_largest_twice();
   const SortedTile<Dim>& sorted = post.worker->bench().tile;
   const auto count = static_cast<double>(sorted.size());

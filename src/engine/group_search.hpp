@@ -4,7 +4,6 @@
 #include "engine/tile_searcher.hpp"
 #include "engine/workspace.hpp"
 
-#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -51,6 +50,11 @@ class GroupSearch {
     Part part;
   };
 
+  /// Of who is at that post: of all workers, the caller's thread.
+  [[nodiscard]] base::WorkCounter& work_at(const Post& post) const noexcept {
+    return (post.worker != nullptr ? post.worker : workspace_.workers[0].get())->work();
+  }
+
   void search(const Group<Dim>& group, const Post& post);
   void search(const Part& part, const Post& post);
   void search_divided(const Group<Dim>& group, double cut, const Post& post);
@@ -79,7 +83,6 @@ class GroupSearch {
   std::mutex waiting_mutex_;
   std::vector<Waiting> waiting_;
   std::size_t deferred_in_use_ = 0;
-  std::atomic<std::uint64_t> searched_ = 0;
 };
 
 }  // namespace abut::engine

@@ -107,16 +107,32 @@ void SortedTile<Dim>::make_room_for(std::size_t elements, std::size_t cells) {
   view_.cell_begin = cell_begin_.data();
 }
 
+/// The cells of the records; a tile may hold any number of these.
+template <int Dim>
+void SortedTile<Dim>::find_cells(std::span<const Record<Dim>> records, std::size_t own,
+                                 const TileCells<Dim>& cells,
+                                 const kernels::ElementKernels& kernels, base::WorkCounter& work) {
+  const CellOf<Dim> cell_of(cells);
+  const kernels::CellMap map = cell_of.map();
+  work.in_pieces(0, own, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t* const to = cell_of_.data() + begin;
+    std::size_t k = begin + kernels.bin(records.data() + begin, end - begin, Dim, map, to);
+    for (; k < end; ++k) cell_of_[k] = cell_of.own(records[k]);
+  });
+  work.in_pieces(own, records.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) cell_of_[k] = cell_of.copy(records[k]);
+  });
+}
+
 template <int Dim>
 void SortedTile<Dim>::count(std::span<const Record<Dim>> records, std::size_t own,
-                            const TileCells<Dim>& cells, const kernels::ElementKernels& kernels) {
+                            const TileCells<Dim>& cells, const kernels::ElementKernels& kernels,
+                            base::WorkCounter& work) {
   const CellOf<Dim> cell_of(cells);
   row_length_ = cell_of.row_length();
   row_count_ = cell_of.total() / row_length_;
   make_room_for(records.size(), cell_of.total());
-  std::size_t k = kernels.bin(records.data(), own, Dim, cell_of.map(), cell_of_.data());
-  for (; k < own; ++k) cell_of_[k] = cell_of.own(records[k]);
-  for (; k < records.size(); ++k) cell_of_[k] = cell_of.copy(records[k]);
+  find_cells(records, own, cells, kernels, work);
 
   std::uint32_t* const inhabitants = cell_begin_.data();
   std::fill_n(inhabitants, cell_of.total() + 1, 0u);
@@ -124,9 +140,13 @@ void SortedTile<Dim>::count(std::span<const Record<Dim>> records, std::size_t ow
     inhabitants[row * row_length_ - 1] = kernels::row_padding;
   }
   std::uint64_t company = 0;  // pairs that share a cell
-  for (const std::uint32_t cell : std::span(cell_of_).first(records.size())) {
-    company += inhabitants[cell]++;
-  }
+  work.in_pieces(0, records.size(), [&](std::size_t begin, std::size_t end) {
+    std::uint64_t in_piece = 0;
+    for (const std::uint32_t cell : std::span(cell_of_).subspan(begin, end - begin)) {
+      in_piece += inhabitants[cell]++;
+    }
+    company += in_piece;
+  });
   crowding_ = 2 * company + records.size();
   size_ = records.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -137,28 +157,33 @@ void SortedTile<Dim>::count(std::span<const Record<Dim>> records, std::size_t ow
 
 template <int Dim>
 void SortedTile<Dim>::sort(std::span<const Record<Dim>> records, const RecordSizes& sizes,
-                           const kernels::ElementKernels& kernels) {
+                           const kernels::ElementKernels& kernels, base::WorkCounter& work) {
   std::uint32_t* const end = cell_begin_.data();
   std::inclusive_scan(end, end + row_count_ * row_length_ + 1, end);
-  for (std::size_t k = records.size(); k-- > 0;) {
-    const std::uint32_t cell = cell_of_[k];
-    const std::uint32_t place = --end[cell];
-    order_[place] = static_cast<std::uint32_t>(k);
-    cells_[place] = cell;
-  }
+  work.did(row_count_ * row_length_);
+  // From the last record to the first.
+  work.in_pieces(0, records.size(), [&](std::size_t from, std::size_t to) {
+    const std::size_t first = records.size() - to;
+    for (std::size_t k = records.size() - from; k-- > first;) {
+      const std::uint32_t cell = cell_of_[k];
+      const std::uint32_t place = --end[cell];
+      order_[place] = static_cast<std::uint32_t>(k);
+      cells_[place] = cell;
+    }
+  });
   for (std::size_t row = 1; row <= row_count_; ++row) {
     end[row * row_length_ - 1] -= kernels::row_padding;
   }
-  arrange(records, kernels);
+  arrange(records, kernels, work);
   view_.shape = sizes.shape;
   view_.common_radius = sizes.common_radius;
-  arrange_sizes(sizes);
+  arrange_sizes(sizes, work);
 }
 
 /// Brings the records into order, row by row, each with its padding.
 template <int Dim>
 void SortedTile<Dim>::arrange(std::span<const Record<Dim>> records,
-                              const kernels::ElementKernels& kernels) {
+                              const kernels::ElementKernels& kernels, base::WorkCounter& work) {
   kernels::Arrangement job{};
   job.tile_records = records.data();
   job.order = order_.data();
@@ -168,30 +193,34 @@ void SortedTile<Dim>::arrange(std::span<const Record<Dim>> records,
   for (std::size_t axis = 0; axis < Dim; ++axis) job.center[axis] = column(axis);
   job.number = names_.data();
   for (std::size_t row = kernels.arrange(job, Dim); row < row_count_; ++row) {
-    const auto [begin, end] = row_places(row);
-    for (std::uint32_t place = begin; place < end; ++place) {
-      const Record<Dim>& record = records[order_[place]];
-      for (std::size_t axis = 0; axis < Dim; ++axis) column(axis)[place] = record.center[axis];
-      names_[place] = record.number;
-    }
-    std::fill_n(column(0) + end, kernels::row_padding, kernels::far_away);
+    const auto [first, last] = row_places(row);
+    work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t place = begin; place < end; ++place) {
+        const Record<Dim>& record = records[order_[place]];
+        for (std::size_t axis = 0; axis < Dim; ++axis) column(axis)[place] = record.center[axis];
+        names_[place] = record.number;
+      }
+    });
+    std::fill_n(column(0) + last, kernels::row_padding, kernels::far_away);
   }
 }
 
 template <int Dim>
-void SortedTile<Dim>::arrange_sizes(const RecordSizes& sizes) {
+void SortedTile<Dim>::arrange_sizes(const RecordSizes& sizes, base::WorkCounter& work) {
   const std::size_t columns = kernels::size_columns(sizes.shape, Dim);
   base::make_room(sizes_, columns * (numbers_.size() / Dim));
   for (std::size_t k = 0; k < columns; ++k) {
     float* const size = size_column(k);
     view_.size[k] = size;
+    const float* const of_record = sizes.sizes.data() + k;
     for (std::size_t row = 0; row < row_count_; ++row) {
-      const auto [begin, end] = row_places(row);
-      const float* const of_record = sizes.sizes.data() + k;
-      for (std::uint32_t place = begin; place < end; ++place) {
-        size[place] = of_record[order_[place] * columns];
-      }
-      std::fill_n(size + end, kernels::row_padding, 0.0f);
+      const auto [first, last] = row_places(row);
+      work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t place = begin; place < end; ++place) {
+          size[place] = of_record[order_[place] * columns];
+        }
+      });
+      std::fill_n(size + last, kernels::row_padding, 0.0f);
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/progress_reporter.hpp"
 #include "engine/record.hpp"
 #include "engine/tile_cells.hpp"
 #include "kernels/element_kernels.hpp"
@@ -28,14 +29,14 @@ class SortedTile {
 
   /// First half of the counting sort. The first `own` records are the tile's own.
   void count(std::span<const Record<Dim>> records, std::size_t own, const TileCells<Dim>& cells,
-             const kernels::ElementKernels& kernels);
+             const kernels::ElementKernels& kernels, base::WorkCounter& work);
 
   /// Sum of the squared numbers of elements in each cell: how crowded they are.
   [[nodiscard]] std::uint64_t crowding() const noexcept { return crowding_; }
 
   /// Second half, of the same records, with what says how large they are.
   void sort(std::span<const Record<Dim>> records, const RecordSizes& sizes,
-            const kernels::ElementKernels& kernels);
+            const kernels::ElementKernels& kernels, base::WorkCounter& work);
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
@@ -47,8 +48,12 @@ class SortedTile {
  private:
   void make_room_for(std::size_t elements, std::size_t cells);
 
-  void arrange(std::span<const Record<Dim>> records, const kernels::ElementKernels& kernels);
-  void arrange_sizes(const RecordSizes& sizes);
+  void find_cells(std::span<const Record<Dim>> records, std::size_t own,
+                  const TileCells<Dim>& cells, const kernels::ElementKernels& kernels,
+                  base::WorkCounter& work);
+  void arrange(std::span<const Record<Dim>> records, const kernels::ElementKernels& kernels,
+               base::WorkCounter& work);
+  void arrange_sizes(const RecordSizes& sizes, base::WorkCounter& work);
 
   [[nodiscard]] float* column(std::size_t k) noexcept {
     return numbers_.data() + k * (numbers_.size() / Dim);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 namespace abut::engine {
 namespace {
@@ -10,7 +11,10 @@ namespace {
 /// docs/derivations/tile_filter.md.
 constexpr float filter_slack = 0x1p-20f;
 
-constexpr std::uint64_t tests_between_polls = 1 << 18;
+/// Steps that the decision of a doubtful pair takes, compared to a test in a vector.
+constexpr std::uint64_t steps_of_decision = 16;
+
+constexpr std::uint64_t far_tests_between_tells = 256;
 
 /// In a tile of fewer all places of it are room enough.
 constexpr std::size_t few_elements = 1 << 13;
@@ -36,7 +40,8 @@ void TileSearcher<Dim>::start(const Task<Dim>& task) {
   pairs_ = {};
   filled_ = 0;
   far_tests_ = 0;
-  next_poll_ = 0;
+  tests_told_ = 0;
+  work_ = {task.progress, origin_.worker};
   exact_decisions_ = 0;
 }
 
@@ -55,8 +60,10 @@ void TileSearcher<Dim>::finish_unit() {
 /// Decides the doubtful pairs and hands all on.
 template <int Dim>
 void TileSearcher<Dim>::take() {
+  work_.did(steps_of_decision * findings_.doubts);
   if (findings_.doubts > 0) settle();
   hand_on();
+  tell();
 }
 
 /// Drops the doubtful pairs that are none; the others keep their order.
@@ -104,15 +111,12 @@ void TileSearcher<Dim>::flush() {
   const std::size_t count = filled_;
   filled_ = 0;
   if (count > 0) task_->sink.commit(count, origin_);
-  poll();
 }
 
-/// The caller's hook is asked from the caller's thread, which is the first worker's.
+/// The tests since it last did.
 template <int Dim>
-void TileSearcher<Dim>::poll() {
-  if (origin_.worker != 0 || candidate_tests() < next_poll_) return;
-  next_poll_ = candidate_tests() + tests_between_polls;
-  task_->progress.poll();
+void TileSearcher<Dim>::tell() {
+  work_.did(candidate_tests() - std::exchange(tests_told_, candidate_tests()));
 }
 
 template <int Dim>
@@ -139,7 +143,7 @@ void TileSearcher<Dim>::search(const SortedTile<Dim>& tile, const kernels::Layer
                                double unit) {
   prepare(tile, unit);
   task_->kernels.search(tile.view(), layers, job_, Dim);
-  poll();
+  tell();
 }
 
 template <int Dim>
@@ -151,12 +155,14 @@ void TileSearcher<Dim>::visit(const TileFrame<Dim>& frame,
   for (const std::uint32_t number : visitors) {
     const std::span<const kernels::Run> runs =
         bench_.visits.runs(tile, frame, task_->elements, number);
+    work_.did(1 + bench_.visits.rows());
     if (runs.empty()) continue;
     if (const auto visitor = visitor_in(frame, task_->elements, number)) {
       task_->kernels.visit(tile, job_, Dim, *visitor, runs);
     } else {
       meet_far_visitor(runs, number);
     }
+    tell();
   }
 }
 
@@ -166,7 +172,7 @@ void TileSearcher<Dim>::meet_far_visitor(std::span<const kernels::Run> runs,
   for (const kernels::Run& run : runs) {
     for (std::uint32_t k = run.begin; k < run.end; ++k) {
       const std::uint32_t other = bench_.tile.view().number[k];
-      ++far_tests_;
+      if (++far_tests_ % far_tests_between_tells == 0) tell();
       if (!decide(visitor, other)) continue;
       if (findings_.found == kernels::Findings::room) take();
       findings_.element[findings_.found] = visitor;

@@ -45,6 +45,9 @@ class TileSearcher {
 
   [[nodiscard]] Bench<Dim>& bench() noexcept { return bench_; }
 
+  /// What it did is told to the caller's hook.
+  [[nodiscard]] base::WorkCounter& work() noexcept { return work_; }
+
   /// Pairs among the elements of the bench's tile.
   void search(double unit);
 
@@ -67,7 +70,7 @@ class TileSearcher {
   void hand_on();
   void flush();
   bool decide(std::uint32_t first, std::uint32_t second);
-  void poll();
+  void tell();
   void meet_far_visitor(std::span<const kernels::Run> runs, std::uint32_t visitor);
 
   const Task<Dim>* task_ = nullptr;
@@ -78,7 +81,8 @@ class TileSearcher {
   std::span<ContactPair> pairs_;  ///< the sink's room, and how much of it is filled
   std::size_t filled_ = 0;
   std::uint64_t far_tests_ = 0;
-  std::uint64_t next_poll_ = 0;
+  std::uint64_t tests_told_ = 0;
+  base::WorkCounter work_;
   std::uint64_t exact_decisions_ = 0;
 };
 

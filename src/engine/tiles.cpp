@@ -1,6 +1,6 @@
 #include "engine/tiles.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 #include "engine/catchment.hpp"
 #include "engine/sphere_block.hpp"
 #include "engine/tile_neighbors.hpp"
@@ -82,24 +82,26 @@ Tiles<Dim>::Tiles(base::MemoryMeter& memory)
 template <int Dim>
 void Tiles<Dim>::partition(const base::Elements<Dim>& elements, const Group<Dim>& group,
                            const TileGrid<Dim>& grid, double margin,
-                           const kernels::ElementKernels& kernels, std::size_t workers) {
+                           const kernels::ElementKernels& kernels, std::size_t workers,
+                           base::WorkCounter& work) {
   one_tile_ = grid.tiles_in_box() == 1.0;
   shape_ = shape_of(elements, group.bounds);
   size_columns_ = kernels::size_columns(shape_, Dim);
-  count(elements, group, grid, kernels, workers);
+  count(elements, group, grid, kernels, workers, work);
   lay_out(grid.tile_count, workers);
-  scatter(elements, group, grid, kernels, workers);
-  list_visitors(elements, group, grid, margin);
+  work.did(workers * grid.tile_count);
+  scatter(elements, group, grid, kernels, workers, work);
+  list_visitors(elements, group, grid, margin, work);
 }
 
 template <int Dim>
 void Tiles<Dim>::count(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
-                       std::size_t workers) {
+                       std::size_t workers, base::WorkCounter& work) {
   base::make_room(places_, group.natives.size() + group.foreigns.size());
   base::make_room(cursors_, 3 * workers * grid.tile_count);
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    const Share share{worker, workers};
+  base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    const Share share{worker, workers, its_work};
     std::fill_n(cursors_of(worker, grid.tile_count).own, 3 * grid.tile_count, std::uint64_t{0});
     count_natives(elements, group, grid, kernels, share);
     count_foreigns(elements, group, grid, share);
@@ -116,7 +118,7 @@ void Tiles<Dim>::count_natives(const base::Elements<Dim>& elements, const Group<
     counts.own[grid.first_tile()] = last - first;
     return;
   }
-  place(elements, group, grid, kernels, first, last);
+  place(elements, group, grid, kernels, first, last, share.work);
   const TileNeighbors<Dim> neighbors(grid);
   // Where pairs among natives are not wanted, no face is near.
   const std::uint32_t copied =
@@ -135,6 +137,7 @@ void Tiles<Dim>::count_natives(const base::Elements<Dim>& elements, const Group<
         ++counts.copies[neighbors.from(tile_of(places_[k]), neighbor)];
       }
     }
+    share.work.did(end - begin);
   });
 }
 
@@ -145,21 +148,23 @@ void Tiles<Dim>::count_foreigns(const base::Elements<Dim>& elements, const Group
   std::uint64_t* const counts = cursors_of(share.worker, grid.tile_count).foreigns;
   std::uint32_t* const places = places_.data() + group.natives.size();
   const auto [first, last] = base::share_of(share.worker, share.workers, group.foreigns.size());
-  for (std::size_t k = first; k < last; ++k) {
-    const auto [tile, near_faces] =
-        grid.place_of_foreign(elements[group.foreigns[k]], group.bounds);
-    places[k] = packed(tile, near_faces);
-    for (const std::uint8_t neighbor : neighbors.of_foreign(near_faces)) {
-      ++counts[neighbors.from(tile, neighbor)];
+  share.work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto [tile, near_faces] =
+          grid.place_of_foreign(elements[group.foreigns[k]], group.bounds);
+      places[k] = packed(tile, near_faces);
+      for (const std::uint8_t neighbor : neighbors.of_foreign(near_faces)) {
+        ++counts[neighbors.from(tile, neighbor)];
+      }
     }
-  }
+  });
 }
 
 /// The places of the natives [first, last).
 template <int Dim>
 void Tiles<Dim>::place(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
-                       std::size_t first, std::size_t last) {
+                       std::size_t first, std::size_t last, base::WorkCounter& work) {
   const kernels::PlaceMap map = grid.place_map();
   SphereBlock<Dim> block;
   SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
@@ -170,6 +175,7 @@ void Tiles<Dim>::place(const base::Elements<Dim>& elements, const Group<Dim>& gr
       const auto [tile, near_faces] = grid.place(spheres[k]);
       places[k] = packed(tile, near_faces);
     }
+    work.did(end - begin);
   });
 }
 
@@ -200,16 +206,17 @@ void Tiles<Dim>::lay_out(std::size_t tile_count, std::size_t workers) {
 template <int Dim>
 void Tiles<Dim>::scatter(const base::Elements<Dim>& elements, const Group<Dim>& group,
                          const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
-                         std::size_t workers) {
+                         std::size_t workers, base::WorkCounter& work) {
   base::make_room(coordinates_, grid.tile_count);
   for (std::size_t tile = 0; tile < grid.tile_count; ++tile)
     coordinates_[tile] = grid.coordinates(tile);
 
   const Recorder<Dim> recorder(grid);
   unit_ = recorder.unit();
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    scatter_natives(elements, group, grid, recorder, kernels, {worker, workers});
-    scatter_foreigns(elements, group, grid, recorder, {worker, workers});
+  base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    const Share share{worker, workers, its_work};
+    scatter_natives(elements, group, grid, recorder, kernels, share);
+    scatter_foreigns(elements, group, grid, recorder, share);
   });
 }
 
@@ -222,7 +229,7 @@ void Tiles<Dim>::scatter_natives(const base::Elements<Dim>& elements, const Grou
   const auto [first, last] = base::share_of(share.worker, share.workers, natives.size());
   if (one_tile_) {
     const std::uint64_t own = cursors.own[grid.first_tile()];
-    return record_one_tile(elements, group, recorder, kernels, first, last, own);
+    return record_one_tile(elements, group, recorder, kernels, first, last, own, share.work);
   }
   const TileNeighbors<Dim> neighbors(grid);
   const bool sized = size_columns_ > 0;
@@ -252,6 +259,7 @@ void Tiles<Dim>::scatter_natives(const base::Elements<Dim>& elements, const Grou
         if (sized) note_sizes(elements, natives[k], sphere, recorder, target);
       }
     }
+    share.work.did(end - begin);
   });
 }
 
@@ -261,7 +269,7 @@ template <int Dim>
 void Tiles<Dim>::record_one_tile(const base::Elements<Dim>& elements, const Group<Dim>& group,
                                  const Recorder<Dim>& recorder,
                                  const kernels::ElementKernels& kernels, std::size_t first,
-                                 std::size_t last, std::uint64_t own) {
+                                 std::size_t last, std::uint64_t own, base::WorkCounter& work) {
   constexpr std::array<double, Dim> origin{};
   const auto only_tile = [&](std::size_t) -> const std::array<double, Dim>& { return origin; };
   SphereBlock<Dim> block;
@@ -270,6 +278,7 @@ void Tiles<Dim>::record_one_tile(const base::Elements<Dim>& elements, const Grou
     const std::uint64_t target = own + (begin - first);
     record_natives<Dim>(recorder, kernels, spheres, group.natives, begin, only_tile,
                         records_.data() + target);
+    work.did(end - begin);
     if (size_columns_ == 0) return;
     for (std::size_t k = begin; k < end; ++k) {
       note_sizes(elements, group.natives[k], spheres[k - begin], recorder, target + (k - begin));
@@ -299,7 +308,7 @@ void Tiles<Dim>::scatter_foreigns(const base::Elements<Dim>& elements, const Gro
   const TileNeighbors<Dim> neighbors(grid);
   std::uint64_t* const cursors = cursors_of(share.worker, grid.tile_count).foreigns;
   const auto [first, last] = base::share_of(share.worker, share.workers, group.foreigns.size());
-  for (std::size_t k = first; k < last; ++k) {
+  const auto scatter_one = [&](std::size_t k) {
     const std::uint32_t place = places_[group.natives.size() + k];
     const std::uint32_t number = group.foreigns[k];
     for (const std::uint8_t neighbor : neighbors.of_foreign(faces_of(place))) {
@@ -310,12 +319,15 @@ void Tiles<Dim>::scatter_foreigns(const base::Elements<Dim>& elements, const Gro
           recorder.record_of_foreign(elements[number], number, coordinates_[tile], group.bounds);
       if (size_columns_ > 0) note_sizes(elements, number, elements[number], recorder, target);
     }
-  }
+  };
+  share.work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) scatter_one(k);
+  });
 }
 
 template <int Dim>
 void Tiles<Dim>::list_visitors(const base::Elements<Dim>& elements, const Group<Dim>& group,
-                               const TileGrid<Dim>& grid, double margin) {
+                               const TileGrid<Dim>& grid, double margin, base::WorkCounter& work) {
   has_visitors_ = !group.visitors.empty();
   if (!has_visitors_) return;
   base::make_room(visitor_begin_, grid.tile_count + 1);
@@ -326,9 +338,12 @@ void Tiles<Dim>::list_visitors(const base::Elements<Dim>& elements, const Group<
       const std::uint32_t number = group.visitors[k];
       const auto catchment =
           Catchment<Dim>::of(elements, number, group.bounds.largest_radius, wider);
+      std::uint64_t steps = 1;
       TileRange<Dim>(grid, catchment).for_each([&](std::size_t tile) {
+        ++steps;
         if (own_[tile] != 0) body(tile, number);
       });
+      work.did(steps);
     }
   };
   for_each_visit([&](std::size_t tile, std::uint32_t) { ++visitor_begin_[tile]; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/progress_reporter.hpp"
 #include "engine/group.hpp"
 #include "engine/record.hpp"
 #include "engine/tile_grid.hpp"
@@ -30,7 +31,7 @@ class Tiles {
   /// Counts, then scatters: two passes over natives and foreigns, each shared by the workers.
   void partition(const base::Elements<Dim>& elements, const Group<Dim>& group,
                  const TileGrid<Dim>& grid, double margin, const kernels::ElementKernels& kernels,
-                 std::size_t workers);
+                 std::size_t workers, base::WorkCounter& work);
 
   [[nodiscard]] std::span<const Record<Dim>> records(std::size_t tile) const noexcept {
     return std::span(records_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
@@ -55,6 +56,7 @@ class Tiles {
   struct Share {
     std::size_t worker;
     std::size_t workers;
+    base::WorkCounter& work;
   };
 
   /// Of one worker, each by tile.
@@ -70,8 +72,8 @@ class Tiles {
   }
 
   void count(const base::Elements<Dim>& elements, const Group<Dim>& group,
-             const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
-             std::size_t workers);
+             const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels, std::size_t workers,
+             base::WorkCounter& work);
   void count_natives(const base::Elements<Dim>& elements, const Group<Dim>& group,
                      const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                      const Share& share);
@@ -79,17 +81,18 @@ class Tiles {
                       const TileGrid<Dim>& grid, const Share& share);
   void place(const base::Elements<Dim>& elements, const Group<Dim>& group,
              const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels, std::size_t first,
-             std::size_t last);
+             std::size_t last, base::WorkCounter& work);
   void lay_out(std::size_t tile_count, std::size_t workers);
   void scatter(const base::Elements<Dim>& elements, const Group<Dim>& group,
                const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
-               std::size_t workers);
+               std::size_t workers, base::WorkCounter& work);
   void scatter_natives(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
                        const kernels::ElementKernels& kernels, const Share& share);
   void record_one_tile(const base::Elements<Dim>& elements, const Group<Dim>& group,
                        const Recorder<Dim>& recorder, const kernels::ElementKernels& kernels,
-                       std::size_t first, std::size_t last, std::uint64_t own);
+                       std::size_t first, std::size_t last, std::uint64_t own,
+                       base::WorkCounter& work);
   void note_sizes(const base::Elements<Dim>& elements, std::uint32_t number,
                   const base::Sphere<Dim>& sphere, const Recorder<Dim>& recorder,
                   std::uint64_t record);
@@ -97,7 +100,7 @@ class Tiles {
                         const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
                         const Share& share);
   void list_visitors(const base::Elements<Dim>& elements, const Group<Dim>& group,
-                     const TileGrid<Dim>& grid, double margin);
+                     const TileGrid<Dim>& grid, double margin, base::WorkCounter& work);
 
   base::Array<std::uint32_t> places_;  ///< of the natives, then of the foreigns
   /// For each worker and tile: how many own elements, copies of natives, and copies of foreigns it

@@ -96,6 +96,7 @@ std::span<const kernels::Run> Visits<Dim>::runs(const kernels::TileView& tile,
   const auto rows = static_cast<std::size_t>(last[1] - first[1] + 1) *
                     static_cast<std::size_t>(last[2] - first[2] + 1);
   base::make_room(runs_, rows);
+  rows_ = rows;
 
   const double q = center[0] * per_unit[0] + 1.0;
   std::size_t count = 0;

@@ -39,8 +39,12 @@ class Visits {
                                                    const base::Elements<Dim>& elements,
                                                    std::uint32_t visitor);
 
+  /// Rows of cells that were looked at for the last runs.
+  [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+
  private:
   base::Array<kernels::Run> runs_;
+  std::size_t rows_ = 0;
 };
 
 /// The visitor in the tile's coordinates, with the error of its distances; none where it is a

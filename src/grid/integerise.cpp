@@ -12,6 +12,7 @@
 
 #include "grid/integerise.hpp"
 
+#include "base/asking_sort.hpp"
 #include "grid/axis_map.hpp"
 
 #include <abut/error.hpp>
@@ -81,11 +82,13 @@ base::Array<Segment> collapse_gaps(std::span<const base::Sphere<Dim>> spheres, s
                                    base::DetectionContext& context) {
   auto sorted = base::make_array_for_overwrite<double>(context.memory, spheres.size());
   for (std::size_t k = 0; k < spheres.size(); ++k) sorted[k] = spheres[k].center[axis] * scale;
-  std::sort(sorted.begin(), sorted.end());
+  context.work.did(spheres.size());
+  base::sort_asking(sorted.begin(), sorted.end(), context.work);
 
   auto segments = base::make_array_for_overwrite<Segment>(context.memory, 0);
   segments.push_back({sorted.front(), 0});
   for (std::size_t k = 1; k < sorted.size(); ++k) {
+    context.work.did(1);
     if (sorted[k] - sorted[k - 1] <= cell_size) continue;
     const Segment& last = segments.back();
     // One empty cell between: clusters never look adjacent.
@@ -109,10 +112,11 @@ std::array<AxisMap, Dim> maps_of_axes(MapOf map_of) {
 /// Axis after axis, in blocks that stay in the nearest cache.
 template <int Dim>
 void map_all(std::span<const base::Sphere<Dim>> spheres, const std::array<AxisMap, Dim>& maps,
-             CellCoordinates<Dim>& cells) {
+             CellCoordinates<Dim>& cells, base::WorkCounter& work) {
   constexpr std::size_t block_size = 512;
   for (std::size_t begin = 0; begin < spheres.size(); begin += block_size) {
     const std::size_t end = std::min(begin + block_size, spheres.size());
+    work.did(end - begin);
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       const AxisMap& map = maps[axis];
       std::int32_t* const cell = cells.axis(axis).data();
@@ -144,7 +148,7 @@ CellCoordinates<Dim> integerise(std::span<const base::Sphere<Dim>> spheres,
     cells.uncollapsed_cell_count[axis] = std::floor(extent_in_cells) + 1.0;
     return map;
   };
-  map_all<Dim>(spheres, maps_of_axes<Dim>(map_of), cells);
+  map_all<Dim>(spheres, maps_of_axes<Dim>(map_of), cells, context.work);
   return cells;
 }
 

@@ -18,13 +18,18 @@ class SimdMeeting {
         element_(job.findings->element),
         partner_(job.findings->partner) {}
 
-  HWY_INLINE void finish() { job_.candidate_tests += candidate_tests_; }
+  HWY_INLINE void finish() { job_.candidate_tests += std::exchange(candidate_tests_, 0); }
+
+  HWY_INLINE void take_now_and_then() {
+    if (HWY_UNLIKELY(candidate_tests_ >= tests_between_takes)) take();
+  }
 
   /// Elements [first, last), each with the runs that `runs_of` gives for it.
   template <class RunsOf>
   HWY_INLINE void meet_all(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
     for (; first < last; first += batch_size) {
       meet_batch(first, std::min(last, first + batch_size), runs_of);
+      take_now_and_then();
     }
   }
 
@@ -69,9 +74,11 @@ class SimdMeeting {
   HWY_INLINE void meet_block(std::uint32_t own, std::span<const Run> runs) {
     const std::size_t size = gather(runs);
     std::size_t hits = 0;
+    const bool takes_long = own * size > tests_between_takes;
     for (std::uint32_t k = 0; k < own; ++k) {
       const std::size_t first = k + 1;
       if (first >= size) break;
+      if (HWY_UNLIKELY(takes_long)) take_now_and_then();
       candidate_tests_ += size - first;
       make_room(size + lanes);
       const std::size_t found = findings_.found;
@@ -122,7 +129,7 @@ class SimdMeeting {
       if (own == 0) continue;
       if (HWY_UNLIKELY(found + most_hits > Findings::room)) {
         findings_.found = found;
-        job_.take(job_);
+        take();
         found = 0;
       }
       if (HWY_LIKELY(own < some_doubtful)) {
@@ -132,6 +139,7 @@ class SimdMeeting {
       } else {
         findings_.found = found;
         if (!meet_long_runs(p, runs_of(p))) meet_with_care(p, runs_of);
+        take_now_and_then();
         found = findings_.found;
       }
     }
@@ -329,7 +337,12 @@ class SimdMeeting {
   }
 
   HWY_INLINE void make_room(std::size_t count) {
-    if (HWY_UNLIKELY(findings_.found + count > Findings::room)) job_.take(job_);
+    if (HWY_UNLIKELY(findings_.found + count > Findings::room)) take();
+  }
+
+  HWY_NOINLINE void take() {
+    job_.candidate_tests += std::exchange(candidate_tests_, 0);
+    job_.take(job_);
   }
 
   HWY_INLINE void meet_with_care(const Probe& probe, const Run& run) {
@@ -343,7 +356,7 @@ class SimdMeeting {
     constexpr std::size_t longest_piece = Findings::room / 4;
     for (; first < last; first += longest_piece) {
       const std::size_t end = std::min(last, first + longest_piece);
-      if (findings_.found + (end - first) > Findings::room) job_.take(job_);
+      if (findings_.found + (end - first) > Findings::room) take();
       findings_.found = meet_piece(probe, columns, first, end, findings_.found);
     }
   }

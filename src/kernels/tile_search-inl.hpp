@@ -140,6 +140,7 @@ class TileSearch {
       meet_directly(row);
     }
     meet_from_copies(row, last, last, ahead);
+    meeting_.take_now_and_then();
   }
 
   /// All own elements of the row in one loop: cells have few, and how many cannot be foreseen.

@@ -117,6 +117,7 @@ class ScalarMeeting {
       const Element element(tile_, job_, p);
       const auto runs = runs_of(p);
       for (std::size_t k = 0; k < runs.size(); ++k) meet(element, runs[k]);
+      take_now_and_then();
     }
   }
 
@@ -141,6 +142,7 @@ class ScalarMeeting {
       const Element element(tile_, job_, p);
       meet(element, {p + 1, runs[0].end});
       for (const Run& run : runs.subspan(1)) meet(element, run);
+      take_now_and_then();
     }
   }
 
@@ -150,6 +152,12 @@ class ScalarMeeting {
   }
 
   void finish() {}
+
+  void take_now_and_then() {
+    if (job_.candidate_tests - tests_at_take_ < tests_between_takes) return;
+    tests_at_take_ = job_.candidate_tests;
+    job_.take(job_);
+  }
 
  private:
   using Element = Probe<Dim, Shape>;
@@ -204,6 +212,7 @@ class ScalarMeeting {
 
   const TileView& tile_;
   SearchJob& job_;
+  std::uint64_t tests_at_take_ = job_.candidate_tests;
 };
 
 #include "kernels/tile_search-inl.hpp"

@@ -19,6 +19,7 @@
 #include <array>
 #include <bit>
 #include <type_traits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {

@@ -91,8 +91,13 @@ struct SearchJob {
   std::uint32_t* block_number;  ///< each with room for the rows that a row meets + widest_vector
   std::uint64_t candidate_tests;
   void* owner;
-  void (*take)(SearchJob& job);  ///< empties the findings
+  /// Empties the findings, and tells how many tests were made. It may throw, to stop the search.
+  void (*take)(SearchJob& job);
 };
+
+/// After so many tests a kernel has its findings taken, though there may be none, but for a single
+/// element, or a row of cells with few in each, that it has begun.
+inline constexpr std::uint64_t tests_between_takes = std::uint64_t{1} << 16;
 
 /// A contiguous range of the sorted elements.
 struct Run {

@@ -1,5 +1,7 @@
 #include "lists/bucket_sort.hpp"
 
+#include "base/asking_sort.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -55,14 +57,18 @@ struct Partners {
 };
 
 Partners partners_of(std::span<const ContactPair> pairs, std::size_t first_element,
-                     std::size_t width) {
-  Partners partners;
-  for (const ContactPair& pair : pairs) {
-    partners.least = std::min(partners.least, pair.second);
-    partners.greatest = std::max(partners.greatest, pair.second);
-    partners.near += pair.second - first_element < width ? 1 : 0;
-  }
-  return partners;
+                     std::size_t width, base::WorkCounter& work) {
+  Partners all;
+  work.in_pieces(0, pairs.size(), [&](std::size_t begin, std::size_t end) {
+    Partners partners = all;
+    for (const ContactPair& pair : pairs.subspan(begin, end - begin)) {
+      partners.least = std::min(partners.least, pair.second);
+      partners.greatest = std::max(partners.greatest, pair.second);
+      partners.near += pair.second - first_element < width ? 1 : 0;
+    }
+    all = partners;
+  });
+  return all;
 }
 
 /// One comparison instead of two, the second of which would be a guess.
@@ -79,26 +85,41 @@ bool has_crowd(std::span<const std::uint32_t> ends) {
 }
 
 /// Whether so many are out of order that insertion would guess as often as not.
-bool is_shuffled(std::span<const ContactPair> pairs) {
+bool is_shuffled(std::span<const ContactPair> pairs, base::WorkCounter& work) {
   std::size_t descents = 0;
-  for (std::size_t k = 1; k < pairs.size(); ++k) {
-    descents += key_of(pairs[k]) < key_of(pairs[k - 1]) ? 1 : 0;
-  }
+  work.in_pieces(1, pairs.size(), [&](std::size_t begin, std::size_t end) {
+    std::size_t in_piece = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      in_piece += key_of(pairs[k]) < key_of(pairs[k - 1]) ? 1 : 0;
+    }
+    descents += in_piece;
+  });
   return descents > pairs.size() / 4;
 }
 
-/// For pairs that are nearly in order.
-void sort_by_insertion(std::span<ContactPair> pairs) {
+/// For pairs that are nearly in order. Where many are not, or one is far from its place, another
+/// method takes over.
+void sort_by_insertion(std::span<ContactPair> pairs, base::WorkCounter& work) {
+  constexpr std::size_t farthest = std::size_t{1} << 16;
+  constexpr std::size_t piece = 4096;
   std::size_t steps_left = most_steps * pairs.size();
-  for (std::size_t k = 1; k < pairs.size(); ++k) {
-    const ContactPair pair = pairs[k];
-    std::size_t place = k;
-    for (; place > 0 && key_of(pair) < key_of(pairs[place - 1]); --place) {
-      pairs[place] = pairs[place - 1];
+  for (std::size_t begin = 1; begin < pairs.size(); begin += piece) {
+    const std::size_t end = std::min(begin + piece, pairs.size());
+    const std::size_t least = begin - std::min(begin, farthest);
+    const std::size_t steps_before = steps_left;
+    for (std::size_t k = begin; k < end; ++k) {
+      const ContactPair pair = pairs[k];
+      std::size_t place = k;
+      for (; place > least && key_of(pair) < key_of(pairs[place - 1]); --place) {
+        pairs[place] = pairs[place - 1];
+      }
+      pairs[place] = pair;
+      if (k - place > steps_left || (place == least && least > 0)) {
+        return base::sort_asking(pairs.begin(), pairs.end(), work);
+      }
+      steps_left -= k - place;
     }
-    pairs[place] = pair;
-    if (k - place > steps_left) return std::sort(pairs.begin(), pairs.end());
-    steps_left -= k - place;
+    work.did(end - begin + (steps_before - steps_left));
   }
 }
 
@@ -107,20 +128,32 @@ void sort_by_insertion(std::span<ContactPair> pairs) {
 /// Stable. Says where each digit's pairs end.
 template <class Digit>
 std::span<const std::uint32_t> BucketSort::scatter(std::span<const ContactPair> from, Digit digit,
-                                                   std::span<ContactPair> target) {
+                                                   std::span<ContactPair> target,
+                                                   base::WorkCounter& work) {
   base::make_room(places_, digit.count());
   const auto places = std::span(places_).first(digit.count());
   std::fill(places.begin(), places.end(), 0u);
-  for (const ContactPair& pair : from) ++places[digit(pair)];
-  std::uint32_t begin = 0;
-  for (std::uint32_t& place : places) begin += std::exchange(place, begin);
-  for (const ContactPair& pair : from) target[places[digit(pair)]++] = pair;
+  work.in_pieces(0, from.size(), [&](std::size_t begin, std::size_t end) {
+    // As a copy, of which the compiler knows that nothing written here changes it.
+    const Digit digit_of = digit;
+    for (const ContactPair& pair : from.subspan(begin, end - begin)) ++places[digit_of(pair)];
+  });
+  std::uint32_t next = 0;
+  for (std::uint32_t& place : places) next += std::exchange(place, next);
+  work.did(places.size());
+  work.in_pieces(0, from.size(), [&](std::size_t begin, std::size_t end) {
+    const Digit digit_of = digit;
+    for (const ContactPair& pair : from.subspan(begin, end - begin)) {
+      target[places[digit_of(pair)]++] = pair;
+    }
+  });
   return places;
 }
 
-void BucketSort::sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width) {
+void BucketSort::sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width,
+                      base::WorkCounter& work) {
   if (pairs.size() > std::numeric_limits<std::uint32_t>::max()) {
-    return std::sort(pairs.begin(), pairs.end());
+    return base::sort_asking(pairs.begin(), pairs.end(), work);
   }
   if (pairs.empty()) return;
   base::make_room(moved_, pairs.size());
@@ -129,19 +162,19 @@ void BucketSort::sort(std::span<ContactPair> pairs, std::size_t first_element, s
   // Where most elements have no pair, some to a digit: empty digits cost as much as pairs.
   const ByFirst by_first(first, static_cast<ElementIndex>(first_element + width - 1),
                          2 * pairs.size());
-  const Partners partners = partners_of(pairs, first_element, width);
+  const Partners partners = partners_of(pairs, first_element, width, work);
   // Few need no order among partners; those numbered nearby may have been found nearly in order.
   if (pairs.size() < width / 2 || partners.near > pairs.size() / 2) {
-    const auto ends = scatter(pairs, by_first, moved);
-    if (!has_crowd(ends) && !is_shuffled(moved)) {
+    const auto ends = scatter(pairs, by_first, moved, work);
+    if (!has_crowd(ends) && !is_shuffled(moved, work)) {
       std::copy(moved.begin(), moved.end(), pairs.begin());
-      return sort_by_insertion(pairs);
+      return sort_by_insertion(pairs, work);
     }
   }
   const BySecond by_second(partners.least, partners.greatest, most_partner_digits(pairs.size()));
-  scatter(pairs, by_second, moved);
-  scatter(moved, by_first, pairs);
-  sort_by_insertion(pairs);
+  scatter(pairs, by_second, moved, work);
+  scatter(moved, by_first, pairs, work);
+  sort_by_insertion(pairs, work);
 }
 
 }  // namespace abut::api

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 
 #include <abut/pair.hpp>
 
@@ -43,15 +43,18 @@ class RangePlaces {
       : next_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
         begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
 
-  /// `for_each_entry(worker, count)` calls count(element) for each entry of the worker's share.
+  /// `for_each_entry(worker, work, count)` calls count(element) for each entry of the worker's
+  /// share, and tells `work` how many there are.
   template <class ForEachEntry>
-  void count(const ElementRanges& ranges, std::size_t workers, ForEachEntry&& for_each_entry) {
+  void count(const ElementRanges& ranges, std::size_t workers, base::WorkCounter& work,
+             ForEachEntry&& for_each_entry) {
     base::make_room(next_, workers * ranges.count());
     base::make_room(begin_, ranges.count() + 1);
-    base::for_each_worker(workers, [&](std::size_t worker) {
+    base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
       std::uint64_t* const own = next_.data() + worker * ranges.count();
       std::fill_n(own, ranges.count(), std::uint64_t{0});
-      for_each_entry(worker, [own, ranges](ElementIndex element) { ++own[ranges.of(element)]; });
+      for_each_entry(worker, its_work,
+                     [own, ranges](ElementIndex element) { ++own[ranges.of(element)]; });
     });
     std::uint64_t end = 0;
     for (std::size_t b = 0; b < ranges.count(); ++b) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/progress_reporter.hpp"
 
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
@@ -31,7 +32,7 @@ class ImageBucketSort {
   /// `shifts` runs parallel to `pairs`, which are distinct with them. First elements are
   /// first_element .. first_element + width - 1.
   void sort(std::span<ContactPair> pairs, std::span<ImageShift> shifts, std::size_t first_element,
-            std::size_t width);
+            std::size_t width, base::WorkCounter& work);
 
  private:
   base::Array<std::uint64_t> end_;

@@ -19,6 +19,6 @@ using RowRooms = std::vector<base::Array<Partner>>;
 /// workers as rooms.
 void list_image_rows(const ImagePieces& pieces, NeighborListKind kind, std::span<PairCount> offsets,
                      std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
-                     std::span<base::Array<Partner>> rooms);
+                     std::span<base::Array<Partner>> rooms, base::WorkCounter& work);
 
 }  // namespace abut::api

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/progress_reporter.hpp"
 #include "exact/lattice.hpp"
 #include "exact/sphere.hpp"
 
@@ -24,6 +25,7 @@ struct MeasuredRows {
 /// Fills distances and vectors, one for each neighbor; either may be empty.
 template <int Dim>
 void measure_neighbors(const MeasuredRows<Dim>& rows, std::span<double> distances,
-                       std::span<NeighborList::Vector> vectors, std::size_t workers);
+                       std::span<NeighborList::Vector> vectors, std::size_t workers,
+                       base::WorkCounter& work);
 
 }  // namespace abut::api

@@ -1,6 +1,6 @@
 #include "lists/neighbor_rows.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -21,12 +21,17 @@ void for_each_entry(std::span<const ContactPair> pairs, NeighborListKind kind, E
   }
 }
 
-/// Of the pieces of one worker's share.
+/// Of the pieces of one share.
 template <class Entry>
-void for_each_entry_of(PairPieces pieces, NeighborListKind kind, std::size_t worker,
-                       std::size_t workers, Entry entry) {
-  const auto [first, last] = base::share_of(worker, workers, pieces.size());
-  for (std::size_t k = first; k < last; ++k) for_each_entry(pieces[k], kind, entry);
+void for_each_entry_of(PairPieces pieces, NeighborListKind kind, std::size_t share,
+                       std::size_t shares, base::WorkCounter& work, Entry entry) {
+  const auto [first, last] = base::share_of(share, shares, pieces.size());
+  for (std::size_t k = first; k < last; ++k) {
+    work.did(1);
+    work.in_pieces(0, pieces[k].size(), [&](std::size_t begin, std::size_t end) {
+      for_each_entry(pieces[k].subspan(begin, end - begin), kind, Entry(entry));
+    });
+  }
 }
 
 /// Where entries go; as a value, so that nothing written through it can change it.
@@ -46,29 +51,32 @@ struct Target {
 }  // namespace
 
 void NeighborRows::list(PairPieces pieces, NeighborListKind kind, std::span<PairCount> offsets,
-                        std::span<ElementIndex> neighbors, std::size_t workers) {
+                        std::span<ElementIndex> neighbors, std::size_t workers,
+                        base::WorkCounter& work) {
   const ElementRanges ranges(offsets.size() - 1);
   base::make_room(row_in_range_, neighbors.size());
-  places_.count(ranges, workers, [&](std::size_t worker, auto&& count) {
-    for_each_entry_of(pieces, kind, worker, workers,
+  const auto count_share = [&](std::size_t share, base::WorkCounter& its_work, auto&& count) {
+    for_each_entry_of(pieces, kind, share, workers, its_work,
                       [&](ElementIndex row, ElementIndex) { count(row); });
-  });
-  base::for_each_worker(workers, [&](std::size_t worker) {
+  };
+  places_.count(ranges, workers, work, count_share);
+  base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
     for_each_entry_of(
-        pieces, kind, worker, workers,
-        Target{ranges, places_.next_of(ranges, worker), neighbors.data(), row_in_range_.data()});
+        pieces, kind, share, workers, its_work,
+        Target{ranges, places_.next_of(ranges, share), neighbors.data(), row_in_range_.data()});
   });
   while (benches_.size() < workers) benches_.emplace_back(memory_);
-  base::for_each_index(workers, ranges.count(), [&](std::size_t worker, std::size_t range) {
-    finish_range(ranges, range, offsets, neighbors, benches_[worker]);
-  });
+  const auto finish_one = [&](std::size_t worker, std::size_t range, base::WorkCounter& its_work) {
+    finish_range(ranges, range, offsets, neighbors, benches_[worker], its_work);
+  };
+  base::for_each_index(workers, ranges.count(), work, finish_one);
   offsets.back() = neighbors.size();
 }
 
 /// Sorts the entries of a range and says where its rows begin.
 void NeighborRows::finish_range(const ElementRanges& ranges, std::size_t range,
                                 std::span<PairCount> offsets, std::span<ElementIndex> neighbors,
-                                Bench& bench) {
+                                Bench& bench, base::WorkCounter& work) {
   const PairCount begin = places_.begin(range);
   const std::size_t size = places_.size(range);
   const std::size_t first_row = ranges.first_of(range);
@@ -77,16 +85,21 @@ void NeighborRows::finish_range(const ElementRanges& ranges, std::size_t range,
                         .first(std::min(ranges.width(), offsets.size() - 1 - first_row));
   base::make_room(bench.entries, size);
   const auto entries = std::span(bench.entries).first(size);
-  for (std::size_t k = 0; k < size; ++k) {
-    entries[k] = {static_cast<ElementIndex>(first_row + row_in_range_[begin + k]),
-                  neighbors[begin + k]};
-  }
-  bench.sort.sort(entries, first_row, ranges.width());
+  work.in_pieces(0, size, [&](std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; ++k) {
+      entries[k] = {static_cast<ElementIndex>(first_row + row_in_range_[begin + k]),
+                    neighbors[begin + k]};
+    }
+  });
+  bench.sort.sort(entries, first_row, ranges.width(), work);
   std::fill(rows.begin(), rows.end(), PairCount{0});
-  for (std::size_t k = 0; k < size; ++k) {
-    neighbors[begin + k] = entries[k].second;
-    ++rows[entries[k].first - first_row];
-  }
+  work.did(rows.size());
+  work.in_pieces(0, size, [&](std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; ++k) {
+      neighbors[begin + k] = entries[k].second;
+      ++rows[entries[k].first - first_row];
+    }
+  });
   PairCount place = begin;
   for (PairCount& row : rows) place += std::exchange(row, place);
 }

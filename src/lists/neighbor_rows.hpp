@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/progress_reporter.hpp"
 #include "lists/bucket_sort.hpp"
 #include "lists/element_ranges.hpp"
 #include "lists/order_pairs.hpp"
@@ -25,7 +26,7 @@ class NeighborRows {
 
   /// `offsets` has elements + 1 numbers, `neighbors` one for each entry. Equal pairs may come.
   void list(PairPieces pieces, NeighborListKind kind, std::span<PairCount> offsets,
-            std::span<ElementIndex> neighbors, std::size_t workers);
+            std::span<ElementIndex> neighbors, std::size_t workers, base::WorkCounter& work);
 
  private:
   /// What one worker needs to sort a range.
@@ -38,7 +39,7 @@ class NeighborRows {
   };
 
   void finish_range(const ElementRanges& ranges, std::size_t range, std::span<PairCount> offsets,
-                    std::span<ElementIndex> neighbors, Bench& bench);
+                    std::span<ElementIndex> neighbors, Bench& bench, base::WorkCounter& work);
 
   base::MemoryMeter& memory_;
   RangePlaces places_;

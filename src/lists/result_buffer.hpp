@@ -38,6 +38,34 @@ class ResultBuffer {
   std::uint64_t bytes_;
 };
 
+/// Empties the arrays of a neighbor list before they are filled and, unless keep() is called, again
+/// at its end.
+template <class Arrays>
+class RowBuffers {
+ public:
+  explicit RowBuffers(const Arrays& arrays) : arrays_(arrays) { clear(); }
+  ~RowBuffers() {
+    if (!is_kept_) clear();
+  }
+
+  RowBuffers(const RowBuffers&) = delete;
+  RowBuffers& operator=(const RowBuffers&) = delete;
+
+  void keep() noexcept { is_kept_ = true; }
+
+ private:
+  void clear() noexcept {
+    arrays_.offsets.clear();
+    arrays_.neighbors.clear();
+    arrays_.shifts.clear();
+    arrays_.distances.clear();
+    arrays_.vectors.clear();
+  }
+
+  const Arrays& arrays_;
+  bool is_kept_ = false;
+};
+
 /// Offers all the capacity of a list as output buffer, so that pairs can be written where they are
 /// to stand. The list is emptied again unless keep() is called.
 class ListBuffer {

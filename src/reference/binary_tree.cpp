@@ -70,6 +70,10 @@ class CellTree {
     return here == none ? none : cell_head_[index(here)];
   }
 
+  [[nodiscard]] std::uint64_t steps_to_leaf() const {
+    return 1 + static_cast<std::uint64_t>(level_count());
+  }
+
   [[nodiscard]] std::int32_t& head(std::int32_t leaf) { return cell_head_[index(leaf)]; }
 
   void show(base::DetectionContext& context) const {
@@ -137,6 +141,7 @@ void binary_tree(const grid::CellCoordinates<Dim>& cells, Test& test,
 
   show_stage(context, "build: put every element on the list of its leaf");
   for (std::size_t k = 0; k < element_count; ++k) {
+    context.work.did(tree.steps_to_leaf());
     std::int32_t& head = tree.head(tree.grow_to(cell_of(cells, k)));
     next_in_cell[k] = head;
     head = static_cast<std::int32_t>(k);
@@ -155,6 +160,7 @@ void binary_tree(const grid::CellCoordinates<Dim>& cells, Test& test,
       test(e, f);
     }
     const auto central = cell_of(cells, k);
+    context.work.did(grid::HalfStencil<Dim>::offsets.size() * tree.steps_to_leaf());
     for (const auto& offset : grid::HalfStencil<Dim>::offsets) {
       auto neighbor = central;
       for (std::size_t axis = 0; axis < Dim; ++axis) neighbor[axis] += offset[axis];

@@ -24,7 +24,9 @@ class ContactTest {
       : elements_(elements), margin_(margin), pairs_(pairs), context_(context) {}
 
   void operator()(std::int32_t a, std::int32_t b) {
-    if ((++context_.candidate_tests & (tests_between_polls - 1)) == 0) context_.progress.poll();
+    if ((++context_.candidate_tests & (tests_at_a_time - 1)) == 0) {
+      context_.work.did(steps_of_test * tests_at_a_time);
+    }
     const auto i = static_cast<std::size_t>(a);
     const auto j = static_cast<std::size_t>(b);
     if (!elements_.within_reach(i, j, margin_, context_.exact_decisions)) return;
@@ -32,7 +34,9 @@ class ContactTest {
   }
 
  private:
-  static constexpr std::uint64_t tests_between_polls = 1 << 18;
+  static constexpr std::uint64_t tests_at_a_time = 1 << 10;
+  /// With the way along lists to the next candidate, compared to a step through an array.
+  static constexpr std::uint64_t steps_of_test = 4;
 
   base::Elements<Dim> elements_;
   double margin_;

@@ -36,7 +36,10 @@ class MunjizaNbs2d {
     const auto count = static_cast<std::int32_t>(cells_.element_count());
 
     show_stage(context_, "stage 1: put every element on the list of its row");
-    for (std::int32_t k = 0; k < count; ++k) next_in_row_.push(k, row_head_[y(k)]);
+    for (std::int32_t k = 0; k < count; ++k) {
+      context_.work.did(1);
+      next_in_row_.push(k, row_head_[y(k)]);
+    }
     context_.list_insertions += cells_.element_count();
     row_head_.show(context_, "B", "row_head", IndexedBy::row);
     next_in_row_.show(context_, "Y", "next_in_row");
@@ -50,7 +53,10 @@ class MunjizaNbs2d {
     }
 
     show_stage(context_, "unload the rows");
-    for (std::int32_t k = 0; k < count; ++k) row_head_[y(k)] = none;
+    for (std::int32_t k = 0; k < count; ++k) {
+      context_.work.did(1);
+      row_head_[y(k)] = none;
+    }
     row_head_.show(context_, "B", "row_head", IndexedBy::row);
   }
 
@@ -111,7 +117,10 @@ class MunjizaNbs2d {
 
   template <class Visit>
   void for_each_in_row(std::int32_t row, Visit visit) {
-    for (std::int32_t e = first_of(row_head_[row]); e != none; e = next_in_row_[e]) visit(e);
+    for (std::int32_t e = first_of(row_head_[row]); e != none; e = next_in_row_[e]) {
+      context_.work.did(1);
+      visit(e);
+    }
   }
 
   [[nodiscard]] std::int32_t x(std::int32_t e) const {

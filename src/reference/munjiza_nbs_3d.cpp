@@ -38,7 +38,10 @@ class MunjizaNbs3d {
     const auto count = static_cast<std::int32_t>(cells_.element_count());
 
     show_stage(context_, "stage 1: put every element on the list of its layer");
-    for (std::int32_t k = 0; k < count; ++k) next_in_layer_.push(k, layer_head_[z(k)]);
+    for (std::int32_t k = 0; k < count; ++k) {
+      context_.work.did(1);
+      next_in_layer_.push(k, layer_head_[z(k)]);
+    }
     context_.list_insertions += cells_.element_count();
     layer_head_.show(context_, "C", "layer_head", IndexedBy::layer);
     next_in_layer_.show(context_, "Z", "next_in_layer");
@@ -52,7 +55,10 @@ class MunjizaNbs3d {
     }
 
     show_stage(context_, "unload the layers");
-    for (std::int32_t k = 0; k < count; ++k) layer_head_[z(k)] = none;
+    for (std::int32_t k = 0; k < count; ++k) {
+      context_.work.did(1);
+      layer_head_[z(k)] = none;
+    }
     layer_head_.show(context_, "C", "layer_head", IndexedBy::layer);
   }
 
@@ -154,12 +160,18 @@ class MunjizaNbs3d {
 
   template <class Visit>
   void for_each_in_layer(std::int32_t layer, Visit visit) {
-    for (std::int32_t e = first_of(layer_head_[layer]); e != none; e = next_in_layer_[e]) visit(e);
+    for (std::int32_t e = first_of(layer_head_[layer]); e != none; e = next_in_layer_[e]) {
+      context_.work.did(1);
+      visit(e);
+    }
   }
 
   template <class Visit>
   void for_each_in_row(Set layer, std::int32_t row, Visit visit) {
-    for (std::int32_t e = first_of(row_head_[layer][row]); e != none; e = next_in_row_[e]) visit(e);
+    for (std::int32_t e = first_of(row_head_[layer][row]); e != none; e = next_in_row_[e]) {
+      context_.work.did(1);
+      visit(e);
+    }
   }
 
   [[nodiscard]] std::int32_t x(std::int32_t e) const {

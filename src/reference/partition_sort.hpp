@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/progress_reporter.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -28,24 +30,24 @@ class CompanionArrays {
 
   /// Sorts positions [first, last) by key `key`, then by those that follow. At most 31 levels deep
   /// for each key: the range of values halves each time.
-  void sort(std::size_t first, std::size_t last, std::size_t key = 0) {
+  void sort(std::size_t first, std::size_t last, base::WorkCounter& work, std::size_t key = 0) {
     if (last - first < 2 || key == Keys) return;
-    const auto range = keys_[key].subspan(first, last - first);
-    const auto [lowest, highest] = std::minmax_element(range.begin(), range.end());
-    if (*lowest == *highest) return sort(first, last, key + 1);
-    const std::size_t split = exchange(first, last, key, partition_middle(*lowest, *highest));
-    sort(first, split, key);
-    sort(split, last, key);
+    const auto [lowest, highest] = range_of(first, last, key, work);
+    if (lowest == highest) return sort(first, last, work, key + 1);
+    const std::size_t split = exchange(first, last, key, partition_middle(lowest, highest), work);
+    sort(first, split, work, key);
+    sort(split, last, work, key);
   }
 
   /// Brings the records whose key is below `middle` to the left and returns where the right begins.
-  std::size_t exchange(std::size_t first, std::size_t last, std::size_t key, std::int32_t middle) {
+  std::size_t exchange(std::size_t first, std::size_t last, std::size_t key, std::int32_t middle,
+                       base::WorkCounter& work) {
     const std::span<std::int32_t> value = keys_[key];
     std::size_t left = first;
     std::size_t right = last;
     while (true) {
-      while (left < right && value[left] < middle) ++left;
-      while (left < right && value[right - 1] >= middle) --right;
+      for (; left < right && value[left] < middle; ++left) work.did(1);
+      for (; left < right && value[right - 1] >= middle; --right) work.did(1);
       if (left == right) return left;
       --right;
       for (const std::span<std::int32_t> array : keys_) std::swap(array[left], array[right]);
@@ -54,6 +56,19 @@ class CompanionArrays {
   }
 
  private:
+  /// The least and the greatest value of a key.
+  [[nodiscard]] std::pair<std::int32_t, std::int32_t> range_of(std::size_t first, std::size_t last,
+                                                               std::size_t key,
+                                                               base::WorkCounter& work) const {
+    std::pair range{keys_[key][first], keys_[key][first]};
+    work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      const auto piece = keys_[key].subspan(begin, end - begin);
+      const auto [lowest, highest] = std::minmax_element(piece.begin(), piece.end());
+      range = {std::min(range.first, *lowest), std::max(range.second, *highest)};
+    });
+    return range;
+  }
+
   std::array<std::span<std::int32_t>, Keys> keys_;
 };
 

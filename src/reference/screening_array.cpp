@@ -100,11 +100,13 @@ void screening_array(const grid::CellCoordinates<Dim>& cells, Test& test,
   auto next_in_cell = base::make_array<std::int32_t>(context.memory, element_count, none);
 
   show_stage(context, "step 1: put every element on the list of its cell");
-  for (std::size_t k = 0; k < element_count; ++k) {
-    std::int32_t& head = cell_head[guarded.index_of(k)];
-    next_in_cell[k] = head;
-    head = static_cast<std::int32_t>(k);
-  }
+  context.work.in_pieces(0, element_count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      std::int32_t& head = cell_head[guarded.index_of(k)];
+      next_in_cell[k] = head;
+      head = static_cast<std::int32_t>(k);
+    }
+  });
   context.list_insertions += element_count;
   show_array_c(context, cells, cell_head);
   show_list(context, "E", "next_in_cell", next_in_cell);
@@ -117,6 +119,7 @@ void screening_array(const grid::CellCoordinates<Dim>& cells, Test& test,
     const std::int32_t first = cell_head[central];
     cell_head[central] = as_old(first);
     for (std::int32_t e = first; e != none; e = next_in_cell[static_cast<std::size_t>(e)]) {
+      context.work.did(guarded.mask().size());
       for (std::int32_t f = next_in_cell[static_cast<std::size_t>(e)]; f != none;
            f = next_in_cell[static_cast<std::size_t>(f)]) {
         test(e, f);
@@ -133,10 +136,12 @@ void screening_array(const grid::CellCoordinates<Dim>& cells, Test& test,
   }
 
   show_stage(context, "step 3: empty the lists, without a loop over cells");
-  for (std::size_t k = 0; k < element_count; ++k) {
-    next_in_cell[k] = none;
-    cell_head[guarded.index_of(k)] = none;
-  }
+  context.work.in_pieces(0, element_count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      next_in_cell[k] = none;
+      cell_head[guarded.index_of(k)] = none;
+    }
+  });
   show_array_c(context, cells, cell_head);
   show_list(context, "E", "next_in_cell", next_in_cell);
 }

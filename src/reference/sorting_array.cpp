@@ -15,6 +15,7 @@
 #include "reference/show.hpp"
 
 #include <array>
+#include <bit>
 #include <compare>
 #include <numeric>
 #include <utility>
@@ -80,7 +81,7 @@ class SortedCells {
     show();
     show_stage(context, "step 2: sort by cell");
     CompanionArrays<Dim + 1> arrays({std::span(sorted_cell_[Axis])..., std::span(sorted_element_)});
-    arrays.sort(0, size());
+    arrays.sort(0, size(), context.work);
     show();
   }
 
@@ -97,8 +98,11 @@ void sorting_array(const grid::CellCoordinates<Dim>& cells, Test& test,
   const SortedCells<Dim> sorted(cells, context);
 
   show_stage(context, "step 3: search the mask of each element");
+  const std::uint64_t steps_of_mask =
+      grid::HalfStencil<Dim>::offsets.size() * std::bit_width(sorted.size());
   for (std::size_t position = 0; position < sorted.size(); ++position) {
     context.progress.at(position);
+    context.work.did(steps_of_mask);
     const std::int32_t e = sorted.element(position);
     const auto central = sorted.cell(position);
     for (std::size_t p = position + 1; p < sorted.size() && sorted.cell(p) == central; ++p) {

@@ -1,6 +1,7 @@
 #include "skin/candidate_layout.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_sort.hpp"
+#include "base/asking_workers.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -23,9 +24,9 @@ ShiftNumber shift_of(std::uint64_t key) {
 }
 
 /// Mostly a few.
-void sort_run(std::uint64_t* keys, std::size_t count) {
+void sort_run(std::uint64_t* keys, std::size_t count, base::WorkCounter& work) {
   constexpr std::size_t few = 24;
-  if (count > few) return std::sort(keys, keys + count);
+  if (count > few) return base::sort_asking(keys, keys + count, work);
   for (std::size_t k = 1; k < count; ++k) {
     const std::uint64_t key = keys[k];
     std::size_t place = k;
@@ -48,25 +49,27 @@ CandidateLayout::CandidateLayout(base::MemoryMeter& memory)
       canonical_shifts_(base::make_array_for_overwrite<ShiftNumber>(memory, 0)) {}
 
 void CandidateLayout::arrange(PairPieces found, std::span<const ShiftNumber> shifts,
-                              std::size_t element_count, std::size_t workers) {
+                              std::size_t element_count, std::size_t workers,
+                              base::WorkCounter& work) {
   with_shifts_ = !shifts.empty();
   size_ = 0;
   for (const auto& piece : found) size_ += piece.size();
-  give_slots(found, element_count);
+  give_slots(found, element_count, work);
   base::make_room(keys_, size_);
-  collect_runs(found, shifts);
+  collect_runs(found, shifts, work);
   base::make_room(candidates_, size_);
   if (with_shifts_) base::make_room(shifts_, size_);
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, slot_count_);
-    sort_runs(first, last);
+  base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
+    const auto [first, last] = base::share_of(share, workers, slot_count_);
+    sort_runs(first, last, its_work);
   });
-  list_canonically(element_count, workers);
+  list_canonically(element_count, workers, work);
 }
 
 /// Without branches: whether an element was met before cannot be guessed. Counts the candidates of
 /// each slot, two places behind its own: where the next is to begin when they are summed up.
-void CandidateLayout::give_slots(PairPieces found, std::size_t element_count) {
+void CandidateLayout::give_slots(PairPieces found, std::size_t element_count,
+                                 base::WorkCounter& work) {
   base::make_room(slot_of_, element_count);
   base::make_room(elements_, element_count + 1);
   base::make_room(end_, element_count + 2);
@@ -83,31 +86,42 @@ void CandidateLayout::give_slots(PairPieces found, std::size_t element_count) {
     return slot;
   };
   for (const auto& piece : found) {
-    for (const ContactPair& pair : piece) {
-      ++end_[meet(pair.first) + 2];
-      meet(pair.second);
-    }
+    work.did(1);
+    work.in_pieces(0, piece.size(), [&](std::size_t begin, std::size_t end) {
+      for (const ContactPair& pair : piece.subspan(begin, end - begin)) {
+        ++end_[meet(pair.first) + 2];
+        meet(pair.second);
+      }
+    });
   }
   slot_count_ = next;
 }
 
 /// Before, end_[slot + 1] is where the slot's candidates begin; behind it, where they end.
-void CandidateLayout::collect_runs(PairPieces found, std::span<const ShiftNumber> shifts) {
-  for (std::size_t slot = 2; slot < slot_count_ + 2; ++slot) end_[slot] += end_[slot - 1];
+void CandidateLayout::collect_runs(PairPieces found, std::span<const ShiftNumber> shifts,
+                                   base::WorkCounter& work) {
+  work.in_pieces(2, slot_count_ + 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) end_[slot] += end_[slot - 1];
+  });
   std::size_t number = 0;
   for (const auto& piece : found) {
-    for (const ContactPair& pair : piece) {
-      const ShiftNumber shift = with_shifts_ ? shifts[number++] : ShiftNumber{0};
-      keys_[end_[slot_of_[pair.first] + 1]++] = key_of(pair.second, shift);
-    }
+    work.did(1);
+    work.in_pieces(0, piece.size(), [&](std::size_t begin, std::size_t end) {
+      for (const ContactPair& pair : piece.subspan(begin, end - begin)) {
+        const ShiftNumber shift = with_shifts_ ? shifts[number++] : ShiftNumber{0};
+        keys_[end_[slot_of_[pair.first] + 1]++] = key_of(pair.second, shift);
+      }
+    });
   }
 }
 
-void CandidateLayout::sort_runs(std::size_t first_slot, std::size_t last_slot) {
+void CandidateLayout::sort_runs(std::size_t first_slot, std::size_t last_slot,
+                                base::WorkCounter& work) {
   for (std::size_t slot = first_slot; slot < last_slot; ++slot) {
     const std::uint32_t begin = end_[slot];
     const std::uint32_t end = end_[slot + 1];
-    sort_run(keys_.data() + begin, end - begin);
+    work.did(1 + 2 * (end - begin));
+    sort_run(keys_.data() + begin, end - begin, work);
     for (std::uint32_t k = begin; k < end; ++k) {
       candidates_[k] = {static_cast<std::uint32_t>(slot), slot_of_[second_of(keys_[k])]};
       if (with_shifts_) shifts_[k] = shift_of(keys_[k]);
@@ -116,38 +130,41 @@ void CandidateLayout::sort_runs(std::size_t first_slot, std::size_t last_slot) {
 }
 
 /// Of the elements [first, last).
-std::size_t CandidateLayout::candidates_of(std::size_t first, std::size_t last) const {
+std::size_t CandidateLayout::candidates_of(std::size_t first, std::size_t last,
+                                           base::WorkCounter& work) const {
   std::size_t sum = 0;
   for (std::size_t element = first; element < last; ++element) {
+    work.did(1);
     const std::uint32_t slot = slot_of_[element];
     if (slot != no_slot) sum += end_[slot + 1] - end_[slot];
   }
   return sum;
 }
 
-void CandidateLayout::list_canonically(std::size_t element_count, std::size_t workers) {
+void CandidateLayout::list_canonically(std::size_t element_count, std::size_t workers,
+                                       base::WorkCounter& work) {
   base::make_room(pairs_, size_);
   base::make_room(places_, size_);
   if (with_shifts_) base::make_room(canonical_shifts_, size_);
-  if (workers == 1) return list_canonically(0, element_count, 0);
+  if (workers == 1) return list_canonically(0, element_count, 0, work);
   begins_.assign(workers, 0);
   const auto share = [&](std::size_t worker) {
     return base::share_of(worker, workers, element_count);
   };
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    begins_[worker] = candidates_of(share(worker).first, share(worker).second);
+  base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    begins_[worker] = candidates_of(share(worker).first, share(worker).second, its_work);
   });
   std::size_t end = 0;
   for (std::size_t& place : begins_) end += std::exchange(place, end);
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    list_canonically(share(worker).first, share(worker).second, begins_[worker]);
+  base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    list_canonically(share(worker).first, share(worker).second, begins_[worker], its_work);
   });
 }
 
 /// Numbers need not follow space: what each of them finds lies elsewhere in memory, and is fetched
 /// some elements ahead.
 void CandidateLayout::list_canonically(std::size_t first_element, std::size_t last_element,
-                                       std::size_t place) {
+                                       std::size_t place, base::WorkCounter& work) {
   constexpr std::size_t ahead = 16;
   const auto slot_at = [&](std::size_t element) {
     return element < last_element ? slot_of_[element] : no_slot;
@@ -160,6 +177,7 @@ void CandidateLayout::list_canonically(std::size_t first_element, std::size_t la
     const std::uint32_t slot = slot_of_[element];
     if (slot == no_slot) continue;
     const std::uint32_t end = end_[slot + 1];
+    work.did(1 + end - end_[slot]);
     for (std::uint32_t k = end_[slot]; k < end; ++k, ++place) {
       pairs_[place] = {static_cast<ElementIndex>(element), second_of(keys_[k])};
       places_[place] = k;

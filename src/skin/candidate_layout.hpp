@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/progress_reporter.hpp"
 #include "kernels/candidate_kernels.hpp"
 #include "lists/order_pairs.hpp"
 
@@ -29,7 +30,7 @@ class CandidateLayout {
   /// Of candidates as they were found, fewer than 2^32, with the numbers of their shifts one after
   /// the other, or none.
   void arrange(PairPieces found, std::span<const ShiftNumber> shifts, std::size_t element_count,
-               std::size_t workers);
+               std::size_t workers, base::WorkCounter& work);
 
   /// The elements in the slots.
   [[nodiscard]] std::span<const ElementIndex> elements() const noexcept {
@@ -52,12 +53,14 @@ class CandidateLayout {
   }
 
  private:
-  void give_slots(PairPieces found, std::size_t element_count);
-  void collect_runs(PairPieces found, std::span<const ShiftNumber> shifts);
-  void sort_runs(std::size_t first_slot, std::size_t last_slot);
-  void list_canonically(std::size_t element_count, std::size_t workers);
-  void list_canonically(std::size_t first_element, std::size_t last_element, std::size_t place);
-  [[nodiscard]] std::size_t candidates_of(std::size_t first, std::size_t last) const;
+  void give_slots(PairPieces found, std::size_t element_count, base::WorkCounter& work);
+  void collect_runs(PairPieces found, std::span<const ShiftNumber> shifts, base::WorkCounter& work);
+  void sort_runs(std::size_t first_slot, std::size_t last_slot, base::WorkCounter& work);
+  void list_canonically(std::size_t element_count, std::size_t workers, base::WorkCounter& work);
+  void list_canonically(std::size_t first_element, std::size_t last_element, std::size_t place,
+                        base::WorkCounter& work);
+  [[nodiscard]] std::size_t candidates_of(std::size_t first, std::size_t last,
+                                          base::WorkCounter& work) const;
 
   bool with_shifts_ = false;
   std::size_t slot_count_ = 0;

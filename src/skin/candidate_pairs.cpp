@@ -1,6 +1,6 @@
 #include "skin/candidate_pairs.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 #include "skin/candidate_insertion.hpp"
 #include "skin/candidate_writer.hpp"
 
@@ -16,6 +16,7 @@ namespace {
 /// Words of candidates, and candidates in canonical order, that a worker takes at a time.
 constexpr std::size_t candidates_of_word = 64;
 constexpr std::size_t words_of_unit = 128;
+constexpr std::uint64_t steps_of_exact_decision = 64;
 constexpr std::size_t candidates_of_unit = 64 * CandidateWriter::most;
 
 /// The least and the largest number on each axis.
@@ -81,13 +82,15 @@ base::PairSink& CandidatePairs<Dim>::start_anew(bool periodic) {
 /// In the order of space, so that new slots follow it as the old ones did.
 template <int Dim>
 base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> numbers,
-                                                const Displacement<Dim>& placing) {
+                                                const Displacement<Dim>& placing,
+                                                base::WorkCounter& work) {
   size_ = 0;
   found_.start_anew({.shifts = periodic_ ? Shifts::stored : Shifts::none});
   found_.expect_workers(1);
   base::ImagePairWriter writer(found_);
   const auto candidates = layout_.candidates();
   for (std::size_t k = 0; k < candidates.size(); ++k) {
+    work.did(2);
     ContactPair pair{numbers[layout_.elements()[candidates[k].first]],
                      numbers[layout_.elements()[candidates[k].second]]};
     if (pair.first == ElementIds::none || pair.second == ElementIds::none) continue;
@@ -105,24 +108,27 @@ base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> n
 template <int Dim>
 bool CandidatePairs<Dim>::finish(const Snapshot<Dim>& now, const Displacement<Dim>& placing) {
   if (found_.size() > std::numeric_limits<std::uint32_t>::max()) return false;
-  if (periodic_ && !number_shifts(placing)) return false;
+  if (periodic_ && !number_shifts(placing, now.work)) return false;
   size_ = found_.size();
   layout_.arrange(found_.pieces(),
                   std::span<const ShiftNumber>(found_shifts_).first(periodic_ ? size_ : 0),
-                  now.spheres.size(), now.workers);
+                  now.spheres.size(), now.workers, now.work);
   return true;
 }
 
 /// Of the same two elements, numbers ascend with shifts.
 template <int Dim>
-bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing) {
+bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing, base::WorkCounter& work) {
   const auto pieces = found_.pieces();
   const auto shift_pieces = found_.shift_pieces();
   const auto for_each_shift = [&](auto&& body) {
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-      for (std::size_t k = 0; k < pieces[p].size(); ++k) {
-        body(placed_shift(pieces[p][k], shift_pieces[p][k], placing));
-      }
+      work.did(1);
+      work.in_pieces(0, pieces[p].size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          body(placed_shift(pieces[p][k], shift_pieces[p][k], placing));
+        }
+      });
     }
   };
   ShiftRange range;
@@ -147,13 +153,15 @@ bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing) {
 
 template <int Dim>
 void CandidatePairs<Dim>::fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta,
-                                     std::size_t workers) {
+                                     std::size_t workers, base::WorkCounter& work) {
   const auto elements = layout_.elements();
   base::make_room(slots_, elements.size());
-  base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, elements.size());
-    quanta.fill(placing.placed().data(), elements.subspan(first, last - first),
-                slots_.data() + first);
+  base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
+    const auto [first, last] = base::share_of(share, workers, elements.size());
+    its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      quanta.fill(placing.placed().data(), elements.subspan(begin, end - begin),
+                  slots_.data() + begin);
+    });
   });
 }
 
@@ -164,14 +172,15 @@ void CandidatePairs<Dim>::test(const CandidateTest<Dim>& test, std::size_t worke
   const std::size_t units = (words + words_of_unit - 1) / words_of_unit;
   base::make_room(survivors_, words);
   std::atomic<std::uint64_t> exact_decisions = 0;
-  base::for_each_index(workers, units, [&](std::size_t worker, std::size_t unit) {
-    if (worker == 0) context.progress.poll();
+  const auto test_unit = [&](std::size_t, std::size_t unit, base::WorkCounter& work) {
     std::uint64_t exact = 0;
     const std::size_t first = unit * words_of_unit;
     const std::size_t count = std::min(words_of_unit, words - first);
     test.run(first, std::span(survivors_).subspan(first, count), slots_.data(), exact);
     exact_decisions += exact;
-  });
+    work.did(candidates_of_word * count + steps_of_exact_decision * exact);
+  };
+  base::for_each_index(workers, units, context.work, test_unit);
   context.candidate_tests += size_;
   context.exact_decisions += exact_decisions;
 }
@@ -184,15 +193,16 @@ void CandidatePairs<Dim>::write(std::size_t workers, base::PairSink& sink,
   sink.expect_canonical_order();
   sink.expect_workers(workers);
   const std::size_t units = (size_ + candidates_of_unit - 1) / candidates_of_unit;
-  base::for_each_index(workers, units, [&](std::size_t worker, std::size_t unit) {
-    if (worker == 0) context.progress.poll();
+  const auto write_unit = [&](std::size_t worker, std::size_t unit, base::WorkCounter& work) {
+    work.did(candidates_of_unit);
     CandidateWriter writer(sink, {worker, unit}, survivors_.data());
     const std::size_t last = std::min<std::size_t>(size_, (unit + 1) * candidates_of_unit);
     for (std::size_t k = unit * candidates_of_unit; k < last; k += CandidateWriter::most) {
       writer.write(layout_.canonical(), k, std::min(CandidateWriter::most, last - k), shift_at);
     }
     writer.finish();
-  });
+  };
+  base::for_each_index(workers, units, context.work, write_unit);
 }
 
 template <int Dim>
@@ -203,7 +213,7 @@ void CandidatePairs<Dim>::deliver_contacts(const Snapshot<Dim>& now,
                                   {layout_.candidates(), layout_.elements(), shift_list_,
                                    periodic_ ? layout_.shifts() : nullptr},
                                   images_);
-  fill_slots(placing, decide.quanta(), now.workers);
+  fill_slots(placing, decide.quanta(), now.workers, now.work);
   test(decide, now.workers, context);
   const CandidateLayout::Canonical canonical = layout_.canonical();
   write(now.workers, sink, context, [&](std::size_t k) {

@@ -31,7 +31,8 @@ class CandidatePairs {
   /// Starts with those there were, of the elements that are still there and as they are called now:
   /// element i is `numbers[i]`, or gone where that is ElementIds::none. More may be put beside.
   [[nodiscard]] base::PairSink& carry_over(std::span<const std::uint32_t> numbers,
-                                           const Displacement<Dim>& placing);
+                                           const Displacement<Dim>& placing,
+                                           base::WorkCounter& work);
 
   /// Puts what the search found in order. False if there are too many of them or of different
   /// image shifts.
@@ -44,8 +45,9 @@ class CandidatePairs {
                         base::PairSink& sink, base::DetectionContext& context);
 
  private:
-  [[nodiscard]] bool number_shifts(const Displacement<Dim>& placing);
-  void fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta, std::size_t workers);
+  [[nodiscard]] bool number_shifts(const Displacement<Dim>& placing, base::WorkCounter& work);
+  void fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta, std::size_t workers,
+                  base::WorkCounter& work);
   void test(const CandidateTest<Dim>& test, std::size_t workers, base::DetectionContext& context);
   template <class ShiftAt>
   void write(std::size_t workers, base::PairSink& sink, base::DetectionContext& context,

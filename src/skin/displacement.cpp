@@ -1,6 +1,6 @@
 #include "skin/displacement.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 #include "elements/element_ids.hpp"
 #include "elements/lattice_of.hpp"
 
@@ -21,6 +21,9 @@ constexpr double underflow = 0x1p-500;
 
 /// Of the magnitude of what a placed element is computed from: 8 u.
 constexpr double placing_error = 0x1p-50;
+
+/// Compared to a step through an array.
+constexpr std::uint64_t steps_of_placing = 4;
 
 bool is_moved(const CellNumbers& cells) {
   return (cells[0] | cells[1] | cells[2]) != 0;
@@ -127,6 +130,7 @@ bool Displacement<Dim>::start(const Snapshot<Dim>& now) {
     placed_ = now.spheres;
     double radii = 0.0;
     for (std::size_t i = 0; i < size_; ++i) {
+      now.work.did(1);
       anchor_[i] = now.spheres[i];
       radii += now.spheres[i].radius;
     }
@@ -151,12 +155,13 @@ void Displacement<Dim>::start_in_cell(const Snapshot<Dim>& now) {
   for (std::size_t k = 0; k < Dim; ++k) middle_[k] = then_->fraction(k, middle.data());
 
   parts_.assign(now.workers, {});
-  base::for_each_worker(now.workers, [&](std::size_t worker) {
+  base::for_each_share(now.workers, now.work, [&](std::size_t worker, base::WorkCounter& work) {
     Part part;
     part.lower.fill(infinite);
     part.upper.fill(-infinite);
     const auto [first, last] = base::share_of(worker, now.workers, size_);
     for (std::size_t i = first; i < last; ++i) {
+      work.did(steps_of_placing);
       cells_[i] = cells_around_middle(*then_, now.spheres[i].center);
       anchor_[i] = own_placed_[i] =
           place(now.spheres[i], cells_[i], then_->lattice(), part.magnitude);
@@ -218,6 +223,7 @@ void Displacement<Dim>::renumber(const Snapshot<Dim>& now, std::span<const std::
   base::make_room(next_anchor_, size_);
   if (periodic) base::make_room(next_cells_, size_);
   for (std::size_t i = 0; i < size_; ++i) {
+    now.work.did(periodic ? steps_of_placing : 1);
     if (before[i] != ElementIds::none) {
       next_anchor_[i] = anchor_[before[i]];
       if (periodic) next_cells_[i] = cells_[before[i]];
@@ -278,10 +284,13 @@ typename Displacement<Dim>::Part Displacement<Dim>::measure(const Snapshot<Dim>&
   const bool periodic = now.domain.is_periodic();
   if (!periodic) placed_ = now.spheres;
   parts_.assign(now.workers, {});
-  base::for_each_worker(now.workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, now.workers, size_);
-    parts_[worker] =
-        periodic ? measure_periodic(now, allowed, first, last) : measure_open(now, first, last);
+  base::for_each_share(now.workers, now.work, [&](std::size_t share, base::WorkCounter& work) {
+    const auto [first, last] = base::share_of(share, now.workers, size_);
+    work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      if (periodic) work.did(steps_of_placing * (end - begin));
+      parts_[share].include(periodic ? measure_periodic(now, allowed, begin, end)
+                                     : measure_open(now, begin, end));
+    });
   });
   Part all;
   for (const Part& part : parts_) all.include(part);

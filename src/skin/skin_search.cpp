@@ -23,7 +23,9 @@ bool SkinSearch<Dim>::covers(const Snapshot<Dim>& now, const NamedElements& name
 template <int Dim>
 bool SkinSearch<Dim>::follow(const Snapshot<Dim>& now, const NamedElements& named) {
   named.ids.find_in(ids_, before_);
+  now.work.did(named.ids.size());
   ids_.find_in(named.ids, after_);
+  now.work.did(ids_.size());
   list_added();
   if (added_.size() > now.spheres.size() / elements_for_a_new_one) return false;
   displacement_->renumber(now, before_);

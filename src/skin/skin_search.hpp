@@ -163,7 +163,7 @@ bool SkinSearch<Dim>::carry_over(const Snapshot<Dim>& now, const NamedElements& 
   valid_ = false;
   return if_there_is_room([&] {
            if (!follow(now, named)) return true;
-           base::PairSink& sink = candidates_->carry_over(after_, *displacement_);
+           base::PairSink& sink = candidates_->carry_over(after_, *displacement_, now.work);
            if (!added_.empty()) {
              insertion_.start_anew(sink, added_, before_, *displacement_);
              search(Insertion{added_spheres_, displacement_->anchors(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/progress_reporter.hpp"
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
 
@@ -19,7 +20,8 @@ struct Snapshot {
   const Domain& domain;
   double margin;
   std::size_t workers;
-  Simd simd;  ///< an available level
+  Simd simd;                ///< an available level
+  base::WorkCounter& work;  ///< of the caller's thread
 
   /// No two elements are within a larger reach.
   [[nodiscard]] double largest_reach() const noexcept {

@@ -1,6 +1,6 @@
 #include "walls/box_cover.hpp"
 
-#include "base/workers.hpp"
+#include "base/asking_workers.hpp"
 #include "elements/gathered_elements.hpp"
 
 #include <algorithm>
@@ -9,12 +9,13 @@
 namespace abut::api {
 
 template <int Dim>
-BoxCover<Dim>::BoxCover(const ElementView& boxes, std::size_t workers)
+BoxCover<Dim>::BoxCover(const ElementView& boxes, std::size_t workers, base::WorkCounter& work)
     : count_(std::min(most, boxes.size())) {
-  base::for_each_index(workers, count_, [&](std::size_t, std::size_t run) {
+  const auto cover_run = [&](std::size_t, std::size_t run, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(run, count_, boxes.size());
     base::Box<Dim> around = box_at<Dim>(boxes, first);
     for (std::size_t k = first + 1; k < last; ++k) {
+      its_work.did(1);
       const base::Box<Dim> box = box_at<Dim>(boxes, k);
       for (int axis = 0; axis < Dim; ++axis) {
         around.lower[axis] = std::min(around.lower[axis], box.lower[axis]);
@@ -22,7 +23,8 @@ BoxCover<Dim>::BoxCover(const ElementView& boxes, std::size_t workers)
       }
     }
     around_[run] = around;
-  });
+  };
+  base::for_each_index(workers, count_, work, cover_run);
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/progress_reporter.hpp"
 #include "exact/box.hpp"
 
 #include <abut/element_view.hpp>
@@ -16,7 +17,7 @@ template <int Dim>
 class BoxCover {
  public:
   /// Boxes that are none make a cover that is none.
-  BoxCover(const ElementView& boxes, std::size_t workers);
+  BoxCover(const ElementView& boxes, std::size_t workers, base::WorkCounter& work);
 
   /// From now on all boxes meet on that axis.
   void extend(int axis) noexcept;
@@ -29,6 +30,9 @@ class BoxCover {
     }
     return false;
   }
+
+  /// Boxes that a question goes through.
+  [[nodiscard]] std::size_t size() const noexcept { return count_; }
 
  private:
   static constexpr std::size_t most = 32;

@@ -1,5 +1,6 @@
 #include "walls/feature_search.hpp"
 
+#include "base/callers_exception.hpp"
 #include "base/detection_context.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/gathered_elements.hpp"
@@ -76,12 +77,15 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
       elements_(spheres.size() + boxes.size()),
       workers_(base::worker_count(options.threads, elements_)),
       memory_(memory_bound(options)),
+      context_(memory_, options.progress),
       spheres_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory_, 0)),
       near_(base::make_array_for_overwrite<ElementIndex>(memory_, 0)) {
   validate(options, spheres, domain);
-  reporting_lack_of_memory(memory_, [&] {
-    gather(spheres);
-    leave_out_far(boxes, domain);
+  base::letting_through([&] {
+    reporting_lack_of_memory(memory_, [&] {
+      gather(spheres);
+      leave_out_far(boxes, domain);
+    });
   });
   try {
     candidates_ = find_candidates(boxes, domain);
@@ -102,7 +106,8 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
 
 template <int Dim>
 PairList FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Domain& domain) {
-  const auto around = reporting_lack_of_memory(memory_, [&] { return boxes_around(); });
+  const auto around = base::letting_through(
+      [&] { return reporting_lack_of_memory(memory_, [&] { return boxes_around(); }); });
   // What the caller's hook throws is none of ours: not in reporting_lack_of_memory.
   PairList found =
       find_contact_pairs(view_of<Dim>(around), boxes, domain, options_of_search(domain));
@@ -112,9 +117,9 @@ PairList FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Dom
 
 template <int Dim>
 void FeatureSearch<Dim>::gather(const ElementView& spheres) {
-  base::DetectionContext context(memory_, {});
   GatheredElements<Dim> gathered(memory_);
-  api::gather<Dim>(spheres, {workers_, kernels::level_to_run(options_.simd)}, gathered, context);
+  context_.progress.begin("gather", spheres.size());
+  api::gather<Dim>(spheres, {workers_, kernels::level_to_run(options_.simd)}, gathered, context_);
   spheres_ = std::move(gathered.spheres);
 }
 
@@ -131,15 +136,16 @@ template <int Dim>
 void FeatureSearch<Dim>::leave_out_far(const ElementView& boxes, const Domain& domain) {
   if (!options_.rule.is_empty()) return keep_all();
   near_.resize(spheres_.size());
-  BoxCover<Dim> cover(boxes, workers_);
+  BoxCover<Dim> cover(boxes, workers_, context_.work);
   for (int axis = 0; axis < Dim; ++axis) {
     if (leads_along(domain, axis)) cover.extend(axis);
   }
   std::vector<std::size_t> counts(workers_);
-  base::for_each_worker(workers_, [&](std::size_t worker) {
+  base::for_each_share(workers_, context_.work, [&](std::size_t worker, base::WorkCounter& work) {
     const auto [first, last] = base::share_of(worker, workers_, spheres_.size());
     std::size_t end = first;
     for (std::size_t k = first; k < last; ++k) {
+      work.did(1 + cover.size());
       near_[end] = static_cast<ElementIndex>(k);
       end += cover.meets(box_around<Dim>(spheres_[k], options_.margin)) ? 1 : 0;
     }
@@ -158,9 +164,10 @@ void FeatureSearch<Dim>::leave_out_far(const ElementView& boxes, const Domain& d
 template <int Dim>
 base::Array<base::Box<Dim>> FeatureSearch<Dim>::boxes_around() {
   auto boxes = base::make_array_for_overwrite<base::Box<Dim>>(memory_, near_.size());
-  base::for_each_worker(workers_, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers_, near_.size());
+  base::for_each_share(workers_, context_.work, [&](std::size_t share, base::WorkCounter& work) {
+    const auto [first, last] = base::share_of(share, workers_, near_.size());
     for (std::size_t k = first; k < last; ++k) {
+      work.did(4);
       boxes[k] = box_around<Dim>(spheres_[near_[k]], options_.margin);
     }
   });

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/asking_workers.hpp"
+#include "base/callers_exception.hpp"
+#include "base/detection_context.hpp"
 #include "base/lack_of_memory.hpp"
 #include "base/memory_meter.hpp"
-#include "base/workers.hpp"
 #include "exact/box.hpp"
 #include "exact/sphere.hpp"
 
@@ -82,21 +84,35 @@ class FeatureSearch {
   /// that has some and appends its contacts; workers call it at the same time.
   template <class Contact, class Find>
   [[nodiscard]] ContactList<Contact> contacts(Find&& find) {
-    return reporting_lack_of_memory(memory_, [&] {
-      std::vector<FoundContacts<Contact>> found(workers_, FoundContacts<Contact>(memory_));
-      base::for_each_worker(workers_, [&](std::size_t worker) {
-        const auto [first, last] = share_of(worker);
-        for (std::size_t place = first; place < last;) {
-          const std::size_t end = end_of_sphere(place);
-          find(candidates_between(place, end), found[worker]);
-          place = end;
-        }
+    return base::letting_through([&] {
+      return reporting_lack_of_memory(memory_, [&] {
+        context_.progress.begin("features", candidates_.size());
+        std::vector<FoundContacts<Contact>> found(workers_, FoundContacts<Contact>(memory_));
+        find_each(found, find);
+        return joined(found);
       });
-      return joined(found);
     });
   }
 
  private:
+  /// Compared to a step through an array.
+  static constexpr std::uint64_t steps_of_decision = 64;
+
+  /// Those of each worker's share.
+  template <class Contact, class Find>
+  void find_each(std::vector<FoundContacts<Contact>>& found, Find& find) {
+    base::for_each_share(workers_, context_.work, [&](std::size_t share, base::WorkCounter& work) {
+      const auto [first, last] = share_of(share);
+      for (std::size_t place = first; place < last;) {
+        const std::size_t end = end_of_sphere(place);
+        find(candidates_between(place, end), found[share]);
+        context_.progress.advance(end - place);
+        work.did(steps_of_decision * (end - place));
+        place = end;
+      }
+    });
+  }
+
   void gather(const ElementView& spheres);
   void keep_all();
   void leave_out_far(const ElementView& boxes, const Domain& domain);
@@ -141,6 +157,7 @@ class FeatureSearch {
     shifts.reserve(shift_count);
     for (const auto& part : found) {
       for (const ImageContact<Contact>& one : part.contacts) {
+        context_.work.did(1);
         all.push_back(one.contact);
         if (shift_count > 0) shifts.push_back(one.shift);
       }
@@ -153,6 +170,7 @@ class FeatureSearch {
   std::size_t elements_;  ///< of both
   std::size_t workers_;
   base::MemoryMeter memory_;
+  base::DetectionContext context_;
   base::Array<base::Sphere<Dim>> spheres_;
   base::Array<ElementIndex> near_;  ///< numbers of the spheres that are searched, ascending
   PairList candidates_;             ///< (place in near_, box), ascending

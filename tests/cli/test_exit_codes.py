@@ -268,6 +268,50 @@ def test_130_interrupted(long_search, tmp_path, kind):
     assert list(tmp_path.iterdir()) == []
 
 
+def after_the_bar_shows(word, arguments, folder):
+    """Exit code, standard output and the end of standard error, interrupted when the bar says so."""
+    with subprocess.Popen([os.environ["ABUT"], *arguments, "--progress", "bar"], cwd=folder,
+                          stderr=subprocess.PIPE, stdout=subprocess.PIPE,
+                          env=environment()) as process:
+        seen = b""
+        while word not in seen:
+            block = os.read(process.stderr.fileno(), 1000)
+            assert block, "ended before it showed " + word.decode()
+            seen += block
+        process.send_signal(signal.SIGINT)
+        out, rest = process.communicate(timeout=60)
+    return process.returncode, out, rest[-18:]
+
+
+@pytest.fixture(scope="module")
+def coincident(tmp_path_factory):
+    """All centres in one point: pairs without end."""
+    path = tmp_path_factory.mktemp("coincident") / "points.csv"
+    subprocess.run([os.environ["ABUT"], "generate", "coincident", "--count", "300000", "-o", path],
+                   check=True, stderr=subprocess.DEVNULL)
+    return path
+
+
+@pytest.mark.parametrize("threads", ["1", "2"])
+@pytest.mark.parametrize("options", [[], ["--algorithm", "munjiza_nbs"], ["--box", "100,100,100"]],
+                         ids=["rows", "munjiza_nbs", "periodic"])
+def test_130_where_all_work_lies_in_one_place(coincident, tmp_path, options, threads):
+    arguments = ["contacts", coincident, "--count", *options, "--threads", threads]
+    assert after_the_bar_shows(b"search", arguments, tmp_path) == (130, b"", b"abut: interrupted\n")
+
+
+def test_130_while_a_scene_is_made(tmp_path):
+    arguments = ["generate", "dense", "--count", "5000000", "-o", "out.csv"]
+    with subprocess.Popen([os.environ["ABUT"], *arguments], cwd=tmp_path, stderr=subprocess.PIPE,
+                          env=environment()) as process:
+        while not handles(process.pid, signal.SIGINT):
+            time.sleep(0.001)
+        process.send_signal(signal.SIGINT)
+        assert process.communicate(timeout=60) == (None, b"abut: interrupted\n")
+    assert process.returncode == 130
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_130_interrupts_a_measurement(long_search):
     """It is no algorithm that took too long."""
     arguments = ["bench", long_search[1], "--algorithms", "direct_check", "--progress", "bar"]

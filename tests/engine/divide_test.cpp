@@ -3,6 +3,7 @@
 #include "engine/divide.hpp"
 
 #include "engine/random_spheres.hpp"
+#include "support/nobody_asked.hpp"
 
 #include <abut/simd.hpp>
 
@@ -49,15 +50,18 @@ TYPED_TEST(CollectedTile, KeepsVisitorsThatTouchButForTheirRounding) {
   base::MemoryMeter memory;
   Tiles<dim> tiles(memory);
   const base::Elements<dim> elements{spheres, {}};
-  tiles.partition(elements, group, grid, 0.0, kernels::element_kernels(Simd::scalar), 1);
+  abut::testing::NobodyAsked nobody;
+  tiles.partition(elements, group, grid, 0.0, kernels::element_kernels(Simd::scalar), 1,
+                  nobody.work);
   std::size_t tile = 0;
   while (tiles.own_count(tile) == 0) ++tile;
   // The natives' box is flat, and so is their tile.
   EXPECT_EQ(sorted(tiles.visitors(tile)), (std::vector<std::uint32_t>{1, 2}));
 
   Members members(memory);
-  const Group<dim> collected = collect_tile(elements, tiles, tile, cell, 0.0,
-                                            kernels::element_kernels(Simd::scalar), members);
+  const Group<dim> collected =
+      collect_tile(elements, tiles, tile, cell, 0.0, kernels::element_kernels(Simd::scalar),
+                   members, nobody.work);
   EXPECT_EQ(collected.visitors.size(), 2U);
   EXPECT_EQ(sorted(members.visitors), (std::vector<std::uint32_t>{1, 2}));
 }

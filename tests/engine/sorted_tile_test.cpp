@@ -1,6 +1,7 @@
 #include "engine/sorted_tile.hpp"
 
 #include "engine/random_spheres.hpp"
+#include "support/nobody_asked.hpp"
 #include "support/rows_variants.hpp"
 
 #include <algorithm>
@@ -53,8 +54,9 @@ class SortedTileOf : public ::testing::Test {
 
   void sort(SortedTile<dim>& tile, const RecordSizes& sizes, Simd level) {
     const auto kernels = kernels::element_kernels(level);
-    tile.count(all(), own, cells, kernels);
-    tile.sort(all(), sizes, kernels);
+    abut::testing::NobodyAsked nobody;
+    tile.count(all(), own, cells, kernels, nobody.work);
+    tile.sort(all(), sizes, kernels, nobody.work);
   }
 
   std::vector<Record<dim>> records;

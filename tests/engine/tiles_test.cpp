@@ -2,6 +2,7 @@
 
 #include "engine/random_spheres.hpp"
 #include "engine/tile_neighbors.hpp"
+#include "support/nobody_asked.hpp"
 #include "support/rows_variants.hpp"
 
 #include <algorithm>
@@ -49,8 +50,11 @@ class TilesOf : public ::testing::Test {
     grid = TileGrid<dim>::over(group.bounds, cell, 6.0, 1e6);
   }
 
+  abut::testing::NobodyAsked nobody;
+
   void partition(Tiles<dim>& tiles, std::size_t workers, Simd level = Simd::scalar) {
-    tiles.partition({spheres, {}}, group, grid, margin, kernels::element_kernels(level), workers);
+    tiles.partition({spheres, {}}, group, grid, margin, kernels::element_kernels(level), workers,
+                    nobody.work);
   }
 
   /// Own elements and copies of a tile by the rule, element by element.

@@ -2,6 +2,7 @@
 
 #include "engine/random_spheres.hpp"
 #include "engine/sorted_tile.hpp"
+#include "support/nobody_asked.hpp"
 
 #include <cmath>
 
@@ -47,8 +48,9 @@ class VisitsOf : public ::testing::Test {
     }
     const auto cells = choose_tile_cells(grid, 1.0, records.size());
     const auto kernels = kernels::element_kernels(Simd::scalar);
-    tile.count(records, 3000, cells, kernels);
-    tile.sort(records, {kernels::TileShape::spheres, radii, 0.0f}, kernels);
+    abut::testing::NobodyAsked nobody;
+    tile.count(records, 3000, cells, kernels, nobody.work);
+    tile.sort(records, {kernels::TileShape::spheres, radii, 0.0f}, kernels, nobody.work);
     frame.cell_size = cells.size_in_unit(grid, 1.0);
     frame.largest_radius = largest_radius;
     frame.margin = margin;

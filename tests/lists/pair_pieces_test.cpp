@@ -5,6 +5,7 @@
 #include "lists/neighbor_rows.hpp"
 #include "lists/order_pairs.hpp"
 #include "scenes/random.hpp"
+#include "support/nobody_asked.hpp"
 #include "support/oracle.hpp"
 
 #include <abut/error.hpp>
@@ -22,6 +23,8 @@ using scenes::Random;
 using testing::PairVector;
 
 constexpr std::size_t elements = 5000;
+
+testing::NobodyAsked nobody;
 
 /// Any shift that tells the pair.
 ImageShift shift_of(const ContactPair& pair) {
@@ -99,7 +102,7 @@ PairVector joined(FoundPairs& found, std::size_t workers) {
   const auto pieces = found.pieces();
   PairVector result(found.size());
   base::MemoryMeter memory;
-  PairOrder(memory).join(pieces, result, workers);
+  PairOrder(memory).join(pieces, result, workers, nobody.work);
   return result;
 }
 
@@ -148,7 +151,7 @@ TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
     EXPECT_LE(in_place, room);
     EXPECT_GE(in_place + base::PairSink::smallest_room, std::min(room, expected.size()));
     target.resize(expected.size());
-    PairOrder(memory).join(found.pieces(), target, 1, in_place);
+    PairOrder(memory).join(found.pieces(), target, 1, nobody.work, in_place);
     EXPECT_EQ(target, expected) << "room for " << room;
   }
 }
@@ -175,7 +178,8 @@ TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
     EXPECT_LE(in_place, lent);
     EXPECT_GE(in_place + base::PairSink::smallest_room, lent);
     const auto pieces = found.pieces();
-    PairOrder(memory).join({pieces, found.shift_pieces()}, target, shifts, 1, in_place);
+    PairOrder(memory).join({pieces, found.shift_pieces()}, target, shifts, 1, nobody.work,
+                           in_place);
     EXPECT_EQ(target, expected) << "room for " << room << " and " << room_for_shifts;
     EXPECT_EQ(shifts, expected_shifts) << "room for " << room << " and " << room_for_shifts;
   }
@@ -216,7 +220,7 @@ TEST(OrderPairs, CanonicalIsSorted) {
       units.deliver(found, workers, seed);
       const auto pieces = found.pieces();
       PairVector ordered(found.size());
-      PairOrder(memory).sort(pieces, elements, ordered, workers);
+      PairOrder(memory).sort(pieces, elements, ordered, workers, nobody.work);
       EXPECT_EQ(ordered, expected) << workers << " workers";
     }
   }
@@ -248,7 +252,7 @@ TEST(OrderPairs, FewOrManyPairsOfNearOrFarPartners) {
       const std::span<const ContactPair> piece(pairs);
       base::MemoryMeter memory;
       PairVector ordered(pairs.size());
-      PairOrder(memory).sort({&piece, 1}, count, ordered, 2);
+      PairOrder(memory).sort({&piece, 1}, count, ordered, 2, nobody.work);
       EXPECT_EQ(ordered, expected) << pairs.size() << " pairs, partners up to " << furthest;
     }
   }
@@ -265,7 +269,7 @@ TEST(OrderPairs, OneCrowdedElement) {
   for (const std::size_t workers : {1U, 3U}) {
     base::MemoryMeter memory;
     PairVector ordered(pairs.size());
-    PairOrder(memory).sort({&piece, 1}, count, ordered, workers);
+    PairOrder(memory).sort({&piece, 1}, count, ordered, workers, nobody.work);
     EXPECT_EQ(ordered, expected);
   }
 }
@@ -274,9 +278,9 @@ TEST(OrderPairs, NoPairsNoWork) {
   base::MemoryMeter memory;
   PairVector none;
   PairOrder order(memory);
-  order.sort({}, 0, none, 2);
-  order.sort({}, 10, none, 2);
-  order.join({}, none, 2);
+  order.sort({}, 0, none, 2, nobody.work);
+  order.sort({}, 10, none, 2, nobody.work);
+  order.join({}, none, 2, nobody.work);
   EXPECT_EQ(memory.held(), 0U);
 }
 
@@ -297,7 +301,7 @@ TEST(NeighborRows, HoldThePartnersAscending) {
       base::MemoryMeter memory;
       std::vector<PairCount> offsets(elements + 1, 12345);
       std::vector<ElementIndex> neighbors(pairs.size() * (kind == NeighborListKind::full ? 2 : 1));
-      NeighborRows(memory).list(pieces, kind, offsets, neighbors, workers);
+      NeighborRows(memory).list(pieces, kind, offsets, neighbors, workers, nobody.work);
       ASSERT_EQ(offsets[0], 0U);
       ASSERT_EQ(offsets[elements], neighbors.size());
       for (std::size_t e = 0; e < elements; ++e) {

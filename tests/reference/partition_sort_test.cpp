@@ -1,5 +1,7 @@
 #include "reference/partition_sort.hpp"
 
+#include "support/nobody_asked.hpp"
+
 #include <gtest/gtest.h>
 #include <pthread.h>
 
@@ -13,10 +15,13 @@
 namespace abut::reference {
 namespace {
 
+testing::NobodyAsked nobody;
+base::WorkCounter& work = nobody.work;
+
 using Numbers = std::vector<std::int32_t>;
 
 Numbers sorted(Numbers values) {
-  CompanionArrays<1>({std::span(values)}).sort(0, values.size());
+  CompanionArrays<1>({std::span(values)}).sort(0, values.size(), work);
   return values;
 }
 
@@ -88,7 +93,7 @@ TEST(PartitionSort, CompanionArraysMoveTogetherAndBreakTies) {
     for (std::size_t k = 0; k < size; ++k) expected[k] = {x[k], y[k], element[k]};
     std::sort(expected.begin(), expected.end());
 
-    CompanionArrays<3>({std::span(x), std::span(y), std::span(element)}).sort(0, size);
+    CompanionArrays<3>({std::span(x), std::span(y), std::span(element)}).sort(0, size, work);
     for (std::size_t k = 0; k < size; ++k) {
       ASSERT_EQ((std::array{x[k], y[k], element[k]}), expected[k])
           << "seed 20040302, trial " << trial << ", position " << k;
@@ -99,11 +104,11 @@ TEST(PartitionSort, CompanionArraysMoveTogetherAndBreakTies) {
 TEST(PartitionSort, ExchangeTellsWhereTheRightBegins) {
   Numbers values{5, 1, 4, 2, 3};
   CompanionArrays<1> arrays({std::span(values)});
-  EXPECT_EQ(arrays.exchange(0, 5, 0, 0), 0u);
-  EXPECT_EQ(arrays.exchange(0, 5, 0, 6), 5u);
-  EXPECT_EQ(arrays.exchange(1, 3, 0, 2), 2u);
+  EXPECT_EQ(arrays.exchange(0, 5, 0, 0, work), 0u);
+  EXPECT_EQ(arrays.exchange(0, 5, 0, 6, work), 5u);
+  EXPECT_EQ(arrays.exchange(1, 3, 0, 2, work), 2u);
   EXPECT_EQ(values, (Numbers{5, 1, 4, 2, 3})) << "outside [first, last) nothing may move";
-  EXPECT_EQ(arrays.exchange(0, 5, 0, 3), 2u);
+  EXPECT_EQ(arrays.exchange(0, 5, 0, 3, work), 2u);
   EXPECT_LT(std::max(values[0], values[1]), 3);
 }
 
@@ -115,7 +120,7 @@ void sort_on_a_small_stack(Numbers& values) {
   pthread_t thread;
   const auto body = [](void* argument) -> void* {
     auto& numbers = *static_cast<Numbers*>(argument);
-    CompanionArrays<1>({std::span(numbers)}).sort(0, numbers.size());
+    CompanionArrays<1>({std::span(numbers)}).sort(0, numbers.size(), work);
     return nullptr;
   };
   ASSERT_EQ(pthread_create(&thread, &attributes, body, &values), 0);

@@ -1,0 +1,400 @@
+// How much work passes between two questions to the hook, and what a cancel at any of them leaves.
+
+#include "support/algorithm_list.hpp"
+#include "support/error_expectations.hpp"
+#include "support/scene_view.hpp"
+
+#include <abut/abut.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Scene;
+
+/// Steps between two questions, twice: the last of them are told in blocks.
+constexpr std::uint64_t steps = 2 * 65536;
+
+const Scene& crowd(std::size_t count) {
+  static std::map<std::size_t, Scene> made;
+  if (!made.contains(count)) made[count] = scenes::scene_named("coincident").make(count, 1);
+  return made[count];
+}
+
+/// Questions by phase; says yes to all but one.
+struct Hook {
+  std::map<std::string, std::uint64_t> asked;
+  std::uint64_t all = 0;
+  std::uint64_t cancelled_at = 0;  ///< 0: never
+
+  [[nodiscard]] ProgressHook hook() {
+    return [this](const Progress& progress) {
+      EXPECT_LE(progress.done, progress.total);
+      ++asked[std::string(progress.phase)];
+      ++all;
+      EXPECT_TRUE(cancelled_at == 0 || all <= cancelled_at) << "asked again";
+      return all == cancelled_at ? ProgressAction::cancel : ProgressAction::proceed;
+    };
+  }
+};
+
+Options options_of(Algorithm algorithm, Hook& hook) {
+  Options options;
+  options.algorithm = algorithm;
+  options.threads = 1;
+  options.progress = hook.hook();
+  return options;
+}
+
+/// Thin plates one above the other, in one cell as they are wide: many tests and no pair.
+struct Plates {
+  explicit Plates(std::size_t count) : x(count, 0.0), far(count, 1.0), bottom(count), top(count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      bottom[k] = 1e-5 * static_cast<double>(k);
+      top[k] = bottom[k] + 1e-6;
+    }
+  }
+  [[nodiscard]] ElementView view() const { return boxes(x, x, bottom, far, far, top); }
+
+  std::vector<double> x, far, bottom, top;
+};
+
+TEST(Asking, FollowsTheTestsInOneCell) {
+  for (const Algorithm algorithm : algorithms_for(3)) {
+    SCOPED_TRACE(std::string(name_of(algorithm)));
+    Hook hook;
+    const Statistics counted =
+        count_contact_pairs(view_of(crowd(3000)), Domain::open(), options_of(algorithm, hook));
+    EXPECT_EQ(counted.contact_pairs, 3000U * 2999U / 2U);
+    EXPECT_GE(hook.asked["search"], counted.candidate_tests / steps);
+  }
+}
+
+TEST(Asking, FollowsTestsThatFindNothing) {
+  const Plates plates(3000);
+  for (const Simd level : {Simd::scalar, Simd::automatic}) {
+    Hook hook;
+    Options options = options_of(Algorithm::rows, hook);
+    options.simd = level;
+    const Statistics counted = count_contact_pairs(plates.view(), Domain::open(), options);
+    EXPECT_EQ(counted.contact_pairs, 0U);
+    EXPECT_GE(counted.candidate_tests, 1'000'000U);
+    EXPECT_GE(hook.asked["search"], counted.candidate_tests / steps);
+  }
+}
+
+/// Between two questions a visitor sees no more pairs than there are steps.
+TEST(Asking, NoMorePairsPassThanSteps) {
+  for (const Algorithm algorithm : algorithms_for(3)) {
+    SCOPED_TRACE(std::string(name_of(algorithm)));
+    std::uint64_t passed = 0;
+    std::uint64_t most = 0;
+    Options options;
+    options.algorithm = algorithm;
+    options.threads = 1;
+    options.progress = [&](const Progress&) {
+      most = std::max(most, std::exchange(passed, 0));
+      return ProgressAction::proceed;
+    };
+    for_each_batch(
+        view_of(crowd(3000)), Domain::open(), options,
+        [&](std::span<const ContactPair> pairs, WorkerNumber) { passed += pairs.size(); });
+    EXPECT_GT(most, 0U);
+    EXPECT_LE(std::max(most, passed), steps);
+  }
+}
+
+/// A visitor that waits, now and then, until the hook was asked once more.
+class Rendezvous {
+ public:
+  void ask() {
+    const std::lock_guard lock(mutex_);
+    ++questions_;
+    asked_.notify_all();
+  }
+
+  /// False if that takes very long.
+  bool wait_for_more_than(std::uint64_t questions) {
+    std::unique_lock lock(mutex_);
+    return asked_.wait_for(lock, std::chrono::minutes(2), [&] { return questions_ > questions; });
+  }
+
+  std::uint64_t questions() {
+    const std::lock_guard lock(mutex_);
+    return questions_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable asked_;
+  std::uint64_t questions_ = 0;
+};
+
+/// All the work lies in one place, which any worker may take: the caller's thread, which has none,
+/// asks for it.
+TEST(Asking, TheCallersThreadAsksForTheOthers) {
+  for (const int threads : {2, 5}) {
+    Rendezvous rendezvous;
+    Options options;
+    options.threads = threads;
+    options.progress = [&](const Progress&) {
+      rendezvous.ask();
+      return ProgressAction::proceed;
+    };
+    std::atomic<std::uint64_t> found = 0;
+    std::array<std::uint64_t, 5> passed{};  // of each worker, since it last waited
+    std::array<std::uint64_t, 5> seen{};
+    for_each_batch(view_of(crowd(3000)), Domain::open(), options,
+                   [&](std::span<const ContactPair> pairs, WorkerNumber number) {
+                     const auto worker = static_cast<std::size_t>(number);
+                     found += pairs.size();
+                     passed[worker] += pairs.size();
+                     if (worker == 0 || passed[worker] < 4 * steps) return;
+                     EXPECT_TRUE(rendezvous.wait_for_more_than(seen[worker]));
+                     seen[worker] = rendezvous.questions();
+                     passed[worker] = 0;
+                   });
+    EXPECT_EQ(found, 3000U * 2999U / 2U);
+  }
+}
+
+/// When the hook cancels, the others stop where they are.
+TEST(Asking, ACancelStopsTheOthers) {
+  for (const int threads : {2, 5}) {
+    std::atomic<bool> is_cancelled = false;
+    std::atomic<std::uint64_t> found = 0;
+    Options options;
+    options.threads = threads;
+    options.progress = [&](const Progress&) {
+      is_cancelled = found > 0;
+      return is_cancelled ? ProgressAction::cancel : ProgressAction::proceed;
+    };
+    expect_error(ErrorCode::cancelled, {"search"}, [&] {
+      for_each_batch(view_of(crowd(3000)), Domain::open(), options,
+                     [&](std::span<const ContactPair> pairs, WorkerNumber) {
+                       found += pairs.size();
+                       // Whoever cancelled has yet to tell the others.
+                       if (is_cancelled) std::this_thread::yield();
+                     });
+    });
+    EXPECT_TRUE(is_cancelled);
+  }
+}
+
+/// An exception of a visitor, too.
+TEST(Asking, AVisitorsExceptionStopsTheOthers) {
+  struct Enough {};
+  std::atomic<std::uint64_t> found = 0;
+  Options options;
+  options.threads = 2;
+  EXPECT_THROW(for_each_batch(view_of(crowd(3000)), Domain::open(), options,
+                              [&](std::span<const ContactPair> pairs, WorkerNumber) {
+                                if ((found += pairs.size()) > steps) throw Enough();
+                              }),
+               Enough);
+  EXPECT_LT(found, 3000U * 2999U / 2U);
+}
+
+TEST(Asking, FollowsTheElementsBeforeTheSearchAndThePairsBehindIt) {
+  static const Scene dense = scenes::scene_named("dense").make(200'000, 1);
+  for (const Order order : {Order::canonical, Order::as_found}) {
+    Hook hook;
+    Options options = options_of(Algorithm::rows, hook);
+    options.order = order;
+    const PairList list = find_contact_pairs(view_of(dense), Domain::open(), options);
+    EXPECT_GE(hook.asked["gather"], 8 * dense.size() / steps);
+    // Placed and scattered, then sorted in the tiles.
+    EXPECT_GE(hook.asked["search"], (4 * dense.size() + list.statistics().candidate_tests) / steps);
+    EXPECT_GE(hook.asked["order"], (order == Order::canonical ? 4 : 1) * list.size() / steps);
+  }
+}
+
+/// Pairs of few elements, in long rows.
+TEST(Asking, FollowsTheOrderOfManyPairsOfEach) {
+  for (const Domain& domain : {Domain::open(), Domain::periodic(std::array{1e6, 1e6, 1e6})}) {
+    for (const NeighborListKind kind : {NeighborListKind::half, NeighborListKind::full}) {
+      Hook hook;
+      Options options = options_of(Algorithm::rows, hook);
+      options.shifts = Shifts::stored;
+      options.neighbor_data = NeighborData::distances;
+      const NeighborList list = build_neighbor_list(view_of(crowd(1500)), domain, kind, options);
+      EXPECT_GE(hook.asked["order"], 4 * list.neighbors().size() / steps);
+    }
+  }
+}
+
+/// A detection that is cancelled at any question.
+struct Face {
+  std::string name;
+  /// Makes a detection; what it returns tells its result.
+  std::function<std::vector<std::uint64_t>(const Options&)> detect;
+};
+
+std::vector<std::uint64_t> told(std::span<const ContactPair> pairs) {
+  std::vector<std::uint64_t> result;
+  for (const ContactPair& pair : pairs) {
+    result.push_back(std::uint64_t{pair.first} << 32 | pair.second);
+  }
+  return result;
+}
+
+std::vector<std::uint64_t> told(const NeighborList& list) {
+  std::vector<std::uint64_t> result(list.neighbors().begin(), list.neighbors().end());
+  result.insert(result.end(), list.offsets().begin(), list.offsets().end());
+  return result;
+}
+
+const Scene& small_crowd() {
+  return crowd(400);
+}
+
+const Scene& packing() {
+  static const Scene made = scenes::scene_named("dense").make(4000, 1);
+  return made;
+}
+
+const Domain& cell() {
+  static const Domain made = Domain::periodic(std::array{40.0, 40.0, 40.0});
+  return made;
+}
+
+std::vector<Face> faces() {
+  std::vector<Face> result;
+  result.push_back({"list", [](const Options& options) {
+                      return told(
+                          find_contact_pairs(view_of(small_crowd()), Domain::open(), options));
+                    }});
+  result.push_back({"periodic list", [](const Options& options) {
+                      return told(find_contact_pairs(view_of(packing()), cell(), options));
+                    }});
+  result.push_back(
+      {"count", [](const Options& options) {
+         return std::vector{
+             count_contact_pairs(view_of(packing()), Domain::open(), options).contact_pairs};
+       }});
+  result.push_back({"two sets", [](const Options& options) {
+                      return told(find_contact_pairs(view_of(packing()), view_of(small_crowd()),
+                                                     Domain::open(), options));
+                    }});
+  result.push_back({"neighbor list", [](const Options& options) {
+                      Options measured = options;
+                      measured.neighbor_data = NeighborData::distances;
+                      return told(build_neighbor_list(view_of(small_crowd()), Domain::open(),
+                                                      NeighborListKind::full, measured));
+                    }});
+  result.push_back({"periodic neighbor list", [](const Options& options) {
+                      return told(build_neighbor_list(view_of(packing()), cell(),
+                                                      NeighborListKind::half, options));
+                    }});
+  return result;
+}
+
+/// `detect(options)` is called with a hook that cancels at the first question, at the second, ...
+/// until one passes.
+void cancel_at_each(const Options& plain,
+                    const std::function<std::vector<std::uint64_t>(const Options&)>& detect) {
+  const auto expected = detect(plain);
+  constexpr std::uint64_t most = 2000;
+  for (std::uint64_t k = 1; k < most; ++k) {
+    Hook hook;
+    hook.cancelled_at = k;
+    Options options = plain;
+    options.progress = hook.hook();
+    try {
+      EXPECT_EQ(detect(options), expected);
+      EXPECT_LT(hook.all, k);
+      EXPECT_GT(k, 3U);
+      return;
+    } catch (const Error& error) {
+      ASSERT_EQ(error.code(), ErrorCode::cancelled) << error.what();
+      ASSERT_EQ(hook.all, k);
+    }
+  }
+  FAIL() << "asked more than " << most << " times";
+}
+
+TEST(Asking, CancelsAtEachQuestionOfEachFace) {
+  for (const Face& face : faces()) {
+    for (const Algorithm algorithm : {Algorithm::rows, Algorithm::munjiza_nbs}) {
+      const bool many_boxes = algorithm == Algorithm::munjiza_nbs;
+      if (many_boxes && face.name.starts_with("periodic")) continue;
+      for (const int threads : {1, 2}) {
+        SCOPED_TRACE(face.name + ", " + std::string(name_of(algorithm)) + ", threads " +
+                     std::to_string(threads));
+        Options options;
+        options.algorithm = algorithm;
+        options.threads = threads;
+        cancel_at_each(options, face.detect);
+      }
+    }
+  }
+}
+
+TEST(Asking, CancelsAtEachQuestionOfEachAlgorithm) {
+  for (const Algorithm algorithm : algorithms_for(3)) {
+    SCOPED_TRACE(std::string(name_of(algorithm)));
+    Options options;
+    options.algorithm = algorithm;
+    options.threads = 1;
+    cancel_at_each(options, [](const Options& with) {
+      return told(find_contact_pairs(view_of(small_crowd()), Domain::open(), with));
+    });
+  }
+}
+
+/// One Detector throughout: with a skin, with ids of which some change, and for lists of both
+/// kinds.
+TEST(Asking, ADetectorWorksAfterACancelAtEachQuestion) {
+  for (const Domain& domain : {Domain::open(), cell()}) {
+    for (const Skin skin : {Skin::none(), Skin::fixed(0.05)}) {
+      Options plain;
+      plain.threads = 2;
+      Detector detector(plain);
+      detector.set_skin(skin);
+      std::vector<std::uint64_t> ids(packing().size());
+      std::uint64_t first = 0;
+      cancel_at_each(plain, [&](const Options& options) {
+        std::iota(ids.begin(), ids.end(), ++first);
+        detector.set_ids(ids);
+        detector.set_options(options);
+        auto all = told(detector.find_contact_pairs(view_of(packing()), domain));
+        const auto rows =
+            told(detector.build_neighbor_list(view_of(packing()), domain, NeighborListKind::full));
+        all.insert(all.end(), rows.begin(), rows.end());
+        return all;
+      });
+    }
+  }
+}
+
+TEST(Asking, CancelsAtEachQuestionOfTheContactsWithWalls) {
+  const std::vector<double> low{-5.0, 20.0}, high{200.0, 21.0};
+  const ElementView walls = boxes(low, low, low, high, high, high);
+  Options options;
+  options.threads = 2;
+  cancel_at_each(options, [&](const Options& with) {
+    std::vector<std::uint64_t> result;
+    for (const BoxContact& contact : find_box_contacts(view_of(packing()), walls, with)) {
+      result.push_back(std::uint64_t{contact.sphere} << 32 | contact.box);
+    }
+    return result;
+  });
+}
+
+}  // namespace
+}  // namespace abut::testing

@@ -25,7 +25,7 @@ if(NOT ABUT_OPENMP STREQUAL OFF)
 endif()
 
 # By name and by flag, never by path: an installed tree may be moved to another machine.
-set(ABUT_CORE_LIBRARIES)
+set(ABUT_CORE_LIBRARIES -pthread)
 if(ABUT_USE_HIGHWAY)
   list(APPEND ABUT_CORE_LIBRARIES ${HWY_LIBRARIES})
 endif()

@@ -45,6 +45,7 @@ MAY_INCLUDE = CORE | {
 }
 # What the core may include besides: headers of the standard library, which have no dot, and these.
 SYSTEM_HEADERS = {"hwy/foreach_target.h", "hwy/highway.h", "hwy/targets.h", "omp.h", "pthread.h",
+                  "sched.h", "signal.h", "sys/resource.h",
                   "sys/mman.h", "unistd.h", "xmmintrin.h"}
 
 SOURCE_FOLDERS = ("include", "src", "scenes", "cli", "benchmarks", "examples", "tests", "bindings")

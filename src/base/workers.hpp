@@ -8,14 +8,16 @@
 
 namespace abut::base {
 
-/// Threads that a detection uses: as many as asked for; for 0, what OpenMP would take, but no more
-/// than the elements keep busy. One in a process that was forked, where an OpenMP runtime may hang,
-/// and where OpenMP is not built in.
+/// Makes ready the threads that a detection of the calling thread works with, and says how many
+/// there are, the caller's included: as many as asked for, but no more than elements nor than
+/// 1,024; for 0, what OpenMP would take, but no more than the elements keep busy. Fewer where the
+/// system refuses some. One in a visitor of another detection, in a parallel region of the caller
+/// within which OpenMP starts no others, and in a process that was forked.
 [[nodiscard]] std::size_t worker_count(int asked, std::size_t elements);
 
 namespace detail {
 
-/// Calls body(context, w) once for each w < count, on up to `count` threads.
+/// Calls body(context, w) once for each w < count, on as many threads as were made ready.
 void run_on_threads(std::size_t count, void (*body)(void* context, std::size_t worker),
                     void* context);
 

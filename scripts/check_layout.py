@@ -16,7 +16,7 @@ ROOMS_BELOW = {
     "base": "",
     "exact/numbers": "",
     "exact": "exact/numbers",
-    "kernels": "exact",
+    "kernels": "base exact",
     "grid": "base exact kernels",
     "lattice": "base exact/numbers exact grid",
     "reference": "base exact grid lattice",

@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -50,6 +52,9 @@ class ABUT_API ContactMatcher {
   void match(const PairList& pairs, const ElementView& elements, const Domain& domain,
              std::span<const std::uint64_t> ids);
 
+  /// Throws Error{limit_exceeded}, for a lack of memory outside.
+  [[noreturn]] static void lack_memory();
+
   /// Keeps the pairs matched last, for the next call to compare with.
   void accept() noexcept;
 
@@ -85,11 +90,18 @@ class ContactHistory {
   /// Throws Error, and then nothing has changed:
   ///
   /// * `wrong_usage`: pairs in another order, without shifts, or not of these elements;
-  /// * `invalid_input`: ids of another number than elements; an id that comes twice.
+  /// * `invalid_input`: ids of another number than elements; an id that comes twice;
+  /// * `limit_exceeded`: memory ran out.
   void update(const PairList& pairs, const ElementView& elements,
               const Domain& domain = Domain::open(), std::span<const std::uint64_t> ids = {}) {
     matcher_.match(pairs, elements, domain, ids);
-    collect(pairs.size());
+    try {
+      collect(pairs.size());
+    } catch (const std::bad_alloc&) {
+      detail::ContactMatcher::lack_memory();
+    } catch (const std::length_error&) {
+      detail::ContactMatcher::lack_memory();
+    }
     matcher_.accept();
     values_.swap(next_values_);
     lost_.swap(next_lost_);

@@ -50,7 +50,6 @@ class ABUT_API ExclusionList {
   [[nodiscard]] bool contains(ContactPair pair) const noexcept;
 
  private:
-  void make(std::span<const ContactPair> pairs, std::size_t rows);
   void fill(std::span<const ContactPair> pairs, std::size_t rows);
 
   bool of_two_sets_ = false;

@@ -3,6 +3,7 @@
 
 #include "algorithms/registry.hpp"
 
+#include "base/lack_of_memory.hpp"
 #include "periodic/periodic_rows.hpp"
 #include "reference/algorithms.hpp"
 #include "reference/direct_check_images.hpp"
@@ -142,7 +143,8 @@ std::span<const AlgorithmInfo> algorithms() {
 }
 
 const AlgorithmInfo& info(Algorithm algorithm) {
-  return api::row_of(algorithm).info;
+  return api::reporting_lack_of_memory(
+      [&]() -> const AlgorithmInfo& { return api::row_of(algorithm).info; });
 }
 
 std::string_view name_of(Algorithm algorithm) {
@@ -150,14 +152,16 @@ std::string_view name_of(Algorithm algorithm) {
 }
 
 Algorithm algorithm_named(std::string_view name) {
-  if (name == "auto") return Algorithm::automatic;
-  std::string known = "auto";
-  for (const AlgorithmInfo& row : algorithms()) {
-    if (row.name == name) return row.algorithm;
-    known += ", " + std::string(row.name);
-  }
-  throw Error(ErrorCode::wrong_usage,
-              "no algorithm is called '" + std::string(name) + "'; there are " + known);
+  return api::reporting_lack_of_memory([&] {
+    if (name == "auto") return Algorithm::automatic;
+    std::string known = "auto";
+    for (const AlgorithmInfo& row : algorithms()) {
+      if (row.name == name) return row.algorithm;
+      known += ", " + std::string(row.name);
+    }
+    throw Error(ErrorCode::wrong_usage,
+                "no algorithm is called '" + std::string(name) + "'; there are " + known);
+  });
 }
 
 }  // namespace abut

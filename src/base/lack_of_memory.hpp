@@ -2,21 +2,18 @@
 
 #include "base/memory_meter.hpp"
 
-#include <abut/error.hpp>
-
 #include <new>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace abut::api {
 
-[[noreturn]] inline void report_lack_of_memory(const base::MemoryMeter& memory) {
-  throw Error(ErrorCode::limit_exceeded,
-              "memory ran out with " + std::to_string(memory.held()) +
-                  " bytes held by the detection; take fewer elements, count the pairs without "
-                  "storing them, or free memory");
-}
+/// Throws Error{limit_exceeded} and allocates nothing: its sentence was written when the library
+/// was loaded.
+[[noreturn]] void report_lack_of_memory();
+
+/// The same, with the bytes that a detection holds if there is memory for that sentence.
+[[noreturn]] void report_lack_of_memory(const base::MemoryMeter& memory);
 
 /// Runs `body`; if memory runs out in it, that is an Error{limit_exceeded}.
 template <class Body>
@@ -27,6 +24,18 @@ decltype(auto) reporting_lack_of_memory(const base::MemoryMeter& memory, Body&& 
     report_lack_of_memory(memory);
   } catch (const std::length_error&) {
     report_lack_of_memory(memory);
+  }
+}
+
+/// The same where no detection holds anything.
+template <class Body>
+decltype(auto) reporting_lack_of_memory(Body&& body) {
+  try {
+    return std::forward<Body>(body)();
+  } catch (const std::bad_alloc&) {
+    report_lack_of_memory();
+  } catch (const std::length_error&) {
+    report_lack_of_memory();
   }
 }
 

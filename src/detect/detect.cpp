@@ -1,35 +1,54 @@
 #include <abut/detect.hpp>
 #include <abut/two_sets.hpp>
 
+#include "base/lack_of_memory.hpp"
 #include "detect/detection_run.hpp"
 #include "detect/validate_options.hpp"
 
+#include <memory>
 #include <utility>
 
 namespace abut {
+namespace {
+
+/// Not on the stack, of which its 75 KiB may be all that a thread has.
+std::unique_ptr<api::DetectionRun> new_run() {
+  return api::reporting_lack_of_memory([] { return std::make_unique<api::DetectionRun>(); });
+}
+
+/// The margin of points is the cutoff.
+Options options_with(const ElementView& points, double cutoff, const Options& options) {
+  return api::reporting_lack_of_memory([&] {
+    api::require_points(points, cutoff);
+    Options with_cutoff = options;
+    with_cutoff.margin = cutoff;
+    return with_cutoff;
+  });
+}
+
+}  // namespace
 
 PairList find_contact_pairs(const ElementView& elements, const Domain& domain,
                             const Options& options) {
   PairArray pairs;
   ShiftArray shifts;
-  Statistics statistics =
-      api::DetectionRun().list_pairs({elements, domain, options}, pairs, shifts);
+  Statistics statistics = new_run()->list_pairs({elements, domain, options}, pairs, shifts);
   return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
 }
 
 Statistics for_each_batch(const ElementView& elements, const Domain& domain, const Options& options,
                           const PairBatchVisitor& visitor) {
-  return api::DetectionRun().visit_batches({elements, domain, options}, api::visitors_of(visitor));
+  return new_run()->visit_batches({elements, domain, options}, api::visitors_of(visitor));
 }
 
 Statistics for_each_shifted_batch(const ElementView& elements, const Domain& domain,
                                   const Options& options, const ShiftedBatchVisitor& visitor) {
-  return api::DetectionRun().visit_batches({elements, domain, options}, api::visitors_of(visitor));
+  return new_run()->visit_batches({elements, domain, options}, api::visitors_of(visitor));
 }
 
 Statistics count_contact_pairs(const ElementView& elements, const Domain& domain,
                                const Options& options) {
-  return api::DetectionRun().visit_batches({elements, domain, options}, {});
+  return new_run()->visit_batches({elements, domain, options}, {});
 }
 
 namespace {
@@ -40,7 +59,7 @@ NeighborList neighbor_list_of(const api::DetectionRequest& request, NeighborList
   ShiftArray shifts;
   NeighborList::Distances distances;
   NeighborList::Vectors vectors;
-  Statistics statistics = api::DetectionRun().list_neighbors(
+  Statistics statistics = new_run()->list_neighbors(
       request, kind, {offsets, neighbors, shifts, distances, vectors});
   return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
                       std::move(distances), std::move(vectors), std::move(statistics));
@@ -55,10 +74,7 @@ NeighborList build_neighbor_list(const ElementView& elements, const Domain& doma
 
 NeighborList neighbors(const ElementView& points, double cutoff, const Domain& domain,
                        NeighborListKind kind, const Options& options) {
-  api::require_points(points, cutoff);
-  Options with_cutoff = options;
-  with_cutoff.margin = cutoff;
-  return neighbor_list_of({points, domain, with_cutoff}, kind);
+  return neighbor_list_of({points, domain, options_with(points, cutoff, options)}, kind);
 }
 
 PairList find_contact_pairs(const ElementView& first, const ElementView& second,
@@ -66,26 +82,26 @@ PairList find_contact_pairs(const ElementView& first, const ElementView& second,
   PairArray pairs;
   ShiftArray shifts;
   Statistics statistics =
-      api::DetectionRun().list_pairs({first, domain, options, &second}, pairs, shifts);
+      new_run()->list_pairs({first, domain, options, &second}, pairs, shifts);
   return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
 }
 
 Statistics for_each_batch(const ElementView& first, const ElementView& second, const Domain& domain,
                           const Options& options, const PairBatchVisitor& visitor) {
-  return api::DetectionRun().visit_batches({first, domain, options, &second},
-                                           api::visitors_of(visitor));
+  return new_run()->visit_batches({first, domain, options, &second},
+                                        api::visitors_of(visitor));
 }
 
 Statistics for_each_shifted_batch(const ElementView& first, const ElementView& second,
                                   const Domain& domain, const Options& options,
                                   const ShiftedBatchVisitor& visitor) {
-  return api::DetectionRun().visit_batches({first, domain, options, &second},
-                                           api::visitors_of(visitor));
+  return new_run()->visit_batches({first, domain, options, &second},
+                                        api::visitors_of(visitor));
 }
 
 Statistics count_contact_pairs(const ElementView& first, const ElementView& second,
                                const Domain& domain, const Options& options) {
-  return api::DetectionRun().visit_batches({first, domain, options, &second}, {});
+  return new_run()->visit_batches({first, domain, options, &second}, {});
 }
 
 NeighborList build_neighbor_list(const ElementView& first, const ElementView& second,

@@ -66,8 +66,10 @@ void require_measurable(const DetectionRequest& request) {
 template <class Body>
 Statistics DetectionRun::guarded(const DetectionRequest& request, Body&& body) {
   const base::FloatEnvironment environment;
-  validate_request(request);
-  if (request.others == nullptr) skin_.require_ids_for(request.elements.size());
+  reporting_lack_of_memory([&] {
+    validate_request(request);
+    if (request.others == nullptr) skin_.require_ids_for(request.elements.size());
+  });
   memory_.start_anew(memory_bound(request.options));
   DetectionContext context(memory_, request.options.progress);
   return base::letting_through([&] {
@@ -194,7 +196,7 @@ Statistics DetectionRun::visit_batches(const DetectionRequest& request, const Vi
 Statistics DetectionRun::list_neighbors(const DetectionRequest& request, NeighborListKind kind,
                                         const NeighborArrays& arrays) {
   RowBuffers buffers(arrays);
-  require_measurable(request);
+  reporting_lack_of_memory([&] { require_measurable(request); });
   const Statistics result = guarded(request, [&](DetectionContext& context) {
     Statistics statistics = store(
         request, {.limit = request.options.max_pairs, .shifts = shifts_to_find(request)}, context);

@@ -1,5 +1,6 @@
 #include <abut/detector.hpp>
 
+#include "base/lack_of_memory.hpp"
 #include "detect/detection_run.hpp"
 
 #include <utility>
@@ -15,7 +16,9 @@ struct Detector::State {
   NeighborList neighbors;
 };
 
-Detector::Detector(Options options) : state_(std::make_unique<State>(std::move(options))) {}
+Detector::Detector(Options options)
+    : state_(api::reporting_lack_of_memory(
+          [&] { return std::make_unique<State>(std::move(options)); })) {}
 Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
@@ -29,11 +32,11 @@ void Detector::set_options(Options options) {
 }
 
 void Detector::set_skin(Skin skin) {
-  state_->run.skin().set_skin(skin);
+  api::reporting_lack_of_memory([&] { state_->run.skin().set_skin(skin); });
 }
 
 void Detector::set_ids(std::span<const std::uint64_t> ids) {
-  state_->run.skin().set_ids(ids);
+  api::reporting_lack_of_memory([&] { state_->run.skin().set_ids(ids); });
 }
 
 Skin Detector::skin() const noexcept {

@@ -1,4 +1,5 @@
 #include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
@@ -68,16 +69,22 @@ double gap_of(const Sets& sets, const Domain& domain, ContactPair pair, const Im
 }
 
 double checked_gap(const Sets& sets, ContactPair pair) {
-  sets.require(pair);
+  api::reporting_lack_of_memory([&] {
+    api::require_alike(sets.first, sets.second);
+    sets.require(pair);
+  });
   const base::FloatEnvironment environment;
   return sets.first.dimensions() == 2 ? gap_of<2>(sets, pair) : gap_of<3>(sets, pair);
 }
 
 double checked_gap(const Sets& sets, const Domain& domain, ContactPair pair,
                    const ImageShift& shift) {
-  sets.require(pair);
-  api::require_dimensions(sets.first, domain);
-  require_there(domain, shift);
+  api::reporting_lack_of_memory([&] {
+    api::require_alike(sets.first, sets.second);
+    sets.require(pair);
+    api::require_dimensions(sets.first, domain);
+    require_there(domain, shift);
+  });
   const base::FloatEnvironment environment;
   return sets.first.dimensions() == 2 ? gap_of<2>(sets, domain, pair, shift)
                                       : gap_of<3>(sets, domain, pair, shift);
@@ -95,13 +102,11 @@ double gap(const ElementView& elements, const Domain& domain, ContactPair pair,
 }
 
 double gap(const ElementView& first, const ElementView& second, ContactPair pair) {
-  api::require_alike(first, second);
   return checked_gap({first, second}, pair);
 }
 
 double gap(const ElementView& first, const ElementView& second, const Domain& domain,
            ContactPair pair, const ImageShift& shift) {
-  api::require_alike(first, second);
   return checked_gap({first, second}, domain, pair, shift);
 }
 

@@ -2,6 +2,7 @@
 #include <abut/trace.hpp>
 
 #include "algorithms/registry.hpp"
+#include "base/callers_exception.hpp"
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
 #include "detect/validate_options.hpp"
@@ -10,6 +11,7 @@
 #include "reference/partition_sort.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <string>
 
@@ -87,18 +89,7 @@ void run(const api::RegistryRow& row, const CellSystem& system, Sink& sink) {
   row.runs<Dim>().trace(cells, recorder, context);
 }
 
-}  // namespace
-
-Sink::~Sink() = default;
-
-CellSystem integerise(const ElementView& elements, const Options& options) {
-  const base::FloatEnvironment environment;
-  api::validate(options, elements, Domain::open());
-  return elements.dimensions() == 2 ? cells_of<2>(elements, options)
-                                    : cells_of<3>(elements, options);
-}
-
-void run(Algorithm algorithm, const CellSystem& system, Sink& sink) {
+void run_checked(Algorithm algorithm, const CellSystem& system, Sink& sink) {
   const api::RegistryRow& row = api::row_of(algorithm);
   if (!row.info.traceable) {
     throw Error(ErrorCode::wrong_usage,
@@ -113,16 +104,60 @@ void run(Algorithm algorithm, const CellSystem& system, Sink& sink) {
   }
 }
 
+/// The caller's sink, whose lack of memory is its own.
+class CallersSink final : public Sink {
+ public:
+  explicit CallersSink(Sink& sink) : sink_(sink) {}
+
+  void stage(std::string_view title, std::array<std::int32_t, 3> cell) override {
+    base::call_back([&] { sink_.stage(title, cell); });
+  }
+  void array(const Array& array) override {
+    base::call_back([&] { sink_.array(array); });
+  }
+  void search_step(const SearchStep& step) override {
+    base::call_back([&] { sink_.search_step(step); });
+  }
+  void candidate_pair(ElementIndex first, ElementIndex second) override {
+    base::call_back([&] { sink_.candidate_pair(first, second); });
+  }
+
+ private:
+  Sink& sink_;
+};
+
+}  // namespace
+
+Sink::~Sink() = default;
+
+CellSystem integerise(const ElementView& elements, const Options& options) {
+  const base::FloatEnvironment environment;
+  api::reporting_lack_of_memory([&] { api::validate(options, elements, Domain::open()); });
+  return elements.dimensions() == 2 ? cells_of<2>(elements, options)
+                                    : cells_of<3>(elements, options);
+}
+
+void run(Algorithm algorithm, const CellSystem& system, Sink& sink) {
+  CallersSink callers(sink);
+  try {
+    api::reporting_lack_of_memory([&] { run_checked(algorithm, system, callers); });
+  } catch (const base::CallersException& theirs) {
+    std::rethrow_exception(theirs.exception);
+  }
+}
+
 Partition first_partition(std::span<const std::int32_t> values) {
-  Partition result{{values.begin(), values.end()}, values.size()};
-  if (values.empty()) return result;
-  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  if (*lowest == *highest) return result;
-  reference::CompanionArrays<1> arrays({std::span(result.values)});
-  base::DetectionContext context;
-  result.left_size = arrays.exchange(0, values.size(), 0,
-                                     reference::partition_middle(*lowest, *highest), context.work);
-  return result;
+  return api::reporting_lack_of_memory([&] {
+    Partition result{{values.begin(), values.end()}, values.size()};
+    if (values.empty()) return result;
+    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+    if (*lowest == *highest) return result;
+    reference::CompanionArrays<1> arrays({std::span(result.values)});
+    base::DetectionContext context;
+    result.left_size = arrays.exchange(
+        0, values.size(), 0, reference::partition_middle(*lowest, *highest), context.work);
+    return result;
+  });
 }
 
 }  // namespace abut::trace

@@ -1,3 +1,5 @@
+#include "base/lack_of_memory.hpp"
+
 #include <abut/version.hpp>
 
 #define ABUT_TEXT_OF(x) #x
@@ -33,13 +35,15 @@ std::string_view version() {
 }
 
 std::string build_description() {
-  std::string description = "abut ";
-  for (const std::string_view part :
-       {text, std::string_view(" ("), compiler, std::string_view(", "), architecture,
-        std::string_view(")")}) {
-    description += part;
-  }
-  return description;
+  return api::reporting_lack_of_memory([] {
+    std::string description = "abut ";
+    for (const std::string_view part :
+         {text, std::string_view(" ("), compiler, std::string_view(", "), architecture,
+          std::string_view(")")}) {
+      description += part;
+    }
+    return description;
+  });
 }
 
 }  // namespace abut

@@ -1,4 +1,5 @@
 #include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
 #include "base/written.hpp"
 #include "elements/lattice_of.hpp"
 #include "lattice/check_lattice.hpp"
@@ -14,8 +15,18 @@ namespace {
 
 constexpr const char* length_name[] = {"lx", "ly", "lz"};
 
-[[noreturn]] void reject(const std::string& what, double value, const char* rule) {
-  throw Error(ErrorCode::invalid_input, what + " = " + base::written(value) + "; " + rule);
+void reject(const char* what, double value, const char* rule) {
+  api::reporting_lack_of_memory([&] {
+    throw Error(ErrorCode::invalid_input,
+                std::string(what) + " = " + base::written(value) + "; " + rule);
+  });
+}
+
+void require_its_axes(Axes axes, std::size_t dimensions) {
+  if (static_cast<unsigned>(axes) >> dimensions == 0) return;
+  throw Error(ErrorCode::wrong_usage, "a domain of " + std::to_string(dimensions) +
+                                          " dimensions has no such periodic axes; give some of "
+                                          "its own, in 2D none, x, y or xy");
 }
 
 Axes with(Axes axes, std::size_t axis) {
@@ -26,11 +37,7 @@ Axes with(Axes axes, std::size_t axis) {
 
 Domain::Domain(const std::array<Vector, 3>& vectors, Axes axes, std::size_t dimensions)
     : axes_(axes), dimensions_(static_cast<int>(dimensions)) {
-  if (static_cast<unsigned>(axes) >> dimensions != 0) {
-    throw Error(ErrorCode::wrong_usage, "a domain of " + std::to_string(dimensions) +
-                                            " dimensions has no such periodic axes; give some of "
-                                            "its own, in 2D none, x, y or xy");
-  }
+  api::reporting_lack_of_memory([&] { require_its_axes(axes, dimensions); });
   for (std::size_t axis = 0; axis < dimensions; ++axis) {
     if (!is_periodic(static_cast<int>(axis))) continue;
     for (std::size_t k = 0; k < dimensions; ++k)
@@ -38,7 +45,8 @@ Domain::Domain(const std::array<Vector, 3>& vectors, Axes axes, std::size_t dime
   }
   const base::FloatEnvironment environment;
   const base::Lattice lattice = api::lattice_of(*this);
-  dimensions == 2 ? grid::check_lattice<2>(lattice) : grid::check_lattice<3>(lattice);
+  api::reporting_lack_of_memory(
+      [&] { dimensions == 2 ? grid::check_lattice<2>(lattice) : grid::check_lattice<3>(lattice); });
 }
 
 Domain Domain::lattice(const std::array<double, 2>& a, const std::array<double, 2>& b,

@@ -1,3 +1,5 @@
+#include "base/lack_of_memory.hpp"
+
 #include <abut/element_view.hpp>
 #include <abut/error.hpp>
 
@@ -17,10 +19,12 @@ std::string column_name(const ElementView& elements, std::size_t column) {
 
 void ElementView::require_size(std::size_t column, std::size_t size) const {
   if (size == size_) return;
-  throw Error(ErrorCode::invalid_input,
-              "the arrays differ in length: " + column_name(*this, 0) + " has " +
-                  std::to_string(size_) + " numbers and " + column_name(*this, column) + " has " +
-                  std::to_string(size) + "; give one number per element in each");
+  api::reporting_lack_of_memory([&] {
+    throw Error(ErrorCode::invalid_input,
+                "the arrays differ in length: " + column_name(*this, 0) + " has " +
+                    std::to_string(size_) + " numbers and " + column_name(*this, column) + " has " +
+                    std::to_string(size) + "; give one number per element in each");
+  });
 }
 
 }  // namespace abut

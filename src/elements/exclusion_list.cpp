@@ -1,9 +1,9 @@
+#include "base/lack_of_memory.hpp"
+
 #include <abut/error.hpp>
 #include <abut/exclusion_list.hpp>
 
 #include <algorithm>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -36,30 +36,19 @@ ContactPair as_looked_up(const ContactPair& pair, bool of_two_sets) noexcept {
 
 ExclusionList::ExclusionList(std::span<const ContactPair> pairs, std::size_t elements)
     : second_elements_(elements) {
-  require_there(pairs, elements, elements);
-  make(pairs, elements);
+  api::reporting_lack_of_memory([&] {
+    require_there(pairs, elements, elements);
+    fill(pairs, elements);
+  });
 }
 
 ExclusionList::ExclusionList(std::span<const ContactPair> pairs, std::size_t first_elements,
                              std::size_t second_elements)
     : of_two_sets_(true), second_elements_(second_elements) {
-  require_there(pairs, first_elements, second_elements);
-  make(pairs, first_elements);
-}
-
-void ExclusionList::make(std::span<const ContactPair> pairs, std::size_t rows) {
-  const auto refuse = [&] {
-    throw Error(ErrorCode::limit_exceeded, "memory ran out for " + std::to_string(pairs.size()) +
-                                               " exclusions among " + std::to_string(rows) +
-                                               " elements; free memory, or take fewer");
-  };
-  try {
-    fill(pairs, rows);
-  } catch (const std::bad_alloc&) {
-    refuse();
-  } catch (const std::length_error&) {
-    refuse();
-  }
+  api::reporting_lack_of_memory([&] {
+    require_there(pairs, first_elements, second_elements);
+    fill(pairs, first_elements);
+  });
 }
 
 /// A counting sort by the first number, then each row: sorted, repeated partners taken out.

@@ -1,3 +1,5 @@
+#include "base/lack_of_memory.hpp"
+
 #include <abut/error.hpp>
 #include <abut/group_table.hpp>
 
@@ -7,21 +9,23 @@
 namespace abut {
 
 GroupTable::GroupTable(std::uint32_t groups) : groups_(groups) {
-  if (groups > most_groups) {
-    throw Error(ErrorCode::limit_exceeded,
-                "a table of " + std::to_string(groups) + " groups; it holds at most " +
-                    std::to_string(most_groups) + ": join groups, or take categories");
-  }
-  bits_.assign((std::size_t{groups} * groups + 63) / 64, ~std::uint64_t{0});
+  api::reporting_lack_of_memory([&] {
+    if (groups > most_groups) {
+      throw Error(ErrorCode::limit_exceeded,
+                  "a table of " + std::to_string(groups) + " groups; it holds at most " +
+                      std::to_string(most_groups) + ": join groups, or take categories");
+    }
+    bits_.assign((std::size_t{groups} * groups + 63) / 64, ~std::uint64_t{0});
+  });
 }
 
 GroupTable& GroupTable::allow(std::uint32_t a, std::uint32_t b) {
-  set(a, b, 1);
+  api::reporting_lack_of_memory([&] { set(a, b, 1); });
   return *this;
 }
 
 GroupTable& GroupTable::deny(std::uint32_t a, std::uint32_t b) {
-  set(a, b, 0);
+  api::reporting_lack_of_memory([&] { set(a, b, 0); });
   return *this;
 }
 

@@ -1,4 +1,5 @@
 #include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/element_ids.hpp"
 #include "history/carried_pairs.hpp"
@@ -99,6 +100,8 @@ struct ContactMatcher::State {
   void lose_those_without_elements();
   void add_born(PairCount k, std::size_t elements);
   void keep(const PairList& list, bool with_shifts);
+  void match(const PairList& list, const ElementView& elements, const Domain& domain,
+             std::span<const std::uint64_t> given);
 };
 
 /// The pairs of the step before, called as they are called now.
@@ -180,7 +183,31 @@ void ContactMatcher::State::keep(const PairList& list, bool with_shifts) {
   if (with_shifts) std::copy(list.shifts().begin(), list.shifts().end(), next_shifts.begin());
 }
 
-ContactMatcher::ContactMatcher() : state_(std::make_unique<State>()) {}
+void ContactMatcher::State::match(const PairList& list, const ElementView& elements,
+                                  const Domain& domain, std::span<const std::uint64_t> given) {
+  api::require_dimensions(elements, domain);
+  const bool with_shifts = domain.is_periodic();
+  if (with_shifts && list.shifts().size() != list.size()) {
+    refuse("pairs of a periodic domain without their image shifts; set Options::shifts to stored");
+  }
+  runs.clear();
+  lost.clear();
+  next_born.clear();
+  next_flipped.clear();
+  carry(elements, domain, given);
+  keep(list, with_shifts);
+  if (with_shifts) {
+    merge(Merge<true>(next_pairs, next_shifts, carried), elements.size());
+  } else {
+    merge(Merge<false>(next_pairs, {}, carried), elements.size());
+  }
+  if (ids_change) lose_those_without_elements();
+  std::sort(lost.begin(), lost.end(),
+            [](const Lost& a, const Lost& b) { return a.before < b.before; });
+}
+
+ContactMatcher::ContactMatcher()
+    : state_(api::reporting_lack_of_memory([] { return std::make_unique<State>(); })) {}
 ContactMatcher::~ContactMatcher() = default;
 ContactMatcher::ContactMatcher(ContactMatcher&&) noexcept = default;
 ContactMatcher& ContactMatcher::operator=(ContactMatcher&&) noexcept = default;
@@ -188,26 +215,11 @@ ContactMatcher& ContactMatcher::operator=(ContactMatcher&&) noexcept = default;
 void ContactMatcher::match(const PairList& list, const ElementView& elements, const Domain& domain,
                            std::span<const std::uint64_t> ids) {
   const base::FloatEnvironment environment;
-  State& state = *state_;
-  api::require_dimensions(elements, domain);
-  const bool with_shifts = domain.is_periodic();
-  if (with_shifts && list.shifts().size() != list.size()) {
-    refuse("pairs of a periodic domain without their image shifts; set Options::shifts to stored");
-  }
-  state.runs.clear();
-  state.lost.clear();
-  state.next_born.clear();
-  state.next_flipped.clear();
-  state.carry(elements, domain, ids);
-  state.keep(list, with_shifts);
-  if (with_shifts) {
-    state.merge(Merge<true>(state.next_pairs, state.next_shifts, state.carried), elements.size());
-  } else {
-    state.merge(Merge<false>(state.next_pairs, {}, state.carried), elements.size());
-  }
-  if (state.ids_change) state.lose_those_without_elements();
-  std::sort(state.lost.begin(), state.lost.end(),
-            [](const Lost& a, const Lost& b) { return a.before < b.before; });
+  api::reporting_lack_of_memory([&] { state_->match(list, elements, domain, ids); });
+}
+
+void ContactMatcher::lack_memory() {
+  api::report_lack_of_memory();
 }
 
 void ContactMatcher::accept() noexcept {

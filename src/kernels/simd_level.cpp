@@ -1,5 +1,6 @@
 #include "kernels/simd_level.hpp"
 
+#include "base/lack_of_memory.hpp"
 #include "kernels/candidate_kernels.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/image_kernels.hpp"
@@ -81,14 +82,16 @@ std::string_view name_of(Simd level) {
 }
 
 Simd simd_named(std::string_view name) {
-  if (name == "auto") return Simd::automatic;
-  std::string known = "auto";
-  for (const Level& level : levels) {
-    if (level.name == name) return level.simd;
-    known += ", " + std::string(level.name);
-  }
-  throw Error(ErrorCode::wrong_usage,
-              "no SIMD level is called '" + std::string(name) + "'; there are " + known);
+  return api::reporting_lack_of_memory([&] {
+    if (name == "auto") return Simd::automatic;
+    std::string known = "auto";
+    for (const Level& level : levels) {
+      if (level.name == name) return level.simd;
+      known += ", " + std::string(level.name);
+    }
+    throw Error(ErrorCode::wrong_usage,
+                "no SIMD level is called '" + std::string(name) + "'; there are " + known);
+  });
 }
 
 namespace kernels {

@@ -1,3 +1,4 @@
+#include "base/lack_of_memory.hpp"
 #include "base/written.hpp"
 
 #include <abut/error.hpp>
@@ -8,11 +9,13 @@
 namespace abut {
 
 Skin Skin::fixed(double length) {
-  if (!(length >= 0.0) || std::isinf(length)) {
-    throw Error(ErrorCode::invalid_input,
-                "skin = " + base::written(length) + "; it must be finite and not negative");
-  }
-  return {Kind::fixed, length};
+  return api::reporting_lack_of_memory([&]() -> Skin {
+    if (!(length >= 0.0) || std::isinf(length)) {
+      throw Error(ErrorCode::invalid_input,
+                  "skin = " + base::written(length) + "; it must be finite and not negative");
+    }
+    return {Kind::fixed, length};
+  });
 }
 
 }  // namespace abut

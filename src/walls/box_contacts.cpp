@@ -1,6 +1,7 @@
 #include <abut/box_contacts.hpp>
 
 #include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
 #include "exact/box_feature.hpp"
@@ -65,7 +66,7 @@ BoxContactList find(const ElementView& spheres, const ElementView& boxes, const 
 BoxContactList find_box_contacts(const ElementView& spheres, const ElementView& boxes,
                                  const Domain& domain, const Options& options) {
   const base::FloatEnvironment environment;
-  require_shapes(spheres, boxes);
+  api::reporting_lack_of_memory([&] { require_shapes(spheres, boxes); });
   return spheres.dimensions() == 2 ? find<2>(spheres, boxes, domain, options)
                                    : find<3>(spheres, boxes, domain, options);
 }

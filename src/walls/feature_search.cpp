@@ -80,9 +80,9 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
       context_(memory_, options.progress),
       spheres_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory_, 0)),
       near_(base::make_array_for_overwrite<ElementIndex>(memory_, 0)) {
-  validate(options, spheres, domain);
   base::letting_through([&] {
     reporting_lack_of_memory(memory_, [&] {
+      validate(options, spheres, domain);
       gather(spheres);
       leave_out_far(boxes, domain);
     });
@@ -93,15 +93,19 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
     if (error.code() != ErrorCode::invalid_input || !domain.is_periodic()) throw;
     // Too far out: said of the sphere rather than of the box around it, and by the caller's
     // numbers.
-    const grid::ReducedLattice<Dim> reduced(lattice_of(domain));
-    grid::check_range<Dim>(spheres_, reduced, options.margin, Shape::sphere);
+    reporting_lack_of_memory(memory_, [&] {
+      const grid::ReducedLattice<Dim> reduced(lattice_of(domain));
+      grid::check_range<Dim>(spheres_, reduced, options.margin, Shape::sphere);
+    });
     if (near_.size() == spheres_.size()) throw;
-    keep_all();
+    reporting_lack_of_memory(memory_, [&] { keep_all(); });
     candidates_ = find_candidates(boxes, domain);
   }
   // As long as the meter lives.
-  memory_.take_for_pairs(candidates_.size() * sizeof(ContactPair) +
-                         candidates_.shifts().size() * sizeof(ImageShift));
+  reporting_lack_of_memory(memory_, [&] {
+    memory_.take_for_pairs(candidates_.size() * sizeof(ContactPair) +
+                           candidates_.shifts().size() * sizeof(ImageShift));
+  });
 }
 
 template <int Dim>

@@ -1,6 +1,7 @@
 #include <abut/fit_boxes.hpp>
 
 #include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
 #include "base/written.hpp"
 #include "elements/gathered_elements.hpp"
 #include "walls/vertex_numbers.hpp"
@@ -62,17 +63,23 @@ FittedBoxes fit(const ElementView& vertices, const Connectivity& cells, double s
 }  // namespace
 
 ElementView FittedBoxes::view() const {
-  return dimensions == 2 ? rectangles(lower[0], lower[1], upper[0], upper[1])
-                         : boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
+  // Their sizes may differ: they are the caller's to change.
+  return api::reporting_lack_of_memory([&] {
+    return dimensions == 2 ? rectangles(lower[0], lower[1], upper[0], upper[1])
+                           : boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
+  });
 }
 
 FittedBoxes fit_boxes(const ElementView& vertices, const Connectivity& cells, double skin) {
   const base::FloatEnvironment environment;
-  if (!(skin >= 0.0) || std::isinf(skin)) {
-    throw Error(ErrorCode::invalid_input,
-                "skin = " + base::written(skin) + "; it must be finite and not negative");
-  }
-  return vertices.dimensions() == 2 ? fit<2>(vertices, cells, skin) : fit<3>(vertices, cells, skin);
+  return api::reporting_lack_of_memory([&] {
+    if (!(skin >= 0.0) || std::isinf(skin)) {
+      throw Error(ErrorCode::invalid_input,
+                  "skin = " + base::written(skin) + "; it must be finite and not negative");
+    }
+    return vertices.dimensions() == 2 ? fit<2>(vertices, cells, skin)
+                                      : fit<3>(vertices, cells, skin);
+  });
 }
 
 }  // namespace abut

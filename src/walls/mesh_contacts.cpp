@@ -1,6 +1,7 @@
 #include <abut/mesh_contacts.hpp>
 
 #include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
 #include "elements/lattice_of.hpp"
 #include "exact/triangle_predicate.hpp"
 #include "walls/feature_search.hpp"
@@ -113,8 +114,10 @@ class MeshToucher {
 MeshContactList find_mesh_contacts(const ElementView& spheres, const TriangleMesh& mesh,
                                    const Domain& domain, const Options& options) {
   const base::FloatEnvironment environment;
-  require_spheres(spheres);
-  require_its_domain(mesh, domain);
+  api::reporting_lack_of_memory([&] {
+    require_spheres(spheres);
+    require_its_domain(mesh, domain);
+  });
   api::FeatureSearch<3> search(spheres, mesh.boxes().view(), domain, options);
   return search.contacts<MeshContact>(MeshToucher(mesh, domain, options));
 }

@@ -1,6 +1,7 @@
 #include <abut/triangle_mesh.hpp>
 
 #include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
 #include "elements/gathered_elements.hpp"
 #include "walls/joined_vertices.hpp"
 #include "walls/mesh_features.hpp"
@@ -97,16 +98,20 @@ struct TriangleMesh::Vertices {
 };
 
 TriangleMesh::TriangleMesh(const ElementView& vertices, const Connectivity& triangles)
-    : TriangleMesh((validate(vertices, triangles),
-                    Vertices{vertices, points_of(vertices), api::vertices_apart(vertices.size())}),
-                   triangles) {}
+    : TriangleMesh(api::reporting_lack_of_memory([&] {
+        validate(vertices, triangles);
+        const Vertices apart{vertices, points_of(vertices), api::vertices_apart(vertices.size())};
+        return TriangleMesh(apart, triangles);
+      })) {}
 
 TriangleMesh TriangleMesh::joined(const ElementView& vertices, const Connectivity& triangles,
                                   const Domain& domain) {
-  validate(vertices, triangles);
-  Vertices all{vertices, points_of(vertices), {}, domain};
-  all.places = api::joined_vertices(all.points, domain);
-  return TriangleMesh(all, triangles);
+  return api::reporting_lack_of_memory([&] {
+    validate(vertices, triangles);
+    Vertices all{vertices, points_of(vertices), {}, domain};
+    all.places = api::joined_vertices(all.points, domain);
+    return TriangleMesh(all, triangles);
+  });
 }
 
 TriangleMesh::TriangleMesh(const Vertices& vertices, const Connectivity& triangles)

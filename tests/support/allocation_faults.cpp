@@ -93,6 +93,28 @@ void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
 void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
   return abut::testing::allocate(bytes);
 }
+// Of types that are aligned more than others, such as those that hold whole lines of the cache.
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  const auto unit = static_cast<std::size_t>(alignment);
+  void* block = __wrap_aligned_alloc(unit, (bytes + unit - 1) / unit * unit);
+  if (block == nullptr) throw std::bad_alloc();
+  return block;
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+  return operator new(bytes, alignment);
+}
+void operator delete(void* block, std::align_val_t) noexcept {
+  __wrap_free(block);
+}
+void operator delete[](void* block, std::align_val_t) noexcept {
+  __wrap_free(block);
+}
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
+  __wrap_free(block);
+}
+void operator delete[](void* block, std::size_t, std::align_val_t) noexcept {
+  __wrap_free(block);
+}
 void operator delete(void* block) noexcept {
   __wrap_free(block);
 }

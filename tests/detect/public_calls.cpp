@@ -1,0 +1,337 @@
+#include "detect/public_calls.hpp"
+
+#include "support/scene_view.hpp"
+
+#include <abut/abut.hpp>
+#include <abut/trace.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace abut::testing {
+namespace {
+
+using Points = std::vector<std::array<double, 3>>;
+using Triangles = std::vector<std::array<int, 3>>;
+
+/// Looks at what an algorithm shows, and keeps nothing.
+class Onlooker final : public trace::Sink {
+ public:
+  void stage(std::string_view, std::array<std::int32_t, 3>) override {}
+  void array(const trace::Array&) override {}
+  void search_step(const trace::SearchStep&) override {}
+  void candidate_pair(ElementIndex, ElementIndex) override {}
+};
+
+/// What the calls are given; made before memory runs out.
+struct Given {
+  scenes::Scene scene = scenes::scene_named("dense").make(200, 1);
+  scenes::Scene others_scene = scenes::scene_named("dense").make(100, 2);
+  ElementView elements = view_of(scene);
+  ElementView others = view_of(others_scene);
+  ElementView flat = discs(scene.x, scene.y, scene.radius);
+  ElementView points = abut::points(scene.x, scene.y, scene.z);
+  Domain open = Domain::open();
+  Domain block = Domain::periodic({5.0, 5.0, 5.0});
+  Domain other_block = Domain::periodic({6.0, 6.0, 6.0});
+  std::vector<std::uint64_t> ids;
+  std::vector<std::uint64_t> large_ids;
+  std::vector<std::uint64_t> ids_twice = std::vector<std::uint64_t>(200, 7);
+  std::vector<std::uint32_t> groups = std::vector<std::uint32_t>(200, 1);
+  Points lower;
+  Points upper;
+  Points corners{{0, 0, 0}, {5, 0, 0}, {0, 5, 0}, {5, 5, 0}, {0, 0, 5}, {5, 0, 5}};
+  Triangles faces{{0, 1, 2}, {1, 2, 3}, {0, 1, 4}, {1, 4, 5}};
+  Triangles bad_faces{{0, 1, 77}};
+  TriangleMesh mesh{corners, faces};
+  TriangleMesh joined = TriangleMesh::joined(corners, faces, block);
+  ElementView boxes;
+  std::vector<ContactPair> excluded{{0, 1}, {3, 2}, {0, 1}};
+  std::vector<ContactPair> bad_excluded{{0, 1000}};
+  std::vector<std::int32_t> numbers{3, 1, 2, 9, 4, 4, 0};
+  trace::CellSystem cells;
+  Options shifted{.shifts = Shifts::stored};
+  Options measured{.shifts = Shifts::stored, .neighbor_data = NeighborData::distances_and_vectors};
+  Options bad_margin{.margin = -1.0};
+  Options few{.max_pairs = 3};
+  Options ruled{.rule = {.elements = {.groups = groups}}};
+  Options bad_rule{.rule = {.elements = {.groups = std::span(groups).first(7)}}};
+  PairList pairs = find_contact_pairs(elements);
+  PairList pairs_before = find_contact_pairs(elements, open, {.margin = 0.1});
+  PairList shifted_pairs = find_contact_pairs(elements, block, shifted);
+  PairBatchVisitor visit = [](std::span<const ContactPair>, WorkerNumber) {};
+  ShiftedBatchVisitor visit_shifted = [](std::span<const ContactPair>, std::span<const ImageShift>,
+                                         WorkerNumber) {};
+
+  Given() : boxes(boxes_around()), cells(trace::integerise(elements, {})) {
+    for (std::uint64_t k = 0; k < scene.size(); ++k) {
+      ids.push_back(scene.size() - k);
+      large_ids.push_back(k << 40);
+    }
+  }
+
+  ElementView boxes_around() {
+    for (std::size_t k = 0; k < scene.size(); ++k) {
+      const double r = scene.radius[k];
+      lower.push_back({scene.x[k] - r, scene.y[k] - r, scene.z[k] - r});
+      upper.push_back({scene.x[k] + r, scene.y[k] + r, scene.z[k] + r});
+    }
+    return abut::boxes(lower, upper);
+  }
+};
+
+const Given& given() {
+  static const Given made;
+  return made;
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Calls = std::vector<PublicCall>;
+
+void add_free_functions(Calls& calls) {
+  const Given& g = given();
+  for (const Domain* domain : {&g.open, &g.block}) {
+    const std::string where = domain->is_periodic() ? "in a cell" : "in open space";
+    for (const Options* options : {&g.shifted, &g.ruled}) {
+      calls.push_back({"abut::find_contact_pairs", where, [&g, domain, options] {
+                         (void)find_contact_pairs(g.elements, *domain, *options);
+                       }});
+    }
+    calls.push_back({"abut::find_contact_pairs", "two sets, " + where, [&g, domain] {
+                       (void)find_contact_pairs(g.elements, g.others, *domain, g.shifted);
+                     }});
+    calls.push_back({"abut::find_contact_pairs", "boxes, " + where,
+                     [&g, domain] { (void)find_contact_pairs(g.boxes, *domain, g.shifted); }});
+    calls.push_back({"abut::count_contact_pairs", where,
+                     [&g, domain] { (void)count_contact_pairs(g.elements, *domain); }});
+    calls.push_back({"abut::count_contact_pairs", "two sets, " + where,
+                     [&g, domain] { (void)count_contact_pairs(g.elements, g.others, *domain); }});
+    calls.push_back({"abut::for_each_batch", where,
+                     [&g, domain] { for_each_batch(g.elements, *domain, {}, g.visit); }});
+    calls.push_back({"abut::for_each_batch", "two sets, " + where,
+                     [&g, domain] { for_each_batch(g.elements, g.others, *domain, {}, g.visit); }});
+    calls.push_back({"abut::for_each_shifted_batch", where, [&g, domain] {
+                       for_each_shifted_batch(g.elements, *domain, {}, g.visit_shifted);
+                     }});
+    calls.push_back({"abut::for_each_shifted_batch", "two sets, " + where, [&g, domain] {
+                       for_each_shifted_batch(g.elements, g.others, *domain, {}, g.visit_shifted);
+                     }});
+    for (const NeighborListKind kind : {NeighborListKind::half, NeighborListKind::full}) {
+      calls.push_back({"abut::build_neighbor_list", where, [&g, domain, kind] {
+                         (void)build_neighbor_list(g.elements, *domain, kind, g.measured);
+                       }});
+    }
+    calls.push_back({"abut::build_neighbor_list", "two sets, " + where, [&g, domain] {
+                       (void)build_neighbor_list(g.elements, g.others, *domain, g.measured);
+                     }});
+    calls.push_back(
+        {"abut::neighbors", where, [&g, domain] { (void)neighbors(g.points, 0.7, *domain); }});
+  }
+}
+
+void add_refusals(Calls& calls) {
+  const Given& g = given();
+  const auto add = [&](const char* name, ErrorCode code, std::function<void()> call) {
+    calls.push_back({name, "refused", std::move(call), code});
+  };
+  using enum ErrorCode;
+  add("abut::find_contact_pairs", invalid_input,
+      [&g] { (void)find_contact_pairs(g.elements, g.open, g.bad_margin); });
+  add("abut::find_contact_pairs", invalid_input,
+      [&g] { (void)find_contact_pairs(g.elements, g.open, g.bad_rule); });
+  add("abut::find_contact_pairs", limit_exceeded,
+      [&g] { (void)find_contact_pairs(g.elements, g.open, g.few); });
+  add("abut::find_contact_pairs", wrong_usage,
+      [&g] { (void)find_contact_pairs(g.elements, g.flat); });
+  add("abut::build_neighbor_list", wrong_usage,
+      [&g] { (void)build_neighbor_list(g.boxes, g.open, NeighborListKind::half, g.measured); });
+  add("abut::neighbors", invalid_input, [&g] { (void)neighbors(g.points, -1.0); });
+  add("abut::gap", wrong_usage, [&g] { (void)gap(g.elements, {0, 1000}); });
+  add("abut::gap", wrong_usage, [&g] { (void)gap(g.elements, g.open, {0, 1}, {1, 0, 0}); });
+  add("abut::gap", wrong_usage, [&g] { (void)gap(g.elements, g.flat, {0, 1}); });
+  add("abut::gap", wrong_usage, [&g] { (void)gap(g.elements, g.flat, g.open, {0, 1}, {}); });
+  add("abut::Domain::Domain", wrong_usage, [] {
+    (void)Domain::lattice({1.0, 0.0}, {0.0, 1.0}, Axes::z);
+  });
+  add("abut::Domain::lattice", invalid_input, [] {
+    (void)Domain::lattice({1.0, 0.0}, {2.0, 0.0});
+  });
+  add("abut::Domain::lattice", invalid_input, [] {
+    (void)Domain::lattice({1, 0, 0}, {0, nan, 0}, {0, 0, 1});
+  });
+  add("abut::Domain::sheared", invalid_input, [] { (void)Domain::periodic({1.0, -1.0}); });
+  add("abut::ElementView::require_size", invalid_input,
+      [&g] { (void)discs(g.scene.x, g.others_scene.y, 1.0); });
+  add("abut::Skin::fixed", invalid_input, [] { (void)Skin::fixed(-1.0); });
+  add("abut::algorithm_named", wrong_usage, [] { (void)algorithm_named("no such algorithm"); });
+  add("abut::simd_named", wrong_usage, [] { (void)simd_named("no such instruction set"); });
+  add("abut::info", wrong_usage, [] { (void)info(Algorithm::automatic); });
+}
+
+void add_lists_and_tables(Calls& calls) {
+  const Given& g = given();
+  calls.push_back(
+      {"abut::ExclusionList::ExclusionList", "one set", [&g] { ExclusionList(g.excluded, 200); }});
+  calls.push_back({"abut::ExclusionList::ExclusionList", "two sets",
+                   [&g] { ExclusionList(g.excluded, 200, 100); }});
+  calls.push_back({"abut::ExclusionList::ExclusionList", "refused",
+                   [&g] { ExclusionList(g.bad_excluded, 200); }, ErrorCode::invalid_input});
+  calls.push_back({"abut::GroupTable::GroupTable", "", [] { GroupTable(100); }});
+  calls.push_back({"abut::GroupTable::GroupTable", "refused", [] { GroupTable(1U << 30); },
+                   ErrorCode::limit_exceeded});
+  calls.push_back({"abut::GroupTable::allow", "refused", [] { GroupTable(3).allow(1, 3); },
+                   ErrorCode::wrong_usage});
+  calls.push_back({"abut::GroupTable::deny", "refused", [] { GroupTable(3).deny(3, 1); },
+                   ErrorCode::wrong_usage});
+  calls.push_back({"abut::build_description", "", [] { (void)build_description(); }});
+  calls.push_back(
+      {"abut::trace::integerise", "", [&g] { (void)trace::integerise(g.elements, {}); }});
+  calls.push_back({"abut::trace::integerise", "refused",
+                   [&g] { (void)trace::integerise(g.elements, g.bad_margin); },
+                   ErrorCode::invalid_input});
+  calls.push_back(
+      {"abut::trace::first_partition", "", [&g] { (void)trace::first_partition(g.numbers); }});
+  for (const AlgorithmInfo& row : algorithms()) {
+    calls.push_back({"abut::trace::run", std::string(row.name),
+                     [&g, &row] {
+                       Onlooker onlooker;
+                       trace::run(row.algorithm, g.cells, onlooker);
+                     },
+                     row.traceable ? std::optional<ErrorCode>() : ErrorCode::wrong_usage});
+  }
+}
+
+void add_walls(Calls& calls) {
+  const Given& g = given();
+  calls.push_back(
+      {"abut::TriangleMesh::TriangleMesh", "", [&g] { TriangleMesh(g.corners, g.faces); }});
+  calls.push_back({"abut::TriangleMesh::TriangleMesh", "refused",
+                   [&g] { TriangleMesh(g.corners, g.bad_faces); }, ErrorCode::invalid_input});
+  calls.push_back({"abut::TriangleMesh::TriangleMesh", "in two dimensions",
+                   [&g] { TriangleMesh(g.flat, g.faces); }, ErrorCode::wrong_usage});
+  for (const Domain* domain : {&g.open, &g.block}) {
+    const std::string where = domain->is_periodic() ? "in a cell" : "in open space";
+    calls.push_back({"abut::TriangleMesh::joined", where,
+                     [&g, domain] { (void)TriangleMesh::joined(g.corners, g.faces, *domain); }});
+    calls.push_back({"abut::find_box_contacts", where, [&g, domain] {
+                       (void)find_box_contacts(g.elements, g.boxes, *domain, g.shifted);
+                     }});
+    calls.push_back({"abut::find_mesh_contacts", where, [&g, domain] {
+                       (void)find_mesh_contacts(g.elements, g.mesh, *domain, g.shifted);
+                     }});
+  }
+  calls.push_back({"abut::find_box_contacts", "refused",
+                   [&g] { (void)find_box_contacts(g.flat, g.boxes); }, ErrorCode::wrong_usage});
+  calls.push_back({"abut::find_box_contacts", "margin refused",
+                   [&g] { (void)find_box_contacts(g.elements, g.boxes, g.bad_margin); },
+                   ErrorCode::invalid_input});
+  calls.push_back({"abut::find_mesh_contacts", "of another domain",
+                   [&g] { (void)find_mesh_contacts(g.elements, g.joined, g.other_block); },
+                   ErrorCode::wrong_usage});
+  calls.push_back({"abut::fit_boxes", "", [&g] { (void)fit_boxes_3d(g.corners, g.faces, 0.1); }});
+  calls.push_back({"abut::fit_boxes", "refused",
+                   [&g] { (void)fit_boxes_3d(g.corners, g.faces, -1.0); },
+                   ErrorCode::invalid_input});
+  calls.push_back({"abut::fit_boxes", "vertex refused",
+                   [&g] { (void)fit_boxes_3d(g.corners, g.bad_faces); }, ErrorCode::invalid_input});
+}
+
+void add_views_of_boxes(Calls& calls) {
+  static const FittedBoxes uneven = [] {
+    FittedBoxes boxes = given().mesh.boxes();
+    boxes.upper[1].pop_back();
+    return boxes;
+  }();
+  calls.push_back({"abut::FittedBoxes::view", "refused", [] { (void)uneven.view(); },
+                   ErrorCode::invalid_input});
+}
+
+void add_detector(Calls& calls) {
+  const Given& g = given();
+  const auto add = [&](const char* name, std::string what, std::function<void(Detector&)> use) {
+    for (const Skin skin : {Skin::none(), Skin::fixed(0.1)}) {
+      calls.push_back({name, what + (skin.kind() == Skin::Kind::none ? "" : ", skin"), [use, skin] {
+                         Detector detector;
+                         detector.set_skin(skin);
+                         use(detector);
+                       }});
+    }
+  };
+  add("abut::Detector::Detector", "", [](Detector&) {});
+  add("abut::Detector::set_skin", "", [](Detector& d) { d.set_skin(Skin::automatic()); });
+  add("abut::Detector::set_ids", "small", [&g](Detector& d) { d.set_ids(g.ids); });
+  add("abut::Detector::set_ids", "large", [&g](Detector& d) { d.set_ids(g.large_ids); });
+  calls.push_back({"abut::Detector::set_ids", "refused", [&g] { Detector().set_ids(g.ids_twice); },
+                   ErrorCode::invalid_input});
+  for (const Domain* domain : {&g.open, &g.block}) {
+    const std::string where = domain->is_periodic() ? "in a cell" : "in open space";
+    add("abut::Detector::find_contact_pairs", where,
+        [&g, domain](Detector& d) { d.find_contact_pairs(g.elements, *domain); });
+    add("abut::Detector::find_contact_pairs", "two sets, " + where,
+        [&g, domain](Detector& d) { d.find_contact_pairs(g.elements, g.others, *domain); });
+    add("abut::Detector::count_contact_pairs", where,
+        [&g, domain](Detector& d) { d.count_contact_pairs(g.elements, *domain); });
+    add("abut::Detector::count_contact_pairs", "two sets, " + where,
+        [&g, domain](Detector& d) { d.count_contact_pairs(g.elements, g.others, *domain); });
+    add("abut::Detector::for_each_batch", where,
+        [&g, domain](Detector& d) { d.for_each_batch(g.elements, *domain, g.visit); });
+    add("abut::Detector::for_each_batch", "two sets, " + where,
+        [&g, domain](Detector& d) { d.for_each_batch(g.elements, g.others, *domain, g.visit); });
+    add("abut::Detector::for_each_shifted_batch", where, [&g, domain](Detector& d) {
+      d.for_each_shifted_batch(g.elements, *domain, g.visit_shifted);
+    });
+    add("abut::Detector::for_each_shifted_batch", "two sets, " + where, [&g, domain](Detector& d) {
+      d.for_each_shifted_batch(g.elements, g.others, *domain, g.visit_shifted);
+    });
+    add("abut::Detector::build_neighbor_list", where, [&g, domain](Detector& d) {
+      d.build_neighbor_list(g.elements, *domain, NeighborListKind::full);
+    });
+    add("abut::Detector::build_neighbor_list", "two sets, " + where,
+        [&g, domain](Detector& d) { d.build_neighbor_list(g.elements, g.others, *domain); });
+  }
+}
+
+void add_history(Calls& calls) {
+  const Given& g = given();
+  calls.push_back(
+      {"abut::detail::ContactMatcher::ContactMatcher", "", [] { ContactHistory<double>(); }});
+  calls.push_back({"abut::detail::ContactMatcher::match", "", [&g] {
+                     ContactHistory<double> history;
+                     history.update(g.pairs_before, g.elements);
+                     history.update(g.pairs, g.elements);
+                   }});
+  calls.push_back(
+      {"abut::detail::ContactMatcher::lack_memory", "in the history's own arrays", [&g] {
+         ContactHistory<std::array<double, 9>> history;
+         history.update(g.pairs, g.elements, g.open, g.ids);
+         history.update(g.pairs_before, g.elements, g.open, g.large_ids);
+         history.clear();
+       }});
+  calls.push_back({"abut::detail::ContactMatcher::match", "in a cell", [&g] {
+                     ContactHistory<double> history;
+                     history.update(g.shifted_pairs, g.elements, g.block, g.ids);
+                     history.update(g.shifted_pairs, g.elements, g.block, g.large_ids);
+                   }});
+  calls.push_back({"abut::detail::ContactMatcher::match", "refused",
+                   [&g] { ContactHistory<double>().update(g.pairs, g.elements, g.block); },
+                   ErrorCode::wrong_usage});
+}
+
+}  // namespace
+
+std::vector<PublicCall> public_calls() {
+  Calls calls;
+  add_free_functions(calls);
+  add_refusals(calls);
+  add_lists_and_tables(calls);
+  add_walls(calls);
+  add_views_of_boxes(calls);
+  add_detector(calls);
+  add_history(calls);
+  return calls;
+}
+
+}  // namespace abut::testing

@@ -1,11 +1,14 @@
 #include "base/workers.hpp"
 
+#include "support/thread_faults.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <atomic>
 #include <cfenv>
 #include <chrono>
+#include <latch>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -15,9 +18,20 @@
 namespace abut::base {
 namespace {
 
+using testing::Thread;
+using testing::ThreadFault;
+
 constexpr std::array<std::size_t, 5> counts{1, 2, 3, 7, 16};
 
-TEST(Workers, EachIsCalledOnce) {
+/// Calls of more workers than there are threads, and of fewer.
+class Workers : public ::testing::TestWithParam<int> {
+ protected:
+  void SetUp() override { ASSERT_GE(worker_count(GetParam(), 1000), 1U); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Threads, Workers, ::testing::Values(1, 5, 16));
+
+TEST_P(Workers, EachIsCalledOnce) {
   for (const std::size_t count : counts) {
     std::vector<std::atomic<int>> calls(count);
     for_each_worker(count, [&](std::size_t worker) { ++calls.at(worker); });
@@ -25,7 +39,7 @@ TEST(Workers, EachIsCalledOnce) {
   }
 }
 
-TEST(Workers, EachIndexIsTakenOnce) {
+TEST_P(Workers, EachIndexIsTakenOnce) {
   for (const std::size_t count : counts) {
     for (const std::size_t size : {std::size_t{0}, std::size_t{1}, count, std::size_t{5000}}) {
       std::vector<std::atomic<int>> calls(size);
@@ -38,7 +52,7 @@ TEST(Workers, EachIndexIsTakenOnce) {
   }
 }
 
-TEST(Workers, TheExceptionOfTheFirstOfThemIsRethrown) {
+TEST_P(Workers, TheExceptionOfTheFirstOfThemIsRethrown) {
   for (const std::size_t count : counts) {
     std::atomic<std::size_t> entered = 0;
     try {
@@ -54,7 +68,7 @@ TEST(Workers, TheExceptionOfTheFirstOfThemIsRethrown) {
   }
 }
 
-TEST(Workers, AnExceptionStopsTheOthersSoon) {
+TEST_P(Workers, AnExceptionStopsTheOthersSoon) {
   constexpr std::size_t size = 1000000;
   for (const std::size_t count : counts) {
     std::atomic<std::size_t> calls = 0;
@@ -72,10 +86,15 @@ TEST(Workers, AnExceptionStopsTheOthersSoon) {
 }
 
 /// Rounding to nearest, whatever the caller has set in its own thread.
-TEST(Workers, HaveTheFloatingPointEnvironmentOfTheLibrary) {
-  std::fesetround(FE_UPWARD);
+TEST(WorkersOfTheLibrary, HaveItsFloatingPointEnvironment) {
   std::array<int, 4> modes{};
-  for_each_worker(modes.size(), [&](std::size_t worker) { modes.at(worker) = std::fegetround(); });
+  ASSERT_EQ(worker_count(4, 1000), modes.size());
+  std::latch all(4);
+  std::fesetround(FE_UPWARD);
+  for_each_worker(modes.size(), [&](std::size_t worker) {
+    all.arrive_and_wait();
+    modes.at(worker) = std::fegetround();
+  });
   EXPECT_EQ(std::fegetround(), FE_UPWARD);
   std::fesetround(FE_TONEAREST);
   for (const int mode : modes) EXPECT_EQ(mode, FE_TONEAREST);
@@ -83,9 +102,44 @@ TEST(Workers, HaveTheFloatingPointEnvironmentOfTheLibrary) {
 
 TEST(WorkerCount, IsWhatWasAskedForOrWhatKeepsBusy) {
   EXPECT_EQ(worker_count(5, 10), 5U);
+  EXPECT_EQ(worker_count(2, 10), 2U);
   EXPECT_EQ(worker_count(0, 0), 1U);
   EXPECT_EQ(worker_count(0, 8191), 1U);
   EXPECT_GE(worker_count(0, std::size_t{1} << 30), 1U);
+}
+
+TEST(WorkerCount, IsNeverMoreThanElements) {
+  EXPECT_EQ(worker_count(5, 3), 3U);
+  EXPECT_EQ(worker_count(5, 1), 1U);
+  EXPECT_EQ(worker_count(100000, 0), 1U);
+  EXPECT_EQ(worker_count(std::numeric_limits<int>::max(), 7), 7U);
+}
+
+/// In a thread of its own, so that it has no helpers yet.
+TEST(WorkerCount, IsOfThoseThatWereNotRefused) {
+  for (std::uint64_t refused = 0; refused < 4; ++refused) {
+    const ThreadFault fault(refused, Thread::refused);
+    std::thread([&] {
+      EXPECT_EQ(worker_count(4, 1000), refused < 3 ? refused + 1 : 4);
+      std::array<std::atomic<int>, 4> calls{};
+      for_each_worker(4, [&](std::size_t worker) { ++calls.at(worker); });
+      for (const auto& number : calls) EXPECT_EQ(number, 1);
+    }).join();
+  }
+}
+
+TEST(WorkerCount, IsOneWithinWorkThatIsBeingDone) {
+  ASSERT_EQ(worker_count(3, 1000), 3U);
+  std::array<std::size_t, 3> inner{};
+  std::array<std::atomic<int>, 9> calls{};
+  std::latch all(3);
+  for_each_worker(3, [&](std::size_t worker) {
+    all.arrive_and_wait();
+    inner.at(worker) = worker_count(8, 1000);
+    for_each_worker(3, [&](std::size_t share) { ++calls.at(3 * worker + share); });
+  });
+  for (const std::size_t count : inner) EXPECT_EQ(count, 1U);
+  for (const auto& number : calls) EXPECT_EQ(number, 1);
 }
 
 TEST(ShareOf, SharesFollowEachOtherAndAreEqualButForOne) {

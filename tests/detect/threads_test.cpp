@@ -11,6 +11,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
@@ -143,9 +144,47 @@ TEST(Threads, SeveralDetectorsAtOnce) {
   for (const PairCount count : found) EXPECT_EQ(count, 5 * all_pairs());
 }
 
+/// Where a visitor detects, the threads are busy: it works alone, with the right answer.
+TEST(Threads, AVisitorMayDetect) {
+  const Scene inner = scenes::scene_named("gas").make(20000, 2);
+  const PairCount expected =
+      count_contact_pairs(view_of(inner), Domain::open(), {.threads = 1}).contact_pairs;
+  std::atomic<int> batches = 0;
+  const auto visit = [&](std::span<const ContactPair>, WorkerNumber) {
+    if (++batches > 8) return;
+    const Statistics found = count_contact_pairs(view_of(inner), Domain::open(), {.threads = 4});
+    EXPECT_EQ(found.contact_pairs, expected);
+    EXPECT_EQ(found.threads, 1);
+  };
+  for_each_batch(view_of(scene()), Domain::open(), {.threads = 4}, visit);
+  EXPECT_GT(batches, 1);
+}
+
+/// A process may end anywhere, also in the middle of a detection, in any of its threads.
+void end_in_a_visitor() {
+  std::atomic<bool> ending = false;
+  for_each_contact_pair(view_of(scene()), Domain::open(), {.threads = 4}, [&](ContactPair) {
+    if (!ending.exchange(true)) std::exit(3);
+    while (true) ::pause();
+  });
+}
+
+void end_after_a_detection() {
+  static_cast<void>(count_contact_pairs(view_of(scene()), Domain::open(), {.threads = 4}));
+  std::exit(4);
+}
+
+TEST(ThreadsDeathTest, AProcessEndsWithHelpersAsleepOrAtWork) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(end_in_a_visitor(), ::testing::ExitedWithCode(3), "");
+  EXPECT_EXIT(end_after_a_detection(), ::testing::ExitedWithCode(4), "");
+}
+
+enum class ChildEnds { at_once, orderly };
+
 /// What a child process does with threads asked for: 0 if that is right, 1 if not; killed by
 /// SIGALRM where it hangs.
-int outcome_in_child(const PairVector& expected) {
+int outcome_in_child(const PairVector& expected, ChildEnds how) {
   const pid_t child = ::fork();
   if (child == 0) {
     ::alarm(60);
@@ -155,7 +194,9 @@ int outcome_in_child(const PairVector& expected) {
       right = same_canonical_pairs(expected, found.pairs()) && found.statistics().threads == 1;
     } catch (...) {
     }
-    ::_exit(right ? 0 : 1);
+    if (how == ChildEnds::at_once) ::_exit(right ? 0 : 1);
+    // With the destructors of the thread's own: they must not wait for threads that are not there.
+    std::exit(right ? 0 : 1);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -165,7 +206,8 @@ int outcome_in_child(const PairVector& expected) {
 TEST(Threads, AForkedProcessDetectsWithoutThem) {
   const PairList before = find_contact_pairs(view_of(scene()), Domain::open(), {.threads = 4});
   const PairVector expected(before.begin(), before.end());
-  EXPECT_EQ(outcome_in_child(expected), 0);
+  EXPECT_EQ(outcome_in_child(expected, ChildEnds::at_once), 0);
+  EXPECT_EQ(outcome_in_child(expected, ChildEnds::orderly), 0);
   const PairList after = find_contact_pairs(view_of(scene()), Domain::open(), {.threads = 4});
   EXPECT_EQ(after.statistics().threads, 4) << "the parent keeps its threads";
   EXPECT_TRUE(same_canonical_pairs(expected, after.pairs()));

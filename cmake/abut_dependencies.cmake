@@ -1,4 +1,5 @@
-# What the core uses where it is there: Highway for vectors, OpenMP for threads. Both are private.
+# What the core uses where it is there: Highway for vectors, and what OpenMP says of threads. Both
+# are private.
 # ABUT_HIGHWAY and ABUT_OPENMP: ON demands one, OFF does without, AUTO takes what is found.
 
 set(ABUT_USE_HIGHWAY OFF)

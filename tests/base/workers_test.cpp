@@ -85,18 +85,22 @@ TEST_P(Workers, AnExceptionStopsTheOthersSoon) {
   }
 }
 
-/// Rounding to nearest, whatever the caller has set in its own thread.
+/// Rounding to nearest, whatever the caller has set in its own thread: also a helper's, which
+/// begins with what the thread has that starts it.
 TEST(WorkersOfTheLibrary, HaveItsFloatingPointEnvironment) {
   std::array<int, 4> modes{};
-  ASSERT_EQ(worker_count(4, 1000), modes.size());
-  std::latch all(4);
-  std::fesetround(FE_UPWARD);
-  for_each_worker(modes.size(), [&](std::size_t worker) {
-    all.arrive_and_wait();
-    modes.at(worker) = std::fegetround();
-  });
-  EXPECT_EQ(std::fegetround(), FE_UPWARD);
-  std::fesetround(FE_TONEAREST);
+  int of_caller = FE_TONEAREST;
+  std::thread([&] {
+    std::fesetround(FE_UPWARD);
+    ASSERT_EQ(worker_count(4, 1000), modes.size());
+    std::latch all(4);
+    for_each_worker(modes.size(), [&](std::size_t worker) {
+      all.arrive_and_wait();
+      modes.at(worker) = std::fegetround();
+    });
+    of_caller = std::fegetround();
+  }).join();
+  EXPECT_EQ(of_caller, FE_UPWARD);
   for (const int mode : modes) EXPECT_EQ(mode, FE_TONEAREST);
 }
 

@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include <sched.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -160,13 +161,18 @@ TEST(Threads, AVisitorMayDetect) {
   EXPECT_GT(batches, 1);
 }
 
-/// A process may end anywhere, also in the middle of a detection, in any of its threads.
-void end_in_a_visitor() {
-  std::atomic<bool> ending = false;
-  for_each_contact_pair(view_of(scene()), Domain::open(), {.threads = 4}, [&](ContactPair) {
-    if (!ending.exchange(true)) std::exit(3);
-    while (true) ::pause();
-  });
+/// A process may end anywhere, also in the middle of a detection: here in a visitor that the
+/// caller's thread calls, or in one of a helper, while those of all others go on.
+void end_in_a_visitor(bool of_caller) {
+  ::alarm(60);
+  std::atomic<bool> helped = false;
+  for_each_contact_pair(view_of(scene()), Domain::open(), {.threads = 4},
+                        [&](ContactPair, WorkerNumber worker) {
+                          if (worker != 0) helped = true;
+                          while (!helped) ::sched_yield();
+                          if ((worker == 0) == of_caller) std::exit(3);
+                          while (true) ::pause();
+                        });
 }
 
 void end_after_a_detection() {
@@ -176,7 +182,8 @@ void end_after_a_detection() {
 
 TEST(ThreadsDeathTest, AProcessEndsWithHelpersAsleepOrAtWork) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(end_in_a_visitor(), ::testing::ExitedWithCode(3), "");
+  EXPECT_EXIT(end_in_a_visitor(true), ::testing::ExitedWithCode(3), "");
+  EXPECT_EXIT(end_in_a_visitor(false), ::testing::ExitedWithCode(3), "");
   EXPECT_EXIT(end_after_a_detection(), ::testing::ExitedWithCode(4), "");
 }
 

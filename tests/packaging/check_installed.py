@@ -8,7 +8,7 @@ from pathlib import Path
 
 # The standard library, Highway, a runtime of OpenMP, the sanitizers.
 ALLOWED_LIBRARIES = re.compile(
-    r"lib(stdc\+\+|m|gcc_s|c|hwy|gomp|omp)\.so|ld-linux|lib[a-z]*san\.so")
+    r"lib(stdc\+\+|m|gcc_s|c|pthread|hwy|gomp|omp)\.so|ld-linux|lib[a-z]*san\.so")
 INNER = ("abut::base::", "abut::grid::", "abut::reference::", "abut::api::", "abut::io::",
          "abut::engine::", "abut::kernels::")
 

@@ -66,8 +66,8 @@ struct Options {
   /// each allocation; Error{limit_exceeded} names the bytes needed.
   std::uint64_t max_bytes = automatic_memory_bound;
 
-  /// Number of threads; 0 for OpenMP's default. The algorithms of the book always use one. Any
-  /// number gives the same bytes.
+  /// Number of threads; 0 for OpenMP's default. Never more than elements nor than 1,024. The
+  /// algorithms of the book always use one. Any number gives the same bytes.
   int threads = 0;
 
   /// Instruction set of the kernels of `rows`. One that this processor lacks throws

@@ -10,7 +10,7 @@ class SimdNearby {
   static constexpr std::uint32_t batch_size = 64;
 
   HWY_INLINE SimdNearby(const TileView& tile, const SearchJob& job)
-      : tile_(tile), largest_(tile.common_radius + job.margin) {}
+      : tile_(tile), largest_(tile.common_radius + job.margin + job.slack) {}
 
   /// Elements [first, last), at most a batch.
   HWY_INLINE void list(std::uint32_t first, std::uint32_t last, const RowOfCells<Runs>& row) {
@@ -81,7 +81,7 @@ class SimdNearby {
   }
 
   const TileView& tile_;
-  float largest_;  ///< radius, with the margin
+  float largest_;  ///< radius, with the margin and the slack
   std::uint32_t first_ = 0;
   std::size_t size_[Runs] = {};
   std::uint32_t list_[Runs][batch_size + lanes];

@@ -34,7 +34,7 @@ class TileSearch {
       : tile_(tile),
         row_length_(tile.row_length()),
         layer_length_(tile.layer_length()),
-        is_wide_(has_wide_cells(tile, job.margin)),
+        is_wide_(has_wide_cells(tile, job)),
         meeting_(tile, job) {}
 
   void search(const Layers& layers) {
@@ -52,11 +52,11 @@ class TileSearch {
   static constexpr std::size_t run_count = Dim == 2 ? 2 : 5;
 
   /// Whether elements lie near few of the rows around their own, on average.
-  static bool has_wide_cells(const TileView& tile, float margin) {
+  static bool has_wide_cells(const TileView& tile, const SearchJob& job) {
     if (tile.shape == TileShape::boxes) return false;
     float near[3];
     for (int axis = 0; axis < Dim; ++axis) {
-      const float reach = 2.0f * tile.common_radius + margin;
+      const float reach = 2.0f * tile.common_radius + job.margin + job.slack;
       const float cells = reach * tile.per_unit[axis];
       near[axis] = cells < 1.0f ? cells : 1.0f;
     }

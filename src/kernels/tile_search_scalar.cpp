@@ -180,7 +180,7 @@ class ScalarMeeting {
 
   [[nodiscard]] Sides sides(std::uint32_t p, int axis, float index) const {
     const float radius = Shape == TileShape::equal_spheres ? tile_.common_radius : tile_.size[0][p];
-    const float reach = tile_.common_radius + job_.margin + radius;
+    const float reach = tile_.common_radius + job_.margin + job_.slack + radius;
     const float within = tile_.center[axis][p] * tile_.per_unit[axis] + 1.0f - index;
     const float near = reach * tile_.per_unit[axis] + nearby_slack;
     return {!(within > near), !(within < 1.0f - near)};

@@ -35,28 +35,25 @@ class GhostWindow {
               const CellExtent<Dim>& extent, const Reaches& reaches, double unit) noexcept
       : brick_(brick), extent_(extent) {
     const double scale = lattice.scale / unit;
-    const double common = reaches.largest_radius * scale + reaches.margin * scale;
-    double lengths = common + reaches.largest_radius * scale;
-    for (std::size_t k = 0; k < lattice.count; ++k) lengths += lattice.length[k] * lattice.scale;
-    lengths += 0x1p-20 * (farthest_along(lattice, extent) * scale);
+    const Vector farthest_numbers = farthest_numbers_of(lattice, reaches, scale);
     for (std::size_t k = 0; k < brick.count; ++k) {
-      const double dual_length = brick.dual_length[k];
-      const double magnitude = brick.magnitude(k, extent.farthest) + dual_length * lengths;
-      const double rounding = 0x1p-38 * magnitude + 0x1p-40;
-      if (reaches.shape == Shape::sphere) {
-        above_[k] = {dual_length * scale * (1.0 + 0x1p-38), dual_length * common + rounding};
-        below_[k] = above_[k];
-      } else {
-        above_[k] = width_of_boxes(brick.rise[k], brick.fall[k], reaches, scale, rounding);
-        below_[k] = width_of_boxes(brick.fall[k], brick.rise[k], reaches, scale, rounding);
+      double moved = 0.0;  // by images along earlier sides
+      double rounding = 0x1p-44 * brick.magnitude(k, extent.farthest) + 0x1p-40;
+      for (std::size_t l = 0; l < brick.count; ++l) {
+        rounding += 0x1p-44 * brick.weight[k][l];
+        if (l < k) {
+          moved += std::fabs(brick.offset[l][k]) * most_cells_[l];
+          rounding += most_cells_[l] * (0x1p-44 * brick.weight[k][l] + brick.error[k][l]);
+        } else if (l > k && brick.error[k][l] > 0.0) {
+          rounding += farthest_numbers[l] * brick.error[k][l];
+        }
       }
-      const double widest_above = above_[k].at(reaches.largest_radius);
-      widest_[k] = std::max(widest_above, below_[k].at(reaches.largest_radius));
-      outer_below_[k] = extent.upper[k] + widest_above - 1.0;
-      most_cells_[k] = extent.upper[k] - extent.lower[k] + widest_[k] + 2.0;
-      for (std::size_t l = 0; l < k; ++l) {
-        most_cells_[k] += std::fabs(brick.offset[l][k]) * most_cells_[l];
-      }
+      set_widths(k, reaches, scale, rounding);
+      // Images along the side itself: of its own error they take twice the part that they are.
+      const double most = extent.upper[k] - extent.lower[k] + widest_[k] + moved;
+      rounding += 2.0 * brick.error[k][k] * most;
+      set_widths(k, reaches, scale, rounding);
+      set_most_cells(k, moved, rounding);
     }
   }
 
@@ -66,7 +63,7 @@ class GhostWindow {
   /// radius.
   [[nodiscard]] double widest(std::size_t k) const noexcept { return widest_[k]; }
 
-  /// Numbers of images along the vector of side k are less than this.
+  /// Numbers of images along the vector of side k are no larger, in magnitude.
   [[nodiscard]] double most_cells(std::size_t k) const noexcept { return most_cells_[k]; }
 
   /// No native has more images in its window.
@@ -100,6 +97,8 @@ class GhostWindow {
   }
 
  private:
+  using Vector = typename Brick<Dim>::Vector;
+
   /// How far outside of the natives images of a radius may be, in sides.
   struct Width {
     double per_radius = 0.0;
@@ -114,6 +113,47 @@ class GhostWindow {
     std::array<double, Dim> upper{};
   };
 
+  /// Bounds of the numbers that bring an image within reach: in a reduced basis no vector is longer
+  /// than twice its part in the sum. Coarse where vectors are of unequal length.
+  Vector farthest_numbers_of(const ReducedLattice<Dim>& lattice, const Reaches& reaches,
+                             double scale) const noexcept {
+    const auto length = [&](std::size_t side) {
+      return lattice.length[brick_.vector_of[side]] * lattice.scale;
+    };
+    double distance = 4.0 * (reaches.largest_radius * scale) + 2.0 * (reaches.margin * scale);
+    for (std::size_t k = 0; k < brick_.count; ++k) {
+      const double spread = extent_.upper[k] - extent_.lower[k];
+      distance += (spread + 0x1p-40 * brick_.magnitude(k, extent_.farthest)) * length(k);
+    }
+    Vector result{};
+    for (std::size_t k = 0; k < brick_.count; ++k) result[k] = 2.5 * (distance / length(k));
+    return result;
+  }
+
+  void set_widths(std::size_t k, const Reaches& reaches, double scale, double rounding) noexcept {
+    if (reaches.shape == Shape::sphere) {
+      const double dual_length = brick_.dual_length[k];
+      const double common = reaches.largest_radius * scale + reaches.margin * scale;
+      above_[k] = {dual_length * scale * (1.0 + 0x1p-38),
+                   dual_length * common * (1.0 + 0x1p-38) + rounding};
+      below_[k] = above_[k];
+    } else {
+      above_[k] = width_of_boxes(brick_.rise[k], brick_.fall[k], reaches, scale, rounding);
+      below_[k] = width_of_boxes(brick_.fall[k], brick_.rise[k], reaches, scale, rounding);
+    }
+    const double widest_above = above_[k].at(reaches.largest_radius);
+    widest_[k] = std::max(widest_above, below_[k].at(reaches.largest_radius));
+    outer_below_[k] = extent_.upper[k] + widest_above - 1.0;
+  }
+
+  /// What `walk` computes, for the native that lies outermost: rounding is monotone. Images along
+  /// earlier sides bring roundings of their own.
+  void set_most_cells(std::size_t k, double moved, double rounding) noexcept {
+    const double most = std::max(extent_.upper[k] + widest_[k] - extent_.lower[k],
+                                 extent_.upper[k] - (extent_.lower[k] - widest_[k]));
+    most_cells_[k] = std::floor(moved > 0.0 ? (most + moved) * (1.0 + 0x1p-40) + rounding : most);
+  }
+
   /// Of boxes beyond the natives in a direction along which the axes of space ascend by `ahead`,
   /// taken together, and descend by `back`. An image ahead on an axis is within reach as far as a
   /// native is wide, one that lies back as far as it is wide itself.
@@ -121,7 +161,8 @@ class GhostWindow {
                               double rounding) noexcept {
     const double natives = ahead * (2.0 * (reaches.largest_radius * scale));
     const double margin = (ahead + back) * (reaches.margin * scale);
-    return {2.0 * (back * scale) * (1.0 + 0x1p-38), natives + margin + rounding};
+    return {2.0 * (back * scale) * (1.0 + 0x1p-38),
+            (natives + margin) * (1.0 + 0x1p-38) + rounding};
   }
 
   template <std::size_t k, Shell shell, class Visit>
@@ -156,19 +197,6 @@ class GhostWindow {
   static std::int64_t below(double x) noexcept {
     const auto whole = static_cast<std::int64_t>(x);
     return whole - static_cast<std::int64_t>(static_cast<double>(whole) > x);
-  }
-
-  /// The farthest coordinate on an axis along which some vector leads.
-  static double farthest_along(const ReducedLattice<Dim>& lattice,
-                               const CellExtent<Dim>& extent) noexcept {
-    double farthest = 0.0;
-    for (std::size_t k = 0; k < lattice.count; ++k) {
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        if (lattice.vectors[k][axis] == 0.0) continue;
-        farthest = std::max(farthest, extent.farthest[axis]);
-      }
-    }
-    return farthest;
   }
 
   Brick<Dim> brick_;

@@ -71,7 +71,7 @@ void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bou
   const Along along = sides_to_wrap(brick, windows.of_large);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
-    slack_ = slack_of_ghosts * magnitude_of(windows.of_large);
+    slack_ = slack_of_ghosts * magnitude_of(windows.of_large, along, settings.shape);
     return add_ghosts(elements, {brick, windows, {}, {}}, settings);
   }
   overwrite(own_natives_, elements.size(), elements.size() + elements.size() / 8);
@@ -85,7 +85,7 @@ void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bou
   const grid::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_,
                              settings.shape};
   const Windows after(lattice, scaled_brick, extent_, scaled, size_cut_, unit_);
-  slack_ = slack_of_ghosts * magnitude_of(after.of_large);
+  slack_ = slack_of_ghosts * magnitude_of(after.of_large, along, settings.shape);
   add_ghosts(own_natives_, {scaled_brick, after, {}, {}}, settings);
 }
 
@@ -172,7 +172,7 @@ bool Images<Dim>::move_quickly_if_near(std::span<const base::Sphere<Dim>> elemen
   if (!journey.is_short || !(images <= most_natives_and_ghosts)) return false;
   const grid::CellExtent<Dim> as_given = extent_;
   extent_ = journey.extent;
-  slack_ = slack_of_quick_moves * magnitude_of(plan.windows.of_large);
+  slack_ = slack_of_quick_moves * magnitude_of(plan.windows.of_large, plan.along, settings.shape);
   if (!(least_cell() <= bounds_.largest_radius + bounds_.second_largest_radius + settings.margin)) {
     extent_ = as_given;
     return false;
@@ -303,17 +303,19 @@ void Images<Dim>::append_ghosts(base::Array<base::Sphere<Dim>>& home, std::size_
   }
 }
 
-/// What rounding is relative to. Where no vector leads along an axis, nothing is added to
-/// coordinates on it.
+/// What rounding is relative to. Where natives are moved and images made along no vector that leads
+/// along an axis, nothing is added to coordinates on it.
 template <int Dim>
-double Images<Dim>::magnitude_of(const Window& window) const {
+double Images<Dim>::magnitude_of(const Window& window, const Along& along, Shape shape) const {
   double magnitude = 0.0;
+  const double width = shape == Shape::box ? 2.0 * bounds_.largest_radius : 0.0;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     double moved = 0.0;
     for (std::size_t k = 0; k < lattice_->count; ++k) {
-      moved += window.most_cells(k) * std::fabs(steps_[k][axis]);
+      const double cells = std::max(window.most_cells(k), along[k] ? 1.0 : 0.0);
+      moved += cells * std::fabs(steps_[k][axis]);
     }
-    if (moved > 0.0) magnitude += extent_.farthest[axis] + moved;
+    if (moved > 0.0) magnitude += extent_.farthest[axis] + moved + width;
   }
   return magnitude;
 }

@@ -154,7 +154,7 @@ class Images {
   void join_ghosts(std::size_t workers);
   void append_ghosts(base::Array<base::Sphere<Dim>>& home, std::size_t workers);
   void note_shifts(const Window& window);
-  [[nodiscard]] double magnitude_of(const Window& window) const;
+  [[nodiscard]] double magnitude_of(const Window& window, const Along& along, Shape shape) const;
   void packed_shifts_between(std::span<const ContactPair> pairs,
                              std::span<base::ImageShift> shifts) const;
   [[nodiscard]] base::ImageShift shift_between(std::size_t i, std::size_t j,

@@ -29,20 +29,22 @@ namespace {
 
 template <int Dim>
 void check_range(std::span<const base::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
-                 double margin, Shape shape) {
+                 double margin, Shape shape, double unit) {
   if (spheres.empty() || lattice.count == 0) return;
   const Brick<Dim> brick(lattice, 1.0);
   std::array<bool, Dim> along{};
   along.fill(true);
-  const Wrapper<Dim> wrapper(lattice, brick, along, shape);
+  const Wrapper<Dim> wrapper(lattice, brick, along, shape, unit);
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     base::Sphere<Dim> moved = spheres[i];
+    for (double& x : moved.center) x *= unit;
     static_cast<void>(wrapper.wrap(moved, i));
   }
   const auto largest =
       std::max_element(spheres.begin(), spheres.end(),
                        [](const auto& a, const auto& b) { return a.radius < b.radius; });
-  const double reach = 2.0 * (largest->radius * lattice.scale) + margin * lattice.scale;
+  const double reach =
+      2.0 * (largest->radius * unit * lattice.scale) + margin * unit * lattice.scale;
   for (std::size_t k = 0; k < brick.count; ++k) {
     if (brick.dual_length[k] * reach <= most_cells_away) continue;
     refuse_reach(static_cast<std::size_t>(largest - spheres.begin()), largest->radius, shape);
@@ -56,9 +58,9 @@ void refuse_shift(std::size_t i, std::size_t j) {
                   " pair across more than 2147483647 lattice vectors; move them into one cell");
 }
 
-template void check_range(std::span<const base::Sphere<2>>, const ReducedLattice<2>&, double,
-                          Shape);
-template void check_range(std::span<const base::Sphere<3>>, const ReducedLattice<3>&, double,
-                          Shape);
+template void check_range(std::span<const base::Sphere<2>>, const ReducedLattice<2>&, double, Shape,
+                          double);
+template void check_range(std::span<const base::Sphere<3>>, const ReducedLattice<3>&, double, Shape,
+                          double);
 
 }  // namespace abut::grid

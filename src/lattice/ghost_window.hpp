@@ -81,7 +81,8 @@ class GhostWindow {
   [[nodiscard]] const std::array<double, Dim>& outer_below() const noexcept { return outer_below_; }
 
   /// Calls visit(first, last, numbers) for rows of images of a native that may be within reach, by
-  /// their numbers along the sides, the last of which runs from first to last.
+  /// their numbers along the sides, the last of which runs from first to last; no further where it
+  /// returns false.
   template <class Visit>
   void for_each_row(const base::Sphere<Dim>& native, Shell shell, Visit&& visit) const {
     std::array<double, Dim> places{};
@@ -92,8 +93,11 @@ class GhostWindow {
       limits.upper[k] = extent_.upper[k] + above_[k].at(native.radius);
     }
     ImageNumbers numbers{};
-    if (shell == Shell::half) return walk<0, Shell::half>(places, limits, true, numbers, visit);
-    walk<0, Shell::full>(places, limits, true, numbers, visit);
+    if (shell == Shell::half) {
+      walk<0, Shell::half>(places, limits, true, numbers, visit);
+    } else {
+      walk<0, Shell::full>(places, limits, true, numbers, visit);
+    }
   }
 
  private:
@@ -165,8 +169,9 @@ class GhostWindow {
             (natives + margin) * (1.0 + 0x1p-38) + rounding};
   }
 
+  /// Returns whether to go on.
   template <std::size_t k, Shell shell, class Visit>
-  void walk(const std::array<double, Dim>& places, const Limits& limits, bool all_zero,
+  bool walk(const std::array<double, Dim>& places, const Limits& limits, bool all_zero,
             ImageNumbers& numbers, Visit& visit) const {
     const std::int64_t last = below(limits.upper[k] - places[k]);
     std::int64_t first = -below(places[k] - limits.lower[k]);
@@ -175,10 +180,9 @@ class GhostWindow {
     if (is_last) {
       // The native itself is no image.
       const std::int64_t last_before = std::min(last, std::int64_t{-1});
-      if (all_zero && first <= last_before) visit(first, last_before, numbers);
+      if (all_zero && first <= last_before && !visit(first, last_before, numbers)) return false;
       if (all_zero) first = std::max(first, std::int64_t{1});
-      if (first <= last) visit(first, last, numbers);
-      return;
+      return first > last || visit(first, last, numbers);
     }
     if constexpr (k + 1 < Dim) {
       for (std::int64_t number = first; number <= last; ++number) {
@@ -187,10 +191,13 @@ class GhostWindow {
           moved[l] += static_cast<double>(number) * brick_.offset[k][l];
         }
         numbers[k] = number;
-        walk<k + 1, shell>(moved, limits, all_zero && number == 0, numbers, visit);
+        if (!walk<k + 1, shell>(moved, limits, all_zero && number == 0, numbers, visit)) {
+          return false;
+        }
       }
       numbers[k] = 0;
     }
+    return true;
   }
 
   /// The largest whole number that is not above x, where |x| < 2^62: without a call to the library.

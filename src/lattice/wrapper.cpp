@@ -14,7 +14,8 @@ namespace {
 
 /// Names the coordinate that is farthest out.
 template <int Dim>
-[[noreturn]] void refuse(std::size_t number, const base::Sphere<Dim>& sphere, Shape shape) {
+[[noreturn]] void refuse(std::size_t number, const base::Sphere<Dim>& sphere, Shape shape,
+                         double unit) {
   static constexpr const char* axis_names[] = {"x", "y", "z"};
   std::size_t farthest = 0;
   for (std::size_t axis = 1; axis < Dim; ++axis) {
@@ -23,7 +24,7 @@ template <int Dim>
   throw Error(ErrorCode::invalid_input,
               "element " + std::to_string(number) + " has " + axis_names[farthest] +
                   (shape == Shape::box ? "min = " : " = ") +
-                  base::written(sphere.center[farthest]) +
+                  base::written(sphere.center[farthest] / unit) +
                   "; it lies more than 2147483647 cells outside of the periodic cell: move it into "
                   "the cell, or correct the lattice");
 }
@@ -32,12 +33,13 @@ template <int Dim>
 
 template <int Dim>
 Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
-                      const std::array<bool, Dim>& along, Shape shape) noexcept
-    : brick_(brick), along_(along), shape_(shape), scale_(lattice.scale) {
+                      const std::array<bool, Dim>& along, Shape shape, double unit) noexcept
+    : brick_(brick), along_(along), shape_(shape), unit_(unit), scale_(lattice.scale) {
   for (std::size_t k = 0; k < brick.count; ++k) {
     const std::size_t v = brick.vector_of[k];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       vectors_[k][axis] = lattice.vectors[v][axis] * scale_;
+      is_led_along_[axis] = is_led_along_[axis] || vectors_[k][axis] != 0.0;
       remainders_[k][axis] = lattice.remainders[v][axis] * scale_;
     }
   }
@@ -58,6 +60,9 @@ typename Wrapper<Dim>::Cells Wrapper<Dim>::cells_of(const double* position) cons
 template <int Dim>
 void Wrapper<Dim>::move(const double* from, const Cells& cells, double* to) const noexcept {
   for (std::size_t axis = 0; axis < Dim; ++axis) {
+    // Where no vector leads nothing is added, and the coordinate may be too large for the scale.
+    to[axis] = from[axis];
+    if (!is_led_along_[axis]) continue;
     base::CompensatedSum sum;
     sum.add(from[axis] * scale_);
     for (std::size_t k = 0; k < brick_.count; ++k) {
@@ -77,7 +82,7 @@ CellsMoved Wrapper<Dim>::wrap(base::Sphere<Dim>& sphere, std::size_t number) con
   base::Sphere<Dim> moved = sphere;
   const auto require_fit = [&] {
     for (const double count : cells) {
-      if (!(std::fabs(count) <= most_cells_away)) refuse(number, sphere, shape_);
+      if (!(std::fabs(count) <= most_cells_away)) refuse(number, sphere, shape_, unit_);
     }
   };
   require_fit();

@@ -20,9 +20,11 @@ template <int Dim>
 class Wrapper {
  public:
   /// `brick` is for positions as given, and must live on. If one of its sides is wrapped along, so
-  /// must those be that it has an offset on. `shape` says what errors call a position.
+  /// must those be that it has an offset on. `shape` says what errors call a position, and `unit`
+  /// what the caller's was multiplied by.
   Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
-          const std::array<bool, Dim>& along, Shape shape = Shape::sphere) noexcept;
+          const std::array<bool, Dim>& along, Shape shape = Shape::sphere,
+          double unit = 1.0) noexcept;
 
   /// Moves a center by minus the cells returned, in doubled precision: the new coordinates are off
   /// by at most half of their last place and 2^-55 of the cell, however far they were moved, and
@@ -39,7 +41,9 @@ class Wrapper {
   const Brick<Dim>& brick_;
   std::array<bool, Dim> along_;
   Shape shape_;
+  double unit_;
   double scale_;
+  std::array<bool, Dim> is_led_along_{};                ///< by some vector, each axis of space
   std::array<std::array<double, Dim>, Dim> vectors_{};  ///< of the sides, times the scale
   std::array<std::array<double, Dim>, Dim> remainders_{};
 };

@@ -30,6 +30,9 @@ double largest_number(const grid::Bounds<Dim>& bounds, const grid::ReducedLattic
 constexpr double slack_of_ghosts = 0x1p-48;
 constexpr double slack_of_quick_moves = 0x1p-47;
 
+/// More than these, or as many ghosts, are no small part of a detection.
+constexpr std::size_t natives_between_polls = 512 * kernels::BlockList::room;
+
 /// That many of any value, without a copy where it must grow.
 template <class T>
 void overwrite(base::Array<T>& array, std::size_t size, std::size_t room) {
@@ -103,8 +106,11 @@ void Images<Dim>::start_anew(std::span<const base::Sphere<Dim>> elements,
   places_ = {};
   steps_ = {};
   unit_ = largest_number(bounds, lattice, settings.margin) > largest_unscaled ? scale_down : 1.0;
+  given_unit_ = settings.given_unit;
   size_cut_ = settings.size_cut * unit_;
   slack_ = 0.0;
+  reach_is_long_ = false;
+  windows_.reset();
   moved_any_ = false;
   cells_moved_at_most_ = {};
   shifts_always_fit_ = true;
@@ -163,13 +169,14 @@ typename Images<Dim>::Along Images<Dim>::sides_to_wrap(const grid::Brick<Dim>& b
 }
 
 /// Where rounding would make the search use larger cells than the reach asks for, or images must be
-/// counted one by one, nothing is done.
+/// counted, nothing is done.
 template <int Dim>
 bool Images<Dim>::move_quickly_if_near(std::span<const base::Sphere<Dim>> elements,
                                        const Journey<Dim>& journey, const Plan& plan,
                                        const ImageSettings& settings) {
-  const double images = static_cast<double>(elements.size()) * plan.windows.of_large.most_images();
-  if (!journey.is_short || !(images <= most_natives_and_ghosts)) return false;
+  const double images = plan.windows.of_large.most_images();
+  if (!journey.is_short || !(images <= 2.0 * ghosts_of_long_reach)) return false;
+  if (!(static_cast<double>(elements.size()) * images <= most_natives_and_ghosts)) return false;
   const grid::CellExtent<Dim> as_given = extent_;
   extent_ = journey.extent;
   slack_ = slack_of_quick_moves * magnitude_of(plan.windows.of_large, plan.along, settings.shape);
@@ -230,8 +237,14 @@ void Images<Dim>::move_exactly(std::span<const base::Sphere<Dim>> elements,
 template <int Dim>
 void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& plan,
                              const ImageSettings& settings) {
-  require_countable<Dim>(home, plan.windows);
   note_shifts(plan.windows.of_large);
+  reach_is_long_ = plan.to_move.empty() && is_long_reach<Dim>(home, plan.windows);
+  if (reach_is_long_) {
+    windows_.emplace(plan.windows);
+    natives_and_ghosts_ = home;
+    return;
+  }
+  require_countable<Dim>(home, plan.windows);
   kernels::BrickMap map = map_of<Dim>(*lattice_, plan.brick, plan.along, plan.windows);
   map.pack = cells_moved_.is_packed();
   const std::size_t workers = settings.workers;
@@ -239,6 +252,7 @@ void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& p
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, native_count_);
     Part& part = parts_[worker];
+    base::ProgressReporter* const progress = worker == 0 ? settings.progress : nullptr;
     part.bounds = {};
     part.ghosts.clear();
     for (std::size_t begin = first; begin < last; begin += kernels::BlockList::room) {
@@ -251,12 +265,13 @@ void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& p
       } else {
         list_outer<Dim>(natives, map, settings.kernels, outer);
       }
-      list_ghosts<Dim>(natives, outer, begin, plan.windows, part.ghosts);
+      list_ghosts<Dim>(natives, outer, begin, plan.windows, part.ghosts, progress);
+      if (progress != nullptr && (begin - first) % natives_between_polls == 0) progress->poll();
     }
   });
   if (moves) join_boxes(workers);
   join_ghosts(workers);
-  append_ghosts(home, workers);
+  append_ghosts(home, settings);
 }
 
 /// The radii stay what they are.
@@ -286,21 +301,26 @@ void Images<Dim>::join_ghosts(std::size_t workers) {
 
 /// Behind the natives.
 template <int Dim>
-void Images<Dim>::append_ghosts(base::Array<base::Sphere<Dim>>& home, std::size_t workers) {
+void Images<Dim>::append_ghosts(base::Array<base::Sphere<Dim>>& home,
+                                const ImageSettings& settings) {
+  const std::size_t workers = settings.workers;
   const std::size_t all = native_count_ + ghosts_.size();
   if (home.capacity() < all) home.reserve(all + ghosts_.size() / 4);
   home.resize(all);
   natives_and_ghosts_ = home;
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, ghosts_.size());
-    parts_[worker].places = place_ghosts<Dim>(
-        ghosts_.subspan(first, last - first), std::span(home).first(native_count_), steps_, bounds_,
-        std::span(home).subspan(native_count_ + first, last - first));
+    GhostPlaces<Dim>& places = parts_[worker].places;
+    places = {};
+    for (std::size_t begin = first; begin < last; begin += natives_between_polls) {
+      const std::size_t count = std::min(last - begin, natives_between_polls);
+      places.include(place_ghosts<Dim>(ghosts_.subspan(begin, count),
+                                       std::span(home).first(native_count_), steps_, bounds_,
+                                       std::span(home).subspan(native_count_ + begin, count)));
+      if (worker == 0 && settings.progress != nullptr) settings.progress->poll();
+    }
   });
-  for (std::size_t worker = 0; worker < workers; ++worker) {
-    places_.bounds.include(parts_[worker].places.bounds);
-    places_.all_outside = places_.all_outside && parts_[worker].places.all_outside;
-  }
+  for (std::size_t worker = 0; worker < workers; ++worker) places_.include(parts_[worker].places);
 }
 
 /// What rounding is relative to. Where natives are moved and images made along no vector that leads

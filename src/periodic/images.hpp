@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/progress_reporter.hpp"
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
 #include "kernels/image_kernels.hpp"
@@ -31,6 +32,8 @@ struct ImageSettings {
   kernels::ImageKernels kernels;
   Shape shape = Shape::sphere;
   double size_cut = HUGE_VAL;  ///< GhostWindows::cut, of spheres
+  double given_unit = 1.0;     ///< what elements, lattice and all lengths are given times
+  base::ProgressReporter* progress = nullptr;  ///< asked now and then, by the first worker
 };
 
 /// What a search in open space needs in order to find every pair of a periodic domain exactly once:
@@ -69,6 +72,28 @@ class Images {
   [[nodiscard]] const grid::Bounds<Dim>& native_bounds() const noexcept { return bounds_; }
   [[nodiscard]] const grid::Bounds<Dim>& ghost_bounds() const noexcept { return places_.bounds; }
 
+  /// Whether the reach is so long that there are far more images than natives. Nothing is listed
+  /// then: images are told one after another.
+  [[nodiscard]] bool reach_is_long() const noexcept { return reach_is_long_; }
+
+  /// Calls visit(ghost) for each image of a native that would be a ghost.
+  template <class Visit>
+  void for_each_ghost_of(std::uint32_t native, Visit&& visit) const {
+    const std::size_t last_side = windows_->of_large.sides() - 1;
+    windows_->for_each_row(natives_and_ghosts_[native], [&](std::int64_t first, std::int64_t last,
+                                                            const grid::ImageNumbers& row) {
+      Ghost ghost{native, {}};
+      for (std::size_t side = 0; side < 3; ++side) {
+        ghost.image[side] = static_cast<std::int32_t>(row[side]);
+      }
+      for (std::int64_t m = first; m <= last; ++m) {
+        ghost.image[last_side] = static_cast<std::int32_t>(m);
+        visit(ghost);
+      }
+      return true;
+    });
+  }
+
   /// Whether each ghost lies strictly outside of the natives' box: not so where vectors are oblique
   /// to the axes, or natives lie on both of two opposite faces of the cell.
   [[nodiscard]] bool ghosts_are_outside() const noexcept { return places_.all_outside; }
@@ -89,7 +114,7 @@ class Images {
   [[nodiscard]] bool shifts_always_fit() const noexcept { return shifts_always_fit_; }
 
   /// A power of two; not 1 only where numbers might overflow otherwise.
-  [[nodiscard]] double unit() const noexcept { return unit_; }
+  [[nodiscard]] double unit() const noexcept { return unit_ * given_unit_; }
 
   /// Times unit().
   [[nodiscard]] double slack() const noexcept { return slack_; }
@@ -152,7 +177,7 @@ class Images {
                   const ImageSettings& settings);
   void join_boxes(std::size_t workers);
   void join_ghosts(std::size_t workers);
-  void append_ghosts(base::Array<base::Sphere<Dim>>& home, std::size_t workers);
+  void append_ghosts(base::Array<base::Sphere<Dim>>& home, const ImageSettings& settings);
   void note_shifts(const Window& window);
   [[nodiscard]] double magnitude_of(const Window& window, const Along& along, Shape shape) const;
   void packed_shifts_between(std::span<const ContactPair> pairs,
@@ -167,13 +192,16 @@ class Images {
   std::span<const Ghost> ghosts_;
   std::array<std::size_t, Dim> vector_of_{};          ///< grid::Brick::vector_of
   std::array<std::array<double, Dim>, Dim> steps_{};  ///< vectors of the sides times unit_
-  double unit_ = 1.0;
+  double given_unit_ = 1.0;
+  double unit_ = 1.0;           ///< beside that
   double size_cut_ = HUGE_VAL;  ///< times unit_
   double slack_ = 0.0;
   grid::CellExtent<Dim> extent_;  ///< of the natives, at least
   std::array<double, Dim> cells_moved_at_most_{};
-  grid::Bounds<Dim> bounds_;  ///< of the natives
-  GhostPlaces<Dim> places_;   ///< of the ghosts
+  grid::Bounds<Dim> bounds_;        ///< of the natives
+  GhostPlaces<Dim> places_;         ///< of the ghosts
+  std::optional<Windows> windows_;  ///< where the reach is long
+  bool reach_is_long_ = false;
   bool moved_any_ = false;
   bool shifts_always_fit_ = false;
   /// Where these are shifts themselves: the side of each axis.

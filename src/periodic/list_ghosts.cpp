@@ -11,7 +11,26 @@ namespace {
               "vectors longer, or elements and margin smaller");
 }
 
+/// More than these are no small part of a detection.
+constexpr std::size_t ghosts_between_polls = std::size_t{1} << 18;
+
 }  // namespace
+
+template <int Dim>
+bool is_long_reach(std::span<const base::Sphere<Dim>> natives, const GhostWindows<Dim>& windows) {
+  // Half of the images at most are ghosts, but for those of large elements.
+  if (windows.of_large.most_images() <= 2.0 * ghosts_of_long_reach) return false;
+  const double most = ghosts_of_long_reach * static_cast<double>(natives.size());
+  double count = 0.0;
+  for (const base::Sphere<Dim>& native : natives) {
+    windows.for_each_row(native, [&](std::int64_t first, std::int64_t last, const auto&) {
+      count += static_cast<double>(last - first + 1);
+      return count <= most;
+    });
+    if (count > most) return true;
+  }
+  return false;
+}
 
 /// A bound from the widest window; where it is too large, the exact number.
 template <int Dim>
@@ -27,6 +46,7 @@ void require_countable(std::span<const base::Sphere<Dim>> natives,
     windows.for_each_row(native, [&](std::int64_t first, std::int64_t last, const auto&) {
       count += static_cast<double>(last - first + 1);
       if (count > most_natives_and_ghosts) refuse_number_of_images();
+      return true;
     });
   }
 }
@@ -43,7 +63,7 @@ void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::Brick
 template <int Dim>
 void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::BlockList& outer,
                  std::size_t first_number, const GhostWindows<Dim>& windows,
-                 base::Array<Ghost>& ghosts) {
+                 base::Array<Ghost>& ghosts, base::ProgressReporter* progress) {
   const std::size_t last_side = windows.of_large.sides() - 1;
   for (const std::uint32_t k : std::span(outer.number, outer.count)) {
     Ghost ghost{static_cast<std::uint32_t>(first_number + k), {}};
@@ -55,11 +75,16 @@ void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::Bloc
                            for (std::int64_t m = first; m <= last; ++m) {
                              ghost.image[last_side] = static_cast<std::int32_t>(m);
                              ghosts.push_back(ghost);
+                             if (ghosts.size() % ghosts_between_polls != 0) continue;
+                             if (progress != nullptr) progress->poll();
                            }
+                           return true;
                          });
   }
 }
 
+template bool is_long_reach(std::span<const base::Sphere<2>>, const GhostWindows<2>&);
+template bool is_long_reach(std::span<const base::Sphere<3>>, const GhostWindows<3>&);
 template void require_countable(std::span<const base::Sphere<2>>, const GhostWindows<2>&);
 template void require_countable(std::span<const base::Sphere<3>>, const GhostWindows<3>&);
 template void list_outer(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
@@ -67,8 +92,8 @@ template void list_outer(std::span<const base::Sphere<2>>, const kernels::BrickM
 template void list_outer(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
                          const kernels::ImageKernels&, kernels::BlockList&);
 template void list_ghosts(std::span<const base::Sphere<2>>, const kernels::BlockList&, std::size_t,
-                          const GhostWindows<2>&, base::Array<Ghost>&);
+                          const GhostWindows<2>&, base::Array<Ghost>&, base::ProgressReporter*);
 template void list_ghosts(std::span<const base::Sphere<3>>, const kernels::BlockList&, std::size_t,
-                          const GhostWindows<3>&, base::Array<Ghost>&);
+                          const GhostWindows<3>&, base::Array<Ghost>&, base::ProgressReporter*);
 
 }  // namespace abut::engine

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/progress_reporter.hpp"
 #include "exact/sphere.hpp"
 #include "kernels/image_kernels.hpp"
 #include "lattice/ghost_window.hpp"
@@ -48,6 +49,15 @@ struct GhostWindows {
   }
 };
 
+/// With so many ghosts for each native the reach is about as long as the cell or longer, and a
+/// native is within reach of a good part of them: no grid would help.
+inline constexpr double ghosts_of_long_reach = 16.0;
+
+/// Whether natives would have more ghosts than that. Counts no farther.
+template <int Dim>
+[[nodiscard]] bool is_long_reach(std::span<const base::Sphere<Dim>> natives,
+                                 const GhostWindows<Dim>& windows);
+
 /// Natives and ghosts are numbered by 32 bits.
 inline constexpr double most_natives_and_ghosts = 4294967294.0;
 
@@ -62,10 +72,10 @@ void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::Brick
                 const kernels::ImageKernels& kernels, kernels::BlockList& outer);
 
 /// Appends the ghosts of the outer ones of a block of natives, which are numbered from
-/// `first_number` on.
+/// `first_number` on. Asks `progress`, if there is one, now and then.
 template <int Dim>
 void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::BlockList& outer,
                  std::size_t first_number, const GhostWindows<Dim>& windows,
-                 base::Array<Ghost>& ghosts);
+                 base::Array<Ghost>& ghosts, base::ProgressReporter* progress);
 
 }  // namespace abut::engine

@@ -13,8 +13,11 @@ namespace abut::engine {
 template <int Dim>
 struct PeriodicWorkspace {
   explicit PeriodicWorkspace(base::MemoryMeter& memory)
-      : images(memory), moved_boxes(base::make_array_for_overwrite<base::Box<Dim>>(memory, 0)) {}
+      : enlarged(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
+        images(memory),
+        moved_boxes(base::make_array_for_overwrite<base::Box<Dim>>(memory, 0)) {}
 
+  base::Array<base::Sphere<Dim>> enlarged;  ///< the elements, where they are too small as given
   Images<Dim> images;
   base::Array<base::Box<Dim>> moved_boxes;  ///< of natives and ghosts
   ImageSink<Dim> image_sink;

@@ -16,6 +16,11 @@ struct GhostPlaces {
 
   /// Whether each lies strictly outside of the natives' box.
   bool all_outside = true;
+
+  void include(const GhostPlaces& others) noexcept {
+    bounds.include(others.bounds);
+    all_outside = all_outside && others.all_outside;
+  }
 };
 
 /// spheres[g] = the image of a native that is ghosts[g]; `steps` are the vectors of the sides, 0

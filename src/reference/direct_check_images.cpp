@@ -9,9 +9,12 @@
 #include "reference/direct_check_images.hpp"
 
 #include "lattice/check_range.hpp"
+#include "lattice/lattice_unit.hpp"
 #include "lattice/reduced_lattice.hpp"
 #include "reference/image_window.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,22 +34,23 @@ class Checker {
       : elements_(elements),
         lattice_(lattice),
         reduced_(lattice),
+        windows_(reduced_),
         margin_(margin),
         pairs_(pairs),
         context_(context) {
-    const Shape shape = elements.are_boxes() ? Shape::box : Shape::sphere;
-    grid::check_range<Dim>(elements.spheres, reduced_, margin, shape);
+    require_range();
   }
 
   void check(std::size_t i, std::size_t j) {
-    if (++windows_ % steps_between_polls == 0) context_.progress.poll();
+    count_step();
     ImageWindow window = window_of(i, j);
     if (window.is_empty()) return;
     if (i == j) window.first[0] = 0;
     for_each_image(window, [&](const grid::ImageNumbers& numbers) {
+      count_step();
       // Of (i, i, n) and (i, i, -n) one is a pair: look at one of them, name the positive one.
       if (i == j && numbers <= grid::ImageNumbers{}) return;
-      if (++context_.candidate_tests % steps_between_polls == 0) context_.progress.poll();
+      ++context_.candidate_tests;
       std::optional<ImageShift> shift = reduced_.shift_of(numbers);
       if (!shift) grid::refuse_shift(i, j);
       if (!elements_.within_reach(i, j, *shift, lattice_, margin_, context_.exact_decisions)) {
@@ -60,19 +64,38 @@ class Checker {
  private:
   static constexpr std::uint64_t steps_between_polls = 1 << 18;
 
+  void count_step() {
+    if (++steps_ % steps_between_polls == 0) context_.progress.poll();
+  }
+
+  void require_range() const {
+    const auto& spheres = elements_.spheres;
+    double largest = margin_;
+    for (const base::Sphere<Dim>& sphere : spheres) {
+      for (const double x : sphere.center) largest = std::max(largest, std::fabs(x));
+      largest = std::max(largest, sphere.radius);
+    }
+    const double unit = grid::unit_of<Dim>(lattice_, largest);
+    const Shape shape = elements_.are_boxes() ? Shape::box : Shape::sphere;
+    if (unit == 1.0) return grid::check_range<Dim>(spheres, reduced_, margin_, shape);
+    const grid::ReducedLattice<Dim> enlarged(grid::times(lattice_, unit));
+    grid::check_range<Dim>(spheres, enlarged, margin_, shape, unit);
+  }
+
   [[nodiscard]] ImageWindow window_of(std::size_t i, std::size_t j) const noexcept {
     const auto& [spheres, boxes] = elements_;
-    return elements_.are_boxes() ? image_window(reduced_, boxes[i], boxes[j], margin_)
-                                 : image_window(reduced_, spheres[i], spheres[j], margin_);
+    return elements_.are_boxes() ? windows_.of(boxes[i], boxes[j], margin_)
+                                 : windows_.of(spheres[i], spheres[j], margin_);
   }
 
   base::Elements<Dim> elements_;
   const base::Lattice& lattice_;
   grid::ReducedLattice<Dim> reduced_;
+  ImageWindows<Dim> windows_;
   double margin_;
   base::ImagePairWriter& pairs_;
   base::DetectionContext& context_;
-  std::uint64_t windows_ = 0;
+  std::uint64_t steps_ = 0;  ///< pairs and images looked at
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "lattice/reduced_lattice.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,20 +33,6 @@ void for_each_image(const ImageWindow& window, Body&& body) {
   }
 }
 
-// WHY NO IMAGE IS MISSED. Let d be the difference of the centers, g_k the dual vectors as computed,
-// D_k their length, t_k = g_k . d. For an image m within reach, v = d - sum m_l b_l is a vector no
-// longer than some R, and
-//   |t_k - m_k| <= |g_k . v| + sum |m_l| |g_k . b_l - (1 or 0)|,
-// where the last factor is below 2^-46 D_k |b_l| (grid::ReducedLattice). As |b_l| D_l <= 2 and
-// |m_l| <= (|d| + R) D_l but for the same error, the sum is below 2^-43 (|d| + R) D_k. Rounding in
-// d and t_k is below 2^-50 (|d| + R) D_k. The window takes 2^-40 of all these, and of one for
-// numbers below the normal range.
-//
-// Of spheres R is the reach, and |g_k . v| <= R D_k. Of boxes each component of v is at most R_l,
-// half of both widths and the margin; |g_k . v| is at most the sum of |g_kl| R_l, and R that of
-// the R_l. Along axes that no vector leads along, nothing counts.
-constexpr double window_slack = 0x1p-40;
-
 /// Farther out than any image shift can be; windows end there.
 constexpr double farthest_number = 0x1p40;
 
@@ -53,82 +40,126 @@ constexpr double farthest_number = 0x1p40;
   return number >= -farthest_number ? std::min(number, farthest_number) : -farthest_number;
 }
 
-/// What an image window is made of, times the lattice's scale, in halves because sums and
-/// differences of the largest numbers overflow.
+// WHY NO IMAGE IS MISSED. Let d be the difference of the centers, g_k the dual vectors as computed,
+// D_k their length, t_k = g_k . d. For an image m within reach, v = d - sum m_l b_l is a vector no
+// longer than some R, and
+//   |t_k - m_k| <= |g_k . v| + sum |m_l| e_kl,      e_kl = |g_k . b_l - (1 or 0)|.
+// e_kl is computed, its own rounding added: 2^-50 of the sum of |g_k| |b_l| over the axes, which
+// covers that of g_k . b_l and of b_l itself. It is 0 where g_k and b_l have no axis in common, so
+// that a long side of the cell leaves no trace on the others.
+//   |m_l| <= (|d| + R) D_l but for 2^-40, since |b_l| D_l <= 2 and e_kl <= 2^-45 D_k |b_l|
+// (grid::ReducedLattice); for l = k also |m_k| (1 - e_kk) <= |t_k| + |g_k . v| + the other e_kl.
+// Rounding in d and t_k is below 2^-50 of the sum of |g_k| |d| over the axes. The window takes
+// 2^-44 of it, 2^-40 of |g_k . v|, twice all e_kl, and 2^-40 for numbers below the normal range.
+//
+// Of spheres R is the reach, and |g_k . v| <= R D_k. Of boxes each component of v is at most R_l,
+// half of both widths and the margin; |g_k . v| is at most the sum of |g_kl| R_l, and R that of
+// the R_l. Along axes that no vector leads along, nothing counts.
+//
+// All numbers are times the lattice's scale and halved before anything is added: sums and
+// differences of the largest ones overflow, and halves of the smallest lose a bit.
+
+/// Says which images of an element may be within reach of another one.
 template <int Dim>
-struct HalfDifference {
-  double center[Dim] = {};  ///< of a less that of b
-  double span = 0.0;        ///< |d| + R, at least
+class ImageWindows {
+ public:
+  /// `lattice` must live on.
+  explicit ImageWindows(const grid::ReducedLattice<Dim>& lattice)
+      : lattice_(lattice), half_scale_(0.5 * lattice.scale) {
+    for (std::size_t k = 0; k < lattice.count; ++k) {
+      for (std::size_t l = 0; l < lattice.count; ++l) error_[k][l] = error_of(k, l);
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        leads_along_[axis] = leads_along_[axis] || lattice.dual[k][axis] != 0.0;
+      }
+    }
+  }
+
+  /// The window of b's images around a.
+  [[nodiscard]] ImageWindow of(const base::Sphere<Dim>& a, const base::Sphere<Dim>& b,
+                               double margin) const noexcept {
+    const double half_reach = a.radius * half_scale_ + b.radius * half_scale_ + half(margin);
+    HalfDifference difference;
+    difference.span = half_reach;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      if (!leads_along_[axis]) continue;
+      difference.center[axis] = half(a.center[axis]) - half(b.center[axis]);
+      difference.span += std::fabs(difference.center[axis]);
+    }
+    return window(difference, [&](std::size_t k) { return lattice_.dual_length[k] * half_reach; });
+  }
+
+  /// The same of boxes.
+  [[nodiscard]] ImageWindow of(const base::Box<Dim>& a, const base::Box<Dim>& b,
+                               double margin) const noexcept {
+    HalfDifference difference;
+    double half_reach[Dim] = {};
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      if (!leads_along_[axis]) continue;
+      const double half_of_a = half(a.upper[axis]) - half(a.lower[axis]);
+      const double half_of_b = half(b.upper[axis]) - half(b.lower[axis]);
+      half_reach[axis] = 0.5 * half_of_a + 0.5 * half_of_b + half(margin);
+      difference.center[axis] =
+          half(a.lower[axis]) - half(b.lower[axis]) + (0.5 * half_of_a - 0.5 * half_of_b);
+      difference.span += half_reach[axis] + std::fabs(difference.center[axis]);
+    }
+    return window(difference, [&](std::size_t k) {
+      double bound = 0.0;
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        bound += std::fabs(lattice_.dual[k][axis]) * half_reach[axis];
+      }
+      return bound;
+    });
+  }
+
+ private:
+  /// What a window is made of.
+  struct HalfDifference {
+    std::array<double, Dim> center{};  ///< of a less that of b
+    double span = 0.0;                 ///< |d| + R, at least
+  };
+
+  [[nodiscard]] double half(double number) const noexcept { return number * half_scale_; }
+
+  [[nodiscard]] double error_of(std::size_t k, std::size_t l) const noexcept {
+    double product = 0.0;
+    double weight = 0.0;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      const double term = lattice_.dual[k][axis] * (lattice_.vectors[l][axis] * lattice_.scale);
+      product += term;
+      weight += std::fabs(term);
+    }
+    return std::fabs(product - (k == l ? 1.0 : 0.0)) + 0x1p-50 * weight;
+  }
+
+  /// half_bound(k) is half of a bound of |g_k . v|.
+  template <class HalfBound>
+  [[nodiscard]] ImageWindow window(const HalfDifference& difference,
+                                   HalfBound&& half_bound) const noexcept {
+    ImageWindow window;
+    for (std::size_t k = 0; k < lattice_.count; ++k) {
+      double number = 0.0;
+      double magnitude = 0.0;
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        const double term = 2.0 * lattice_.dual[k][axis] * difference.center[axis];
+        number += term;
+        magnitude += std::fabs(term);
+      }
+      double width = 2.0 * half_bound(k) * (1.0 + 0x1p-40) + 0x1p-44 * magnitude + 0x1p-40;
+      for (std::size_t l = 0; l < lattice_.count; ++l) {
+        if (l == k || error_[k][l] == 0.0) continue;
+        width += 2.0 * error_[k][l] * (lattice_.dual_length[l] * (2.0 * difference.span));
+      }
+      width += 2.0 * error_[k][k] * (std::fabs(number) + width);
+      window.first[k] = static_cast<std::int64_t>(std::ceil(cut(number - width)));
+      window.last[k] = static_cast<std::int64_t>(std::floor(cut(number + width)));
+    }
+    return window;
+  }
+
+  const grid::ReducedLattice<Dim>& lattice_;
+  double half_scale_;
+  std::array<bool, Dim> leads_along_{};
+  std::array<std::array<double, Dim>, Dim> error_{};
 };
-
-/// Whether some vector does.
-template <int Dim>
-[[nodiscard]] bool leads_along(const grid::ReducedLattice<Dim>& lattice, int axis) noexcept {
-  for (std::size_t k = 0; k < lattice.count; ++k) {
-    if (lattice.dual[k][static_cast<std::size_t>(axis)] != 0.0) return true;
-  }
-  return false;
-}
-
-/// half_bound(k) is half of a bound of |g_k . v|.
-template <int Dim, class HalfBound>
-[[nodiscard]] ImageWindow image_window(const grid::ReducedLattice<Dim>& lattice,
-                                       const HalfDifference<Dim>& difference,
-                                       HalfBound&& half_bound) noexcept {
-  ImageWindow window;
-  for (std::size_t k = 0; k < lattice.count; ++k) {
-    double number = 0.0;
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      number += 2.0 * lattice.dual[k][axis] * difference.center[axis];
-    }
-    const double rounding = lattice.dual_length[k] * (window_slack * difference.span);
-    const double width = 2.0 * (half_bound(k) + rounding) + window_slack;
-    window.first[k] = static_cast<std::int64_t>(std::ceil(cut(number - width)));
-    window.last[k] = static_cast<std::int64_t>(std::floor(cut(number + width)));
-  }
-  return window;
-}
-
-/// The window of b's images around a.
-template <int Dim>
-[[nodiscard]] ImageWindow image_window(const grid::ReducedLattice<Dim>& lattice,
-                                       const base::Sphere<Dim>& a, const base::Sphere<Dim>& b,
-                                       double margin) noexcept {
-  const double half_reach = (0.5 * a.radius + 0.5 * b.radius + 0.5 * margin) * lattice.scale;
-  HalfDifference<Dim> difference;
-  difference.span = half_reach;
-  for (int axis = 0; axis < Dim; ++axis) {
-    if (!leads_along(lattice, axis)) continue;
-    difference.center[axis] = (0.5 * a.center[axis] - 0.5 * b.center[axis]) * lattice.scale;
-    difference.span += std::fabs(difference.center[axis]);
-  }
-  return image_window(lattice, difference,
-                      [&](std::size_t k) { return lattice.dual_length[k] * half_reach; });
-}
-
-/// The same of boxes.
-template <int Dim>
-[[nodiscard]] ImageWindow image_window(const grid::ReducedLattice<Dim>& lattice,
-                                       const base::Box<Dim>& a, const base::Box<Dim>& b,
-                                       double margin) noexcept {
-  HalfDifference<Dim> difference;
-  double half_reach[Dim] = {};
-  for (int axis = 0; axis < Dim; ++axis) {
-    if (!leads_along(lattice, axis)) continue;
-    const double half_of_a = (0.5 * a.upper[axis] - 0.5 * a.lower[axis]) * lattice.scale;
-    const double half_of_b = (0.5 * b.upper[axis] - 0.5 * b.lower[axis]) * lattice.scale;
-    half_reach[axis] = 0.5 * half_of_a + 0.5 * half_of_b + 0.5 * margin * lattice.scale;
-    difference.center[axis] = (0.5 * a.lower[axis] - 0.5 * b.lower[axis]) * lattice.scale +
-                              (0.5 * half_of_a - 0.5 * half_of_b);
-    difference.span += half_reach[axis] + std::fabs(difference.center[axis]);
-  }
-  return image_window(lattice, difference, [&](std::size_t k) {
-    double bound = 0.0;
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      bound += std::fabs(lattice.dual[k][axis]) * half_reach[axis];
-    }
-    return bound;
-  });
-}
 
 }  // namespace abut::reference

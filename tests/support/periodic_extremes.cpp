@@ -2,6 +2,7 @@
 
 #include "scenes/random.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -90,9 +91,10 @@ class Maker {
       }
     }
     if (kind_ == DomainKind::long_cell || kind_ == DomainKind::long_triclinic) {
-      const int exponent = exponent_of({10, 30, 40, 50, 60, 100});
-      const bool oblique = kind_ == DomainKind::long_triclinic && exponent <= 40;
-      if (!oblique) vectors_ = diagonal();
+      // Elements of a cell that leans over lie many short vectors away from its corner.
+      const int exponent = kind_ == DomainKind::long_cell ? exponent_of({10, 30, 40, 50, 60, 100})
+                                                          : exponent_of({5, 10, 20, 28});
+      if (kind_ == DomainKind::long_cell) vectors_ = diagonal();
       for (double& x : vectors_[first]) x = std::ldexp(x, exponent);
       for (std::size_t k = 0; k < axes_; ++k) {
         // Now and then the short directions are open.
@@ -152,7 +154,8 @@ class Maker {
   void move_by_cells() {
     const double most = std::exp2(exponent_of({0, 3, 12, 29}));
     // What is many vectors of a sheared cell may be more of a short basis.
-    const double cells = kind_ == DomainKind::lees_edwards ? std::min(most, 0x1p20) : most;
+    double cells = kind_ == DomainKind::lees_edwards ? std::min(most, 0x1p20) : most;
+    if (kind_ == DomainKind::long_triclinic) cells = std::min(cells, 2.0);
     for (Vector& point : points_) {
       for (std::size_t k = 0; k < axes_; ++k) {
         if (!periodic_[k] || random_.below(3) == 0) continue;
@@ -180,18 +183,24 @@ class Maker {
     }
   }
 
+  /// Such that no vector is lost and nothing overflows.
   int choose_scale() {
     double largest = margin_;
-    for (const auto& point : points_) {
+    double shortest = 1.0;
+    const auto include = [&](double x) {
+      largest = std::max(largest, std::fabs(x));
+      if (x != 0.0) shortest = std::min(shortest, std::fabs(x));
+    };
+    for (const Vector& vector : vectors_) std::for_each(vector.begin(), vector.end(), include);
+    const int least = -1068 - std::ilogb(shortest);
+    for (const Vector& point : points_) {
       for (const double x : point) largest = std::max(largest, std::fabs(x));
     }
-    for (const auto& vector : vectors_) {
-      for (const double x : vector) largest = std::max(largest, std::fabs(x));
-    }
     const int most = 1020 - (largest > 1.0 ? std::ilogb(largest) : 0);
-    return std::min(
-        most, exponent_of({-1068, -1060, -1040, -1022, -990, -960, -940, -931, -925, -900, -870,
-                           -500,  -100,  100,   500,   832,  895,  955,  961,  990,  1019}));
+    const int exponent =
+        exponent_of({-1074, -1060, -1040, -1022, -990, -960, -940, -931, -925, -900, -870,
+                     -500,  -100,  100,   500,   832,  895,  955,  961,  990,  1019});
+    return std::clamp(exponent, std::min(least, most), most);
   }
 
   [[nodiscard]] ExtremeSystem scaled(int exponent) const {

@@ -38,12 +38,13 @@ class GhostWindow {
     const Vector farthest_numbers = farthest_numbers_of(lattice, reaches, scale);
     for (std::size_t k = 0; k < brick.count; ++k) {
       double moved = 0.0;  // by images along earlier sides
-      double rounding = 0x1p-44 * brick.magnitude(k, extent.farthest) + 0x1p-40;
+      double rounding = 0x1p-47 * brick.magnitude(k, extent.farthest) + 0x1p-40;
       for (std::size_t l = 0; l < brick.count; ++l) {
-        rounding += 0x1p-44 * brick.weight[k][l];
+        rounding += 0x1p-60 * brick.weight[k][l];
         if (l < k) {
-          moved += std::fabs(brick.offset[l][k]) * most_cells_[l];
-          rounding += most_cells_[l] * (0x1p-44 * brick.weight[k][l] + brick.error[k][l]);
+          const double offset = std::fabs(brick.offset[l][k]) * most_cells_[l];
+          moved += offset;
+          rounding += 0x1p-48 * offset + most_cells_[l] * brick.error[k][l];
         } else if (l > k && brick.error[k][l] > 0.0) {
           rounding += farthest_numbers[l] * brick.error[k][l];
         }

@@ -50,7 +50,7 @@ constexpr double farthest_number = 0x1p40;
 //   |m_l| <= (|d| + R) D_l but for 2^-40, since |b_l| D_l <= 2 and e_kl <= 2^-45 D_k |b_l|
 // (grid::ReducedLattice); for l = k also |m_k| (1 - e_kk) <= |t_k| + |g_k . v| + the other e_kl.
 // Rounding in d and t_k is below 2^-50 of the sum of |g_k| |d| over the axes. The window takes
-// 2^-44 of it, 2^-40 of |g_k . v|, twice all e_kl, and 2^-40 for numbers below the normal range.
+// 2^-48 of it, 2^-40 of |g_k . v|, twice all e_kl, and 2^-40 for numbers below the normal range.
 //
 // Of spheres R is the reach, and |g_k . v| <= R D_k. Of boxes each component of v is at most R_l,
 // half of both widths and the margin; |g_k . v| is at most the sum of |g_kl| R_l, and R that of
@@ -144,7 +144,7 @@ class ImageWindows {
         number += term;
         magnitude += std::fabs(term);
       }
-      double width = 2.0 * half_bound(k) * (1.0 + 0x1p-40) + 0x1p-44 * magnitude + 0x1p-40;
+      double width = 2.0 * half_bound(k) * (1.0 + 0x1p-40) + 0x1p-48 * magnitude + 0x1p-40;
       for (std::size_t l = 0; l < lattice_.count; ++l) {
         if (l == k || error_[k][l] == 0.0) continue;
         width += 2.0 * error_[k][l] * (lattice_.dual_length[l] * (2.0 * difference.span));

@@ -73,13 +73,15 @@ TYPED_TEST(MovedBoxes, AreOffByNoMoreThanTheSlack) {
         for (std::size_t axis = 0; axis < dim; ++axis) {
           const mpq_class exact = exact_difference<dim>(
               system.boxes[i].lower[axis], system.boxes[j].upper[axis], shift, named.lattice, axis);
+          ASSERT_EQ(moved[other].lower[axis], images.natives_and_ghosts()[other].center[axis]);
           // As a tile computes it: lower ends and a rounded width.
           const double seen_width = moved[other].upper[axis] - moved[other].lower[axis];
           const mpq_class seen = mpq_class(moved[i].lower[axis]) -
                                  mpq_class(moved[other].lower[axis]) - mpq_class(seen_width);
           const double off = mpq_class(abs(seen - exact)).get_d();
-          ASSERT_LE(off, images.slack()) << named;
-          ASSERT_EQ(moved[other].lower[axis], images.natives_and_ghosts()[other].center[axis]);
+          // Where nothing was moved, the rounding of the width is left, which is the tile's own.
+          ASSERT_LE(off, images.slack() + 0x1p-53 * seen_width) << named;
+          if (images.slack() == 0.0) continue;
           worst = std::max(worst, off / images.slack());
         }
       }

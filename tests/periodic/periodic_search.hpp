@@ -146,6 +146,11 @@ template <int Dim>
       if (!may_pair(natives[i], natives[j], margin, images.slack())) continue;
       decide(i, j, images.shift_between(i, j));
     }
+    for (std::uint32_t j = 0; j < natives.size() && images.reach_is_long(); ++j) {
+      images.for_each_ghost_of(j, [&](const engine::Ghost& ghost) {
+        if (images.counts(i, ghost)) decide(i, j, images.shift_between(i, ghost));
+      });
+    }
     for (std::size_t g = 0; g < images.ghosts().size(); ++g) {
       const base::Sphere<Dim>& stored = images.natives_and_ghosts()[natives.size() + g];
       if (!may_pair(natives[i], stored, margin, images.slack())) continue;

@@ -115,8 +115,9 @@ struct RowOfCells {
 };
 
 /// Coordinates in cells are known to 2^-10, generously: an element nearer than that to being within
-/// reach of a face of its cell is taken to be. The reach is that of the filter, with SearchJob::slack:
-/// cells may be much smaller than that is (docs/derivations/tile_filter.md, section 6).
+/// reach of a face of its cell is taken to be. The reach is that of the filter, with
+/// SearchJob::slack: cells may be much smaller than that is (docs/derivations/tile_filter.md,
+/// section 6).
 inline constexpr float nearby_slack = 0x1p-9f;
 
 /// A larger element that meets elements of a tile without being sorted into its cells.

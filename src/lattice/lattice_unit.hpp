@@ -1,12 +1,23 @@
 #pragma once
 
 #include "exact/lattice.hpp"
+#include "grid/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace abut::grid {
+
+/// The largest position, radius or margin of a detection.
+template <int Dim>
+[[nodiscard]] double largest_number(const Bounds<Dim>& bounds, double margin) noexcept {
+  double largest = std::max(bounds.largest_radius, margin);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
+  }
+  return largest;
+}
 
 /// The power of two by which lattice and positions are to be multiplied before a lattice is
 /// reduced. Not 1 only where a vector is so short that its inverse, or how often it fits into the

@@ -2,6 +2,8 @@
 
 #include "base/workers.hpp"
 #include "lattice/check_range.hpp"
+#include "lattice/lattice_unit.hpp"
+#include "periodic/most_ghosts.hpp"
 #include "periodic/place_natives.hpp"
 
 #include <algorithm>
@@ -15,22 +17,11 @@ namespace {
 constexpr double largest_unscaled = 0x1p960;
 constexpr double scale_down = 0x1p-128;
 
-template <int Dim>
-double largest_number(const grid::Bounds<Dim>& bounds, const grid::ReducedLattice<Dim>& lattice,
-                      double margin) {
-  double largest = std::max(bounds.largest_radius, margin);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
-  }
-  for (std::size_t k = 0; k < lattice.count; ++k) largest = std::max(largest, lattice.length[k]);
-  return largest;
-}
-
 /// Relative to magnitude_of (docs/derivations/periodic_images.md, 4).
 constexpr double slack_of_ghosts = 0x1p-48;
 constexpr double slack_of_quick_moves = 0x1p-47;
 
-/// More than these, or as many ghosts, are no small part of a detection.
+/// More than these are no small part of a detection.
 constexpr std::size_t natives_between_polls = 512 * kernels::BlockList::room;
 
 /// That many of any value, without a copy where it must grow.
@@ -105,7 +96,9 @@ void Images<Dim>::start_anew(std::span<const base::Sphere<Dim>> elements,
   bounds_ = bounds;
   places_ = {};
   steps_ = {};
-  unit_ = largest_number(bounds, lattice, settings.margin) > largest_unscaled ? scale_down : 1.0;
+  double largest = grid::largest_number(bounds, settings.margin);
+  for (std::size_t k = 0; k < lattice.count; ++k) largest = std::max(largest, lattice.length[k]);
+  unit_ = largest > largest_unscaled ? scale_down : 1.0;
   given_unit_ = settings.given_unit;
   size_cut_ = settings.size_cut * unit_;
   slack_ = 0.0;
@@ -174,9 +167,9 @@ template <int Dim>
 bool Images<Dim>::move_quickly_if_near(std::span<const base::Sphere<Dim>> elements,
                                        const Journey<Dim>& journey, const Plan& plan,
                                        const ImageSettings& settings) {
-  const double images = plan.windows.of_large.most_images();
-  if (!journey.is_short || !(images <= 2.0 * ghosts_of_long_reach)) return false;
-  if (!(static_cast<double>(elements.size()) * images <= most_natives_and_ghosts)) return false;
+  const double most = 2.0 * ghosts_of_long_reach * static_cast<double>(elements.size());
+  const double ghosts = most_ghosts<Dim>(elements, plan.windows);
+  if (!journey.is_short || !(ghosts <= std::min(most, most_natives_and_ghosts))) return false;
   const grid::CellExtent<Dim> as_given = extent_;
   extent_ = journey.extent;
   slack_ = slack_of_quick_moves * magnitude_of(plan.windows.of_large, plan.along, settings.shape);
@@ -310,15 +303,10 @@ void Images<Dim>::append_ghosts(base::Array<base::Sphere<Dim>>& home,
   natives_and_ghosts_ = home;
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, ghosts_.size());
-    GhostPlaces<Dim>& places = parts_[worker].places;
-    places = {};
-    for (std::size_t begin = first; begin < last; begin += natives_between_polls) {
-      const std::size_t count = std::min(last - begin, natives_between_polls);
-      places.include(place_ghosts<Dim>(ghosts_.subspan(begin, count),
-                                       std::span(home).first(native_count_), steps_, bounds_,
-                                       std::span(home).subspan(native_count_ + begin, count)));
-      if (worker == 0 && settings.progress != nullptr) settings.progress->poll();
-    }
+    parts_[worker].places = place_ghosts<Dim>(
+        ghosts_.subspan(first, last - first), std::span(home).first(native_count_), steps_, bounds_,
+        std::span(home).subspan(native_count_ + first, last - first),
+        worker == 0 ? settings.progress : nullptr);
   });
   for (std::size_t worker = 0; worker < workers; ++worker) places_.include(parts_[worker].places);
 }

@@ -112,15 +112,6 @@ class Appendix {
   std::size_t size_;
 };
 
-template <int Dim>
-double largest_number(const grid::Bounds<Dim>& bounds, double margin) {
-  double largest = std::max(bounds.largest_radius, margin);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
-  }
-  return largest;
-}
-
 /// The elements of a detection, times a unit where the cell is very small (grid::unit_of).
 /// Stand-ins of boxes are made anew: what is half as wide as the smallest number cannot be said as
 /// given.
@@ -190,7 +181,7 @@ void periodic_rows(base::Array<base::Sphere<Dim>>& spheres, std::span<const base
                    base::DetectionContext& context) {
   const std::size_t natives = spheres.size();
   const Appendix<Dim> appendix(spheres);
-  const double unit = grid::unit_of<Dim>(lattice, largest_number(bounds, settings.margin));
+  const double unit = grid::unit_of<Dim>(lattice, grid::largest_number(bounds, settings.margin));
   const Given<Dim> given(spheres, boxes, bounds, unit, own.enlarged);
   grid::ReducedLattice<Dim> reduced(unit == 1.0 ? lattice : grid::times(lattice, unit));
   if (!boxes.empty()) turn_downwards(reduced);

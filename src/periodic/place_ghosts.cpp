@@ -22,8 +22,10 @@ GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
                               std::span<const base::Sphere<Dim>> natives,
                               const std::array<std::array<double, Dim>, Dim>& steps,
                               const grid::Bounds<Dim>& box_of_natives,
-                              std::span<base::Sphere<Dim>> spheres) {
+                              std::span<base::Sphere<Dim>> spheres,
+                              base::ProgressReporter* progress) {
   constexpr std::size_t fetched_ahead = 16;  // enough to hide the way to memory
+  constexpr std::size_t ghosts_between_polls = std::size_t{1} << 18;
   GhostPlaces<Dim> places;
   for (std::size_t g = 0; g < ghosts.size(); ++g) {
     __builtin_prefetch(&natives[ghosts[std::min(g + fetched_ahead, ghosts.size() - 1)].element]);
@@ -37,15 +39,18 @@ GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
     places.bounds.include_radius(sphere.radius);
     places.all_outside = places.all_outside && is_outside(sphere, box_of_natives);
     spheres[g] = sphere;
+    if (progress != nullptr && (g + 1) % ghosts_between_polls == 0) progress->poll();
   }
   return places;
 }
 
 template GhostPlaces<2> place_ghosts<2>(std::span<const Ghost>, std::span<const base::Sphere<2>>,
                                         const std::array<std::array<double, 2>, 2>&,
-                                        const grid::Bounds<2>&, std::span<base::Sphere<2>>);
+                                        const grid::Bounds<2>&, std::span<base::Sphere<2>>,
+                                        base::ProgressReporter*);
 template GhostPlaces<3> place_ghosts<3>(std::span<const Ghost>, std::span<const base::Sphere<3>>,
                                         const std::array<std::array<double, 3>, 3>&,
-                                        const grid::Bounds<3>&, std::span<base::Sphere<3>>);
+                                        const grid::Bounds<3>&, std::span<base::Sphere<3>>,
+                                        base::ProgressReporter*);
 
 }  // namespace abut::engine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/progress_reporter.hpp"
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
 #include "periodic/list_ghosts.hpp"
@@ -24,12 +25,13 @@ struct GhostPlaces {
 };
 
 /// spheres[g] = the image of a native that is ghosts[g]; `steps` are the vectors of the sides, 0
-/// where there are fewer sides than axes.
+/// where there are fewer sides than axes. Asks `progress`, if there is one, now and then.
 template <int Dim>
 [[nodiscard]] GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
                                             std::span<const base::Sphere<Dim>> natives,
                                             const std::array<std::array<double, Dim>, Dim>& steps,
                                             const grid::Bounds<Dim>& box_of_natives,
-                                            std::span<base::Sphere<Dim>> spheres);
+                                            std::span<base::Sphere<Dim>> spheres,
+                                            base::ProgressReporter* progress);
 
 }  // namespace abut::engine

@@ -328,6 +328,24 @@ TEST(LongCell, MayHaveAReachThatOverflows) {
   }
 }
 
+/// Elements near each other, but more than 2^31 - 1 cells away from the cell at the origin.
+TEST(FarCells, AreRefusedByAllAlgorithmsAlike) {
+  const Domain square = Domain::periodic({1.0, 1.0});
+  for (const double x : {0x1p31 - 2.0, 0x1p31 + 2.0, -0x1p40}) {
+    const Scene scene = scene_of(2, {{x, 0.5, 0, 0.125}, {x + 0.25, 0.5, 0, 0.125}});
+    for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {
+      const Options options{.algorithm = algorithm};
+      if (x == 0x1p31 - 2.0) {
+        EXPECT_EQ(count_contact_pairs(view_of(scene), square, options).contact_pairs, 1U);
+        continue;
+      }
+      expect_error(ErrorCode::invalid_input, {"element 0 has x", "2147483647 cells outside"}, [&] {
+        static_cast<void>(count_contact_pairs(view_of(scene), square, options));
+      });
+    }
+  }
+}
+
 /// One element in a cell far smaller than its reach: a hundred million pairs with itself.
 class LongReach : public ::testing::TestWithParam<Algorithm> {
  protected:

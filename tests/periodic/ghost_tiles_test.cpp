@@ -43,15 +43,6 @@ std::vector<base::Sphere<Dim>> spheres_of(const ExtremeSystem& system, double un
   return spheres;
 }
 
-template <int Dim>
-double largest_number(const grid::Bounds<Dim>& bounds, double margin) {
-  double largest = std::max(bounds.largest_radius, margin);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
-  }
-  return largest;
-}
-
 /// As the search of a group has it: a hair above the reach, and never too small for its numbers.
 template <int Dim>
 double cell_size(const engine::Images<Dim>& images, const grid::Bounds<Dim>& bounds,
@@ -79,8 +70,8 @@ std::vector<std::set<std::size_t>> tiles_of(const engine::Tiles<Dim>& tiles, std
 template <int Dim>
 std::size_t check(const ExtremeSystem& system, double least_cells, double most_tiles) {
   auto spheres = spheres_of<Dim>(system, 1.0);
-  const double unit =
-      grid::unit_of<Dim>(lattice_of<Dim>(system), largest_number(bounds_of<Dim>(spheres), 0.0));
+  const double unit = grid::unit_of<Dim>(lattice_of<Dim>(system),
+                                         grid::largest_number(bounds_of<Dim>(spheres), 0.0));
   spheres = spheres_of<Dim>(system, unit);
   const grid::ReducedLattice<Dim> reduced(grid::times(lattice_of<Dim>(system), unit));
   base::MemoryMeter memory;

@@ -327,6 +327,46 @@ TEST(ImagesOfLargeReach, AreNotStored) {
   }
 }
 
+/// A large element among many small ones has so many images that listing them takes a while.
+TEST(ImagesOfLargeReach, AskTheHookWhileTheyAreListed) {
+  base::Lattice lattice;
+  lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
+  lattice.periodic = {true, true, false};
+  const grid::ReducedLattice<2> reduced(lattice);
+  std::vector<base::Sphere<2>> spheres(120000, base::Sphere<2>{{0.5, 0.5}, 0.0});
+  spheres[7].radius = 260.0;
+  for (const std::size_t workers : {1u, 3u}) {
+    base::MemoryMeter memory;
+    auto elements = array_of(spheres, memory);
+    int calls = 0;
+    const ProgressHook hook = [&calls](const Progress&) {
+      ++calls;
+      return ProgressAction::proceed;
+    };
+    base::ProgressReporter progress(hook);
+    engine::Images<2> images(memory);
+    engine::ImageSettings settings{0.0, workers, kernels::image_kernels(Simd::scalar)};
+    settings.size_cut = 1.0;
+    settings.progress = &progress;
+    images.find(elements, bounds_of<2>(spheres), reduced, settings);
+    EXPECT_GT(images.ghosts().size(), 1000000u);
+    EXPECT_GE(calls, 5);
+    if (workers > 1) continue;
+    calls = 0;
+    const ProgressHook cancel = [&calls](const Progress&) {
+      return ++calls < 3 ? ProgressAction::proceed : ProgressAction::cancel;
+    };
+    base::ProgressReporter cancelling(cancel);
+    settings.progress = &cancelling;
+    elements.resize(spheres.size());
+    EXPECT_NE(error_of(ErrorCode::cancelled,
+                       [&] { images.find(elements, bounds_of<2>(spheres), reduced, settings); })
+                  .find("cancelled"),
+              std::string::npos);
+    EXPECT_EQ(calls, 3);
+  }
+}
+
 TEST(ImagesOfLargeReach, BeyondAllShiftsIsRefused) {
   PeriodicSystem<2> system;
   system.lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};

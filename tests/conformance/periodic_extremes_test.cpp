@@ -31,6 +31,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -242,35 +243,68 @@ TEST_P(PeriodicExtremes, EveryFaceTellsTheSamePairs) {
   }
 }
 
+/// Elements with the axes of space turned round.
+std::vector<HandMade> turned(std::vector<HandMade> elements, std::size_t by) {
+  for (HandMade& e : elements) {
+    if (by == 1) e = {e.z, e.x, e.y, e.radius};
+    if (by == 2) e = {e.y, e.z, e.x, e.radius};
+  }
+  return elements;
+}
+
+/// Periodic with that side on all axes but the first, turned round.
+Domain slit(double side, std::size_t by) {
+  std::array<double, 3> lengths{side, side, side};
+  lengths[by] = unbounded;
+  return Domain::periodic(lengths);
+}
+
 /// Elements far out on an open axis make cells far larger than the reach, and so does a scale at
 /// which a cell cannot be as small as the reach: contacts across the faces stay.
 TEST(FarStrays, LeaveContactsAcrossFaces) {
+  const auto count = [](const std::vector<HandMade>& elements, double side, std::size_t by,
+                        Simd level) {
+    const Options options{.algorithm = Algorithm::rows, .simd = level};
+    return count_contact_pairs(view_of(scene_of(3, turned(elements, by))), slit(side, by), options)
+        .contact_pairs;
+  };
   std::vector<HandMade> elements{{0, 0.5, 0.5, 0.1},
                                  {0, 0.05, 0.5, 0.1},
                                  {0, 0.95, 0.5, 0.1},
                                  {0.3, 0.5, 0.02, 0.1},
                                  {0.3, 0.5, 0.98, 0.1}};
   for (const Simd level : simd_levels_here()) {
+    for (const std::size_t by : {0U, 1U, 2U}) {
+      SCOPED_TRACE(::testing::Message() << name_of(level) << ", axes turned by " << by);
+      for (int exponent = 60; exponent < 1024; exponent += 9) {
+        elements[0].x = std::ldexp(1.0, exponent);
+        EXPECT_EQ(count(elements, 1.0, by, level), 2U) << "2^" << exponent;
+      }
+      elements[0].x = 5.0;
+      for (int exponent = -1060; exponent < 1015; exponent += 9) {
+        std::vector<HandMade> scaled = elements;
+        for (HandMade& e : scaled) {
+          e = {std::ldexp(e.x, exponent), std::ldexp(e.y, exponent), std::ldexp(e.z, exponent),
+               std::ldexp(e.radius, exponent)};
+        }
+        EXPECT_EQ(count(scaled, std::ldexp(1.0, exponent), by, level), 2U)
+            << "scale 2^" << exponent;
+      }
+    }
+  }
+}
+
+/// The same in a strip, where single elements are asked which cells they lie near.
+TEST(FarStrays, LeaveContactsAcrossTheFacesOfAStrip) {
+  for (const Simd level : simd_levels_here()) {
     const Options options{.algorithm = Algorithm::rows, .simd = level};
     for (int exponent = 60; exponent < 1024; exponent += 9) {
-      elements[0].x = std::ldexp(1.0, exponent);
-      const Domain slit = Domain::periodic({unbounded, 1.0, 1.0});
-      EXPECT_EQ(count_contact_pairs(view_of(scene_of(3, elements)), slit, options).contact_pairs,
-                2U)
+      const Scene scene = scene_of(
+          2, {{0.5, std::ldexp(1.0, exponent), 0, 0.1}, {0.05, 0, 0, 0.1}, {0.95, 0, 0, 0.1}});
+      EXPECT_EQ(count_contact_pairs(view_of(scene), Domain::periodic({1.0, unbounded}), options)
+                    .contact_pairs,
+                1U)
           << name_of(level) << ", 2^" << exponent;
-    }
-    elements[0].x = 5.0;
-    for (int exponent = -1070; exponent < 1015; exponent += 9) {
-      std::vector<HandMade> scaled = elements;
-      for (HandMade& e : scaled) {
-        e = {std::ldexp(e.x, exponent), std::ldexp(e.y, exponent), std::ldexp(e.z, exponent),
-             std::ldexp(e.radius, exponent)};
-      }
-      const double side = std::ldexp(1.0, exponent);
-      if (exponent < -1060) continue;
-      const Domain slit = Domain::periodic({unbounded, side, side});
-      EXPECT_EQ(count_contact_pairs(view_of(scene_of(3, scaled)), slit, options).contact_pairs, 2U)
-          << name_of(level) << ", scale 2^" << exponent;
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "exact/separation.hpp"
 
 #include "exact/numbers/doubled.hpp"
+#include "exact/numbers/exact_accumulator.hpp"
 #include "exact/numbers/rounded_sum.hpp"
 #include "exact/periodic_predicate.hpp"
 
@@ -17,7 +18,13 @@ constexpr double smallest_squared = 0x1p-480;
 
 constexpr double largest_double = std::numeric_limits<double>::max();
 
-/// One component of x_a - (x_b + n A), times a power of two: the nearest double and, of what is
+/// Products of larger numbers and an integer of 32 bits, and sums of these, might overflow.
+constexpr double largest_summed = 0x1p900;
+
+/// Brings differences that exceed this bound back to where their squares can be scaled.
+constexpr double scale_of_large = 0x1p-128;
+
+/// One component of x_a - (x_b + n A), times a power of two: the nearest double and, from what is
 /// left, the nearest double.
 template <int Dim>
 Doubled component(const Sphere<Dim>& a, const Sphere<Dim>& b, const LatticeSteps<Dim>& steps,
@@ -36,16 +43,30 @@ Doubled component(const Sphere<Dim>& a, const Sphere<Dim>& b, const LatticeSteps
   return {high, sum.rounded()};
 }
 
-/// Differences and products of larger numbers might overflow.
+/// The same for any numbers, unscaled. Where it exceeds the largest double, `high` is infinite and
+/// `low` means nothing.
 template <int Dim>
-double scale_of_numbers(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                        const LatticeSteps<Dim>& steps) noexcept {
+Doubled any_component(const Sphere<Dim>& a, const Sphere<Dim>& b, const LatticeSteps<Dim>& steps,
+                      int axis) noexcept {
+  ExactAccumulator<1> sum;
+  sum.add(a.center[axis], 1);
+  sum.add(b.center[axis], -1);
+  for (const auto& step : steps) sum.add(step.vector[axis], -std::int64_t{step.number});
+  const double high = sum.rounded();
+  if (!std::isfinite(high)) return {high, 0.0};
+  sum.add(high, -1);
+  return {high, sum.rounded()};
+}
+
+template <int Dim>
+double largest_number(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                      const LatticeSteps<Dim>& steps) noexcept {
   double largest = 0.0;
   for (int axis = 0; axis < Dim; ++axis) {
     largest = std::max({largest, std::fabs(a.center[axis]), std::fabs(b.center[axis])});
     for (const auto& step : steps) largest = std::max(largest, std::fabs(step.vector[axis]));
   }
-  return largest > 0x1p900 ? 0x1p-128 : 1.0;
+  return largest;
 }
 
 /// A further power of two that brings a distance near one where squares would leave the range.
@@ -104,22 +125,37 @@ bool is_nearer_to_lower(Sphere<Dim> a, Sphere<Dim> b, const ImageShift& shift,
   return within_reach(a, b, shift, lattice, 0.0, exact_decisions);
 }
 
+template <int Dim>
+double largest_of(const Doubled (&difference)[Dim]) noexcept {
+  double largest = 0.0;
+  for (const Doubled& component : difference)
+    largest = std::max(largest, std::fabs(component.high));
+  return largest;
+}
+
 }  // namespace
 
 template <int Dim>
 Separation separation(const Sphere<Dim>& a, const Sphere<Dim>& b, const ImageShift& shift,
                       const Lattice& lattice) noexcept {
   const LatticeSteps<Dim> steps(shift, lattice);
-  const double scale = scale_of_numbers(a, b, steps);
+  const bool large = largest_number(a, b, steps) > largest_summed;
   Separation result;
   Doubled difference[Dim];
-  double largest = 0.0;
   for (int axis = 0; axis < Dim; ++axis) {
-    difference[axis] = component(a, b, steps, axis, scale);
-    result.vector[static_cast<std::size_t>(axis)] = unscaled(difference[axis].high, scale) + 0.0;
-    largest = std::max(largest, std::fabs(difference[axis].high));
+    difference[axis] = large ? any_component(a, b, steps, axis) : component(a, b, steps, axis, 1.0);
+    result.vector[static_cast<std::size_t>(axis)] =
+        std::clamp(difference[axis].high, -largest_double, largest_double) + 0.0;
   }
-  const double further = scale_of_squares(largest);
+  double scale = 1.0;
+  if (largest_of(difference) > largest_summed) {
+    // Beside a component that large, what scaling loses of the others is of no account.
+    scale = scale_of_large;
+    for (int axis = 0; axis < Dim; ++axis) {
+      difference[axis] = component(a, b, steps, axis, scale);
+    }
+  }
+  const double further = scale_of_squares(largest_of(difference));
   Enclosure distance = enclose_distance(difference, further);
   distance.below = unscaled(distance.below, further, scale);
   distance.above = unscaled(distance.above, further, scale);

@@ -19,8 +19,7 @@ struct Separation {
   double distance = 0.0;
 };
 
-/// What exceeds the largest double is that. Where numbers are beyond 2^900, what is below 2^-940
-/// may be lost before it is rounded.
+/// For all finite numbers. What exceeds the largest double is that.
 template <int Dim>
 [[nodiscard]] Separation separation(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                     const ImageShift& shift, const Lattice& lattice) noexcept;

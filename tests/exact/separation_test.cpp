@@ -14,6 +14,9 @@ namespace {
 
 using scenes::Random;
 
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
+
 struct Case {
   base::Sphere<3> a{};
   base::Sphere<3> b{};
@@ -30,9 +33,12 @@ mpq_class component(const Case& c, std::size_t axis) {
   return result;
 }
 
-/// Whether `rounded` is the nearest double to `exact`, to even between two.
+/// Whether `rounded` is the nearest double to `exact`, to even between two; beyond the largest
+/// double that one.
 bool is_rounded(const mpq_class& exact, double rounded) {
   constexpr double inf = std::numeric_limits<double>::infinity();
+  if (abs(exact) >= largest) return rounded == (sgn(exact) < 0 ? -largest : largest);
+  if (std::fabs(rounded) == largest) return abs(mpq_class(rounded) - exact) < 0x1p970;
   const mpq_class value(rounded);
   const mpq_class above = (value + mpq_class(std::nextafter(rounded, inf))) / 2;
   const mpq_class below = (value + mpq_class(std::nextafter(rounded, -inf))) / 2;
@@ -44,6 +50,11 @@ bool is_rounded(const mpq_class& exact, double rounded) {
 /// Whether `rounded` is the nearest double to the root of `square`, the smaller of two.
 bool is_rounded_root(const mpq_class& square, double rounded) {
   constexpr double inf = std::numeric_limits<double>::infinity();
+  if (square >= mpq_class(largest) * largest) return rounded == largest;
+  if (rounded == largest) {
+    const mpq_class below = mpq_class(largest) - 0x1p970;
+    return below * below < square;
+  }
   const mpq_class above = (mpq_class(rounded) + mpq_class(std::nextafter(rounded, inf))) / 2;
   if (rounded == 0.0) return square <= above * above;
   const mpq_class below = (mpq_class(rounded) + mpq_class(std::nextafter(rounded, -inf))) / 2;
@@ -58,7 +69,17 @@ void check(const Case& c) {
     ASSERT_TRUE(is_rounded(exact, found.vector[axis])) << found.vector[axis] << " axis " << axis;
     square += exact * exact;
   }
-  ASSERT_TRUE(is_rounded_root(square, found.distance)) << found.distance;
+  if (found.distance > 0x1p-1000) {
+    ASSERT_TRUE(is_rounded_root(square, found.distance)) << found.distance;
+  } else {
+    // Off by the last place at most, as documented.
+    const mpq_class error =
+        1.5 * (mpq_class(std::nextafter(found.distance, 1.0)) - mpq_class(found.distance));
+    const mpq_class below = std::max<mpq_class>(0, mpq_class(found.distance) - error);
+    ASSERT_LE(below * below, square) << found.distance;
+    const mpq_class above = mpq_class(found.distance) + error;
+    ASSERT_GE(above * above, square) << found.distance;
+  }
   const base::Separation back =
       base::separation(c.b, c.a, {-c.shift.x, -c.shift.y, -c.shift.z}, c.lattice);
   ASSERT_EQ(back.distance, found.distance);
@@ -122,8 +143,6 @@ TEST(Separation, OfTies) {
 }
 
 TEST(Separation, OfExtremeNumbers) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  constexpr double smallest = std::numeric_limits<double>::denorm_min();
   const auto between = [](double a, double b) {
     return base::separation<2>({{a, 0}, 0.0}, {{b, 0}, 0.0}, {}, {});
   };
@@ -136,6 +155,69 @@ TEST(Separation, OfExtremeNumbers) {
   const base::Separation diagonal =
       base::separation<2>({{0x3p666, 0x4p666}, 0.0}, {{0, 0}, 0.0}, {}, {});
   EXPECT_EQ(diagonal.distance, 0x5p666);
+}
+
+/// A few last places of the smallest numbers, or some of the largest, or ordinary ones.
+double extreme_number(Random& random) {
+  const double significand = static_cast<double>(random.below(17)) - 8.0;
+  switch (random.below(5)) {
+    case 0:
+      return 0.0;
+    case 1:
+      return significand * smallest;
+    case 2:
+      return std::ldexp(significand, static_cast<int>(random.below(122)) + 898);
+    case 3:
+      return std::ldexp(significand, -static_cast<int>(random.below(200)) - 874);
+    default:
+      return random.uniform(-1.0, 1.0) * std::ldexp(largest, -static_cast<int>(random.below(2000)));
+  }
+}
+
+Case extreme_case(Random& random) {
+  Case c;
+  c.lattice.periodic = {true, true, true};
+  for (auto& vector : c.lattice.vectors) {
+    for (double& x : vector) x = extreme_number(random);
+  }
+  const auto whole = [&] {
+    return random.below(3) == 0 ? static_cast<std::int32_t>(random.below(9)) - 4 : 0;
+  };
+  c.shift = {whole(), whole(), random.below(8) == 0 ? -2147483647 : whole()};
+  for (int axis = 0; axis < 3; ++axis) {
+    c.a.center[axis] = extreme_number(random);
+    c.b.center[axis] = random.below(3) == 0 ? c.a.center[axis] : extreme_number(random);
+  }
+  if (random.below(2) == 0) return c;
+  // Nearly all of it cancels; what is left is below the last place of the numbers.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const mpq_class near_zero = component(c, axis);
+    if (abs(near_zero) < largest) c.b.center[axis] += near_zero.get_d();
+    if (std::isinf(c.b.center[axis])) c.b.center[axis] = 0.0;
+  }
+  return c;
+}
+
+TEST(Separation, OfSmallBesideLargeNumbersIsRoundedOnce) {
+  Random random(2);
+  for (int k = 0; k < 20'000; ++k) {
+    check(extreme_case(random));
+    if (HasFatalFailure()) FAIL() << "case " << k;
+  }
+}
+
+TEST(Separation, OfLastPlacesBesideTheLargestNumbers) {
+  const base::Separation open =
+      base::separation<2>({{0x1p1000, 3 * smallest}, 0.0}, {{0x1p1000, 0}, 0.0}, {}, {});
+  EXPECT_EQ(open.vector[1], 3 * smallest);
+  EXPECT_EQ(open.distance, 3 * smallest);
+  base::Lattice lattice;
+  lattice.periodic = {true, false, false};
+  lattice.vectors[0] = {0x1p1000, 0.0, 0.0};
+  const base::Separation moved =
+      base::separation<2>({{0x1p1000, 0}, 0.0}, {{-5 * smallest, 0}, 0.0}, {1, 0, 0}, lattice);
+  EXPECT_EQ(moved.vector[0], 5 * smallest);
+  EXPECT_EQ(moved.distance, 5 * smallest);
 }
 
 }  // namespace

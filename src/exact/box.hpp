@@ -26,18 +26,19 @@ struct Box {
 }
 
 /// The contract for boxes (docs/contract.md): on every axis lo_a <= hi_b + margin and
-/// lo_b <= hi_a + margin. Touching counts. Adds to `exact_decisions` as the spheres' predicate
-/// does.
+/// lo_b <= hi_a + margin. Touching counts. Adds at most one to `exact_decisions`, as the spheres'
+/// predicate does.
 template <int Dim>
 [[nodiscard]] inline bool within_reach(const Box<Dim>& a, const Box<Dim>& b, double margin,
                                        std::uint64_t& exact_decisions) noexcept {
-  for (int axis = 0; axis < Dim; ++axis) {
-    if (!at_most(a.lower[axis], b.upper[axis], margin, exact_decisions) ||
-        !at_most(b.lower[axis], a.upper[axis], margin, exact_decisions)) {
-      return false;
-    }
+  std::uint64_t looked_at_again = 0;
+  bool within = true;
+  for (int axis = 0; within && axis < Dim; ++axis) {
+    within = at_most(a.lower[axis], b.upper[axis], margin, looked_at_again) &&
+             at_most(b.lower[axis], a.upper[axis], margin, looked_at_again);
   }
-  return true;
+  exact_decisions += looked_at_again > 0 ? 1 : 0;
+  return within;
 }
 
 /// The largest separation of two boxes over the axes: lower end minus upper end, rounded once, and

@@ -26,13 +26,15 @@ inline constexpr double smallest_safe_box_magnitude = 0x1p-900;
 inline constexpr double largest_safe_box_magnitude = 0x1p1000;
 
 /// The contract with a lattice: whether a and the image of b that `shift` names are within reach.
-/// Touching counts. Adds to `exact_decisions` as the predicate of open space does.
+/// Touching counts. Adds at most one to `exact_decisions`: for pairs that doubles cannot decide, or
+/// that an axis on which nothing moves leaves in doubt.
 template <int Dim>
 [[nodiscard]] inline bool within_reach(const Box<Dim>& a, const Box<Dim>& b,
                                        const ImageShift& shift, const Lattice& lattice,
                                        double margin, std::uint64_t& exact_decisions) noexcept {
   const LatticeSteps<Dim> steps(shift, lattice);
   bool in_doubt = false;
+  std::uint64_t looked_at_again = 0;
   for (int axis = 0; axis < Dim; ++axis) {
     double moved = 0.0;
     double magnitude = 0.0;
@@ -42,8 +44,8 @@ template <int Dim>
       magnitude += std::fabs(product);
     }
     if (magnitude == 0.0) {  // b stays where it is on this axis
-      if (!at_most(a.lower[axis], b.upper[axis], margin, exact_decisions) ||
-          !at_most(b.lower[axis], a.upper[axis], margin, exact_decisions)) {
+      if (!at_most(a.lower[axis], b.upper[axis], margin, looked_at_again) ||
+          !at_most(b.lower[axis], a.upper[axis], margin, looked_at_again)) {
         return false;
       }
       continue;
@@ -60,8 +62,8 @@ template <int Dim>
     if (a_behind_b > slack || b_behind_a > slack) return false;
     in_doubt = in_doubt || !(a_behind_b < -slack && b_behind_a < -slack);
   }
+  exact_decisions += in_doubt || looked_at_again > 0 ? 1 : 0;
   if (!in_doubt) return true;
-  ++exact_decisions;
   return within_reach_exactly(a, b, steps, margin);
 }
 

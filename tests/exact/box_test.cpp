@@ -43,6 +43,17 @@ TEST(BoxPredicate, EndsThatBreakRounding) {
   }
 }
 
+/// However many axes tie, it is one decision: Statistics counts pairs.
+TEST(BoxPredicate, CountsAPairOnce) {
+  const Box<3> box{{0, 0, 0}, {1, 1, 1}};
+  const Box<3> other{{2, 2, 2}, {3, 3, 3}};
+  std::uint64_t exact_decisions = 0;
+  EXPECT_TRUE(within_reach(box, other, 1.0, exact_decisions));
+  EXPECT_EQ(exact_decisions, 1U);
+  EXPECT_FALSE(within_reach(box, other, 0.5, exact_decisions));
+  EXPECT_EQ(exact_decisions, 1U);
+}
+
 /// Margins on and beside the rounded difference, where one bit decides.
 TEST(BoxPredicate, MarginsBesideTheDifference) {
   scenes::Random random(91);

@@ -1,0 +1,381 @@
+#include "support/exact_oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace abut::testing {
+namespace {
+
+using Vector = std::array<mpz_class, 3>;
+
+/// A finite number as significand 2^exponent, the significand odd, or 0.
+struct Decomposed {
+  std::int64_t significand = 0;
+  int exponent = 0;
+};
+
+Decomposed decompose(double value) {
+  if (value == 0.0) return {};
+  int exponent = 0;
+  auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+  exponent -= 53;
+  for (; significand % 2 == 0; significand /= 2) ++exponent;
+  return {significand, exponent};
+}
+
+mpz_class dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void subtract(Vector& from, const mpz_class& times, const Vector& vector) {
+  for (std::size_t axis = 0; axis < 3; ++axis) from[axis] -= times * vector[axis];
+}
+
+mpz_class floor_of_quotient(const mpz_class& a, const mpz_class& b) {
+  mpz_class result;
+  mpz_fdiv_q(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+  return result;
+}
+
+mpz_class ceiling_of_quotient(const mpz_class& a, const mpz_class& b) {
+  mpz_class result;
+  mpz_cdiv_q(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+  return result;
+}
+
+long bits(const mpz_class& value) {
+  return value == 0 ? 0 : static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2));
+}
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double largest = std::numeric_limits<double>::max();
+
+mpq_class midpoint(double a, double b) {
+  return (mpq_class(a) + mpq_class(b)) / 2;
+}
+
+bool is_even(double value) {
+  const Decomposed parts = decompose(value);
+  const int last = std::max(std::ilogb(value == 0.0 ? 1.0 : value) - 52, -1074);
+  return parts.significand == 0 || parts.exponent > last;
+}
+
+/// Whether `rounded` is the nearest double to `exact`, to even between two; the largest beyond it.
+bool is_nearest(const mpq_class& exact, double rounded) {
+  if (abs(exact) >= largest) return rounded == (sgn(exact) < 0 ? -largest : largest);
+  if (std::fabs(rounded) == largest) return abs(mpq_class(rounded) - exact) < 0x1p970;
+  const mpq_class above = midpoint(rounded, std::nextafter(rounded, inf));
+  const mpq_class below = midpoint(rounded, std::nextafter(rounded, -inf));
+  if (is_even(rounded)) return below <= exact && exact <= above;
+  return below < exact && exact < above;
+}
+
+}  // namespace
+
+ElementArrays joined(const ElementArrays& first, const ElementArrays& second) {
+  ElementArrays both = first;
+  const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    append(both.lower[axis], second.lower[axis]);
+    append(both.upper[axis], second.upper[axis]);
+  }
+  append(both.radius, second.radius);
+  return both;
+}
+
+ExactOracle::ExactOracle(const ElementArrays& elements, const Domain& domain, double margin)
+    : dimensions_(elements.dimensions), shape_(elements.shape) {
+  int smallest = 1024;
+  const auto look_at = [&](double value) {
+    if (value != 0.0) smallest = std::min(smallest, decompose(value).exponent);
+  };
+  for (const auto* columns : {&elements.lower, &elements.upper}) {
+    for (const std::vector<double>& column : *columns) std::ranges::for_each(column, look_at);
+  }
+  std::ranges::for_each(elements.radius, look_at);
+  look_at(margin);
+  for (int k = 0; k < 3; ++k) std::ranges::for_each(domain.vector(k), look_at);
+  exponent_ = smallest - 1;  // centers of boxes are halves
+  read_elements(elements, margin);
+  read_lattice(domain);
+  reduce_lattice();
+  make_functionals();
+}
+
+mpz_class ExactOracle::whole(double value) const {
+  const Decomposed parts = decompose(value);
+  mpz_class result(static_cast<long>(parts.significand));
+  if (parts.significand == 0) return result;
+  mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(),
+               static_cast<mp_bitcnt_t>(parts.exponent - exponent_));
+  return result;
+}
+
+void ExactOracle::read_elements(const ElementArrays& elements, double margin) {
+  centers_.resize(elements.size());
+  sizes_.resize(elements.size());
+  margin_ = whole(margin);
+  const auto axes = static_cast<std::size_t>(dimensions_);
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    if (shape_ == Shape::sphere) sizes_[k][0] = whole(elements.radius[k]);
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      centers_[k][axis] = whole(elements.lower[axis][k]);
+      if (shape_ == Shape::sphere) continue;
+      const mpz_class upper = whole(elements.upper[axis][k]);
+      sizes_[k][axis] = (upper - centers_[k][axis]) / 2;
+      centers_[k][axis] = (upper + centers_[k][axis]) / 2;
+    }
+  }
+}
+
+void ExactOracle::read_lattice(const Domain& domain) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimensions_); ++k) {
+    periodic_[k] = domain.is_periodic(static_cast<int>(k));
+    if (!periodic_[k]) continue;
+    Level level;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions_); ++axis) {
+      level.vector[axis] = whole(domain.vector(static_cast<int>(k))[axis]);
+    }
+    level.steps[k] = 1;
+    lattice_[k] = level.vector;
+    levels_.push_back(level);
+  }
+}
+
+/// Takes multiples of one vector from another as long as that makes it shorter.
+void ExactOracle::reduce_lattice() {
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (Level& level : levels_) {
+      for (const Level& other : levels_) {
+        if (&level == &other) continue;
+        const mpz_class square = dot(other.vector, other.vector);
+        const mpz_class product = dot(level.vector, other.vector);
+        if (2 * abs(product) <= square) continue;
+        const mpz_class times = floor_of_quotient(2 * product + square, 2 * square);
+        subtract(level.vector, times, other.vector);
+        subtract(level.steps, times, other.steps);
+        changed = true;
+      }
+    }
+  }
+  std::ranges::sort(levels_, [](const Level& a, const Level& b) {
+    return dot(a.vector, a.vector) < dot(b.vector, b.vector);
+  });
+}
+
+/// By Cramer's rule, so that all remains whole: the functional of a level is the part of its vector
+/// that is orthogonal to those below, times the determinant of these.
+void ExactOracle::make_functionals() {
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    if (k == 0) {
+      level.functional = level.vector;
+    } else if (k == 1) {
+      const Vector& a = levels_[0].vector;
+      level.functional = {};
+      subtract(level.functional, -dot(a, a), level.vector);
+      subtract(level.functional, dot(a, level.vector), a);
+    } else {
+      const Vector& a = levels_[0].vector;
+      const Vector& b = levels_[1].vector;
+      const mpz_class aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
+      const mpz_class ac = dot(a, level.vector), bc = dot(b, level.vector);
+      level.functional = {};
+      subtract(level.functional, ab * ab - aa * bb, level.vector);
+      subtract(level.functional, ac * bb - bc * ab, a);
+      subtract(level.functional, bc * aa - ac * ab, b);
+    }
+    level.determinant = dot(level.functional, level.vector);
+    level.bound = dot(level.functional, level.functional);
+  }
+}
+
+/// Goes through the multiples of the vectors, the longest first.
+struct ExactOracle::Search {
+  const ExactOracle& oracle;
+  std::uint64_t most;
+  OracleAnswer& answer;
+  std::size_t i = 0, j = 0;
+  Vector reach{};  ///< of spheres the first
+  mpz_class reach_squared{};
+  std::array<mpz_class, 3> multiples{};
+
+  void begin(std::size_t first, std::size_t second) {
+    i = first;
+    j = second;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      reach[axis] = oracle.sizes_[i][axis] + oracle.sizes_[j][axis] + oracle.margin_;
+    }
+    reach_squared = reach[0] * reach[0];
+    Vector difference;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      difference[axis] = oracle.centers_[i][axis] - oracle.centers_[j][axis];
+    }
+    descend(oracle.levels_.size(), difference);
+  }
+
+  [[nodiscard]] bool within_reach(const Vector& difference) const {
+    if (oracle.shape_ == Shape::sphere) return dot(difference, difference) <= reach_squared;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(oracle.dimensions_); ++axis) {
+      if (abs(difference[axis]) > reach[axis]) return false;
+    }
+    return true;
+  }
+
+  /// The largest value of a functional on what is within reach of the origin.
+  [[nodiscard]] mpz_class extent(const Level& level) const {
+    if (oracle.shape_ == Shape::sphere) return sqrt(reach_squared * level.bound);
+    mpz_class sum = 0;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(oracle.dimensions_); ++axis) {
+      sum += abs(level.functional[axis]) * reach[axis];
+    }
+    return sum;
+  }
+
+  void descend(std::size_t height, const Vector& difference) {
+    if (answer.too_many) return;
+    if (height == 0) {
+      if (within_reach(difference)) record();
+      return;
+    }
+    const Level& level = oracle.levels_[height - 1];
+    const mpz_class value = dot(level.functional, difference);
+    const mpz_class most_value = extent(level);
+    mpz_class multiple = ceiling_of_quotient(value - most_value, level.determinant);
+    const mpz_class last = floor_of_quotient(value + most_value, level.determinant);
+    if (last - multiple > static_cast<unsigned long>(most)) {
+      answer.too_many = true;
+      return;
+    }
+    for (; multiple <= last; ++multiple) {
+      multiples[height - 1] = multiple;
+      Vector rest = difference;
+      subtract(rest, multiple, level.vector);
+      descend(height - 1, rest);
+    }
+  }
+
+  void record() {
+    std::array<mpz_class, 3> n{};
+    for (std::size_t k = 0; k < oracle.levels_.size(); ++k) {
+      subtract(n, -multiples[k], oracle.levels_[k].steps);
+    }
+    if (i == j && n <= std::array<mpz_class, 3>{}) return;
+    if (answer.pairs.size() >= most) {
+      answer.too_many = true;
+      return;
+    }
+    constexpr long most_cells = 2147483647;
+    if (std::ranges::any_of(n, [](const mpz_class& x) { return abs(x) > most_cells; })) {
+      answer.beyond_shifts = true;
+      return;
+    }
+    const auto narrow = [](const mpz_class& x) { return static_cast<std::int32_t>(x.get_si()); };
+    answer.pairs.push_back({{static_cast<ElementIndex>(i), static_cast<ElementIndex>(j)},
+                            {narrow(n[0]), narrow(n[1]), narrow(n[2])}});
+  }
+};
+
+OracleAnswer ExactOracle::pairs(std::uint64_t most) const {
+  OracleAnswer answer;
+  answer.far = is_far();
+  Search search{*this, most, answer};
+  for (std::size_t i = 0; i < centers_.size() && !answer.too_many; ++i) {
+    for (std::size_t j = levels_.empty() ? i + 1 : i; j < centers_.size(); ++j) search.begin(i, j);
+  }
+  std::ranges::sort(answer.pairs);
+  return answer;
+}
+
+bool ExactOracle::is_far() const {
+  long coordinate_bits = bits(margin_);
+  for (const auto* vectors : {&centers_, &sizes_}) {
+    for (const Vector& vector : *vectors) {
+      for (const mpz_class& x : vector) coordinate_bits = std::max(coordinate_bits, bits(x));
+    }
+  }
+  // |b*|^2 = determinant^2 / bound.
+  for (const Level& level : levels_) {
+    long step_bits = 0;
+    for (const mpz_class& step : level.steps) step_bits = std::max(step_bits, bits(step));
+    const long height_bits = bits(level.determinant) - bits(level.bound) / 2;
+    if (step_bits > 20 || coordinate_bits + step_bits - height_bits > 20) return true;
+  }
+  return false;
+}
+
+ExactOracle::Vector ExactOracle::difference(const ImagePair& image) const {
+  Vector result = centers_[image.pair.first];
+  subtract(result, 1, centers_[image.pair.second]);
+  subtract(result, image.shift.x, lattice_[0]);
+  subtract(result, image.shift.y, lattice_[1]);
+  subtract(result, image.shift.z, lattice_[2]);
+  return result;
+}
+
+mpq_class ExactOracle::number(const mpz_class& whole) const {
+  mpq_class result(whole);
+  if (exponent_ >= 0) return result << static_cast<mp_bitcnt_t>(exponent_);
+  return result >> static_cast<mp_bitcnt_t>(-exponent_);
+}
+
+bool ExactOracle::touch(const ImagePair& image) const {
+  if (shape_ == Shape::box) return box_gap(image) <= 0;
+  const Vector apart = difference(image);
+  const mpz_class reach = sizes_[image.pair.first][0] + sizes_[image.pair.second][0];
+  return dot(apart, apart) <= reach * reach;
+}
+
+mpq_class ExactOracle::box_gap(const ImagePair& image) const {
+  const Vector apart = difference(image);
+  mpz_class result;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions_); ++axis) {
+    const mpz_class gap =
+        abs(apart[axis]) - sizes_[image.pair.first][axis] - sizes_[image.pair.second][axis];
+    if (axis == 0 || gap > result) result = gap;
+  }
+  return number(result);
+}
+
+bool ExactOracle::is_component(const ImagePair& image, std::size_t axis, double value) const {
+  return is_nearest(number(difference(image)[axis]), value);
+}
+
+bool ExactOracle::is_distance(const ImagePair& image, double value) const {
+  const Vector apart = difference(image);
+  const mpq_class root = number(1);
+  const mpq_class square = mpq_class(dot(apart, apart)) * root * root;
+  if (square >= mpq_class(largest) * largest) return value == largest;
+  if (value < 0.0 || !std::isfinite(value)) return false;
+  const double next = std::nextafter(value, inf);
+  const bool tiny = value < 0x1p-1000;
+  const mpq_class above = value == largest ? mpq_class(largest) + 0x1p970
+                          : tiny           ? mpq_class(next)
+                                           : midpoint(value, next);
+  if (square > above * above) return false;
+  if (value == 0.0) return true;
+  const double previous = std::nextafter(value, -inf);
+  const mpq_class below = tiny ? mpq_class(previous) : midpoint(value, previous);
+  return below * below < square || (tiny && below * below <= square);
+}
+
+bool ExactOracle::is_gap(const ImagePair& image, double value) const {
+  if (!std::isfinite(value) || (value <= 0.0) != touch(image)) return false;
+  if (shape_ == Shape::box) return is_nearest(box_gap(image), value);
+  const Vector apart = difference(image);
+  const mpq_class reach = number(sizes_[image.pair.first][0] + sizes_[image.pair.second][0]);
+  // The distance to 64 bits behind the last place that the whole numbers have.
+  const mpq_class distance = number(sqrt(dot(apart, apart) << 128)) >> 64;
+  const mpq_class exact = distance - reach;
+  if (abs(exact) >= largest) return std::fabs(value) >= largest * (1.0 - 0x1p-40);
+  const mpq_class error = ((distance + reach) >> 48) + mpq_class(0x1p-1072);
+  return abs(mpq_class(value) - exact) <= error;
+}
+
+}  // namespace abut::testing

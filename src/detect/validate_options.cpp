@@ -1,6 +1,7 @@
 #include "detect/validate_options.hpp"
 
 #include "algorithms/registry.hpp"
+#include "base/machine_memory.hpp"
 #include "base/written.hpp"
 
 #include <abut/error.hpp>
@@ -9,8 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-
-#include <unistd.h>
 
 namespace abut::api {
 namespace {
@@ -24,13 +23,6 @@ std::uint64_t most_elements(Algorithm algorithm) {
   return algorithm == Algorithm::rows || algorithm == Algorithm::automatic
              ? std::numeric_limits<std::uint32_t>::max() - 1
              : std::numeric_limits<std::int32_t>::max() - 1;
-}
-
-std::uint64_t machine_memory() {
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  const long page_size = sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page_size <= 0) return std::numeric_limits<std::uint64_t>::max();
-  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_size);
 }
 
 void require_carried(Algorithm algorithm, const Domain& domain) {
@@ -122,12 +114,12 @@ void require_points(const ElementView& points, double cutoff) {
 }
 
 std::uint64_t memory_bound(const Options& options) {
-  return options.max_bytes != automatic_memory_bound ? options.max_bytes : machine_memory();
+  return options.max_bytes != automatic_memory_bound ? options.max_bytes : base::machine_memory();
 }
 
 std::uint64_t grid_memory_bound(const Options& options, std::size_t element_count) {
   if (options.max_bytes != automatic_memory_bound) return options.max_bytes;
-  return std::min(gibibyte + bytes_per_element * element_count, machine_memory());
+  return std::min(gibibyte + bytes_per_element * element_count, base::machine_memory());
 }
 
 }  // namespace abut::api

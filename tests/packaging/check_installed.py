@@ -1,5 +1,6 @@
-"""Checks an installed tree: python3 check_installed.py PREFIX shared|static SOURCE BUILD [tool].
-Prints what is wrong; exit code 1 if anything is."""
+"""Checks an installed tree. Prints what is wrong; exit code 1 if anything is.
+  python3 check_installed.py PREFIX shared|static SOURCE BUILD [tool] [PROPERTY]...
+PROPERTY: how the build hardens, see wrong_hardening; with `tool` also that the tool is there."""
 
 import re
 import subprocess
@@ -61,6 +62,28 @@ def wrong_library(prefix, kind, version):
             yield f"the library exports {symbol}, which is not public (ABUT_API)"
 
 
+def wrong_hardening(file, properties):
+    """Which of the properties the installed file lacks: cmake/abut_hardening.cmake."""
+    symbols = output("nm", "-u", str(file)) if file.suffix == ".a" else output(
+        "readelf", "--dyn-syms", "-W", str(file))
+    present = {
+        "stack_protector": "__stack_chk_fail" in symbols,
+        "fortify": re.search(r"(?<!__stack)_chk\b", symbols),
+        "assertions": "__glibcxx_assert_fail" in symbols,
+    }
+    if file.suffix != ".a":
+        dynamic = output("readelf", "-ldW", str(file))
+        present |= {
+            "relro": "GNU_RELRO" in dynamic,
+            "now": re.search(r"\(FLAGS_1\).*\bNOW\b", dynamic),
+            "pie": re.search(r"\(FLAGS_1\).*\bPIE\b", dynamic),
+            "no_executable_stack": re.search(r"GNU_STACK.* RW ", dynamic),
+        }
+    for name in properties:
+        if not present[name]:
+            yield f"{file} is not hardened: {name} is missing"
+
+
 def wrong_tool(prefix, version):
     said = output(str(prefix / "bin/abut"), "--version")
     if version not in said:
@@ -74,8 +97,15 @@ def main():
     version = ".".join(re.findall(r"ABUT_VERSION_[A-Z]+ (\d+)", header))
     wrong = [*wrong_headers(prefix, source), *wrong_paths(prefix, (source, build)),
              *wrong_library(prefix, kind, version)]
-    if "tool" in sys.argv[5:]:
+    has_tool = "tool" in sys.argv[5:]
+    properties = [word for word in sys.argv[5:] if word != "tool"]
+    linked = ["no_executable_stack", *(name for name in properties if name in ("relro", "now"))]
+    compiled = [name for name in properties if name == "stack_protector"]
+    for library in {file.resolve() for file in prefix.rglob("libabut.*")}:
+        wrong += wrong_hardening(library, compiled + ([] if kind == "static" else linked))
+    if has_tool:
         wrong += wrong_tool(prefix, version)
+        wrong += wrong_hardening(prefix / "bin/abut", {"no_executable_stack", *properties})
     print("\n".join(wrong))
     return 1 if wrong else 0
 

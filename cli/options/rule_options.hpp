@@ -37,6 +37,7 @@ class LoadedRule {
              Console& console);
   LoadedRule(const LoadedRule&) = delete;
   LoadedRule& operator=(const LoadedRule&) = delete;
+  ~LoadedRule() = default;
 
   /// Valid as long as this object stays where it is, and the sets it was made for.
   [[nodiscard]] PairRule rule() const;

@@ -28,6 +28,8 @@ class ABUT_API Detector {
   Detector(Detector&&) noexcept;
   /// Takes over another detector with its memory and lists.
   Detector& operator=(Detector&&) noexcept;
+  Detector(const Detector&) = delete;
+  Detector& operator=(const Detector&) = delete;
 
   /// Options of the next call.
   [[nodiscard]] const Options& options() const noexcept;

@@ -18,6 +18,7 @@ class MemoryMeter {
 
   MemoryMeter(const MemoryMeter&) = delete;
   MemoryMeter& operator=(const MemoryMeter&) = delete;
+  ~MemoryMeter() = default;
 
   /// A new bound and peaks that start from what is held, for a meter that outlives a detection.
   void start_anew(std::uint64_t bound) noexcept;

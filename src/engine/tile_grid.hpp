@@ -110,7 +110,7 @@ struct TileGrid {
     std::array<double, Dim> result{};
     auto rest = static_cast<std::int32_t>(tile);
     for (std::size_t axis = Dim; axis-- > 0;) {
-      result[axis] = rest / stride[axis] - 1;
+      result[axis] = static_cast<double>(rest / stride[axis] - 1);
       rest %= stride[axis];
     }
     return result;

@@ -34,6 +34,7 @@ class TileSearcher {
 
   TileSearcher(const TileSearcher&) = delete;
   TileSearcher& operator=(const TileSearcher&) = delete;
+  ~TileSearcher() = default;
 
   /// A new search; `task` must outlive it.
   void start(const Task<Dim>& task);

@@ -40,6 +40,8 @@ class FoundPairs final : public base::PairSink {
  public:
   explicit FoundPairs(base::MemoryMeter& memory) : memory_(memory) {}
   ~FoundPairs() override;
+  FoundPairs(const FoundPairs&) = delete;
+  FoundPairs& operator=(const FoundPairs&) = delete;
 
   /// Forgets the pairs and keeps the memory.
   void start_anew(const PairDemand& demand);

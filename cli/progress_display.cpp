@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -40,7 +41,7 @@ std::string_view name_of_phase(std::string_view phase) {
 }
 
 std::string clock_text(double time) {
-  const auto whole = static_cast<long>(time + 0.5);
+  const auto whole = std::lround(time);
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 

@@ -1,6 +1,7 @@
 #include "trace_recorder.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace abut::cli {

@@ -5,6 +5,8 @@
 #include "scenes/random.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace abut::scenes {
 namespace {

@@ -3,6 +3,9 @@
 #include "scenes/families.hpp"
 #include "scenes/random.hpp"
 
+#include <array>
+#include <cstdint>
+
 namespace abut::scenes {
 
 /// All centres in one point, every radius different, a tenth of them zero: all pairs touch.

@@ -4,7 +4,9 @@
 #include "scenes/families.hpp"
 #include "scenes/random.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace abut::scenes {
 namespace {

@@ -4,6 +4,7 @@
 #include "scenes/families.hpp"
 
 #include <array>
+#include <cstdint>
 
 namespace abut::scenes {
 

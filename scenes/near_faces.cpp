@@ -8,6 +8,7 @@
 #include "scenes/random.hpp"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace abut::scenes {

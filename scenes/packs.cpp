@@ -2,6 +2,8 @@
 
 #include "scenes/families.hpp"
 
+#include <cstdint>
+
 namespace abut::scenes {
 namespace {
 

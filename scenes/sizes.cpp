@@ -4,6 +4,9 @@
 #include "scenes/families.hpp"
 #include "scenes/random.hpp"
 
+#include <array>
+#include <cstdint>
+
 namespace abut::scenes {
 namespace {
 

@@ -2,7 +2,7 @@
 """Checks that each C++ file includes the header of the standard library for the names of std:: that
 it uses, itself or by its own header. Prints what is missing; exit code 1 if anything is.
   scripts/check_includes.py [--mend] [FILE]...      all files of the project where none is named
---mend inserts the missing lines into the file's block of standard headers."""
+--mend inserts the missing lines into the block of standard headers, or behind the includes."""
 
 import re
 import sys
@@ -190,27 +190,22 @@ def missing_headers(file):
 
 
 def mend(file, headers):
-    """Inserts the headers into the sorted block of standard headers, or a new block behind the
-    last include."""
+    """Inserts the headers into the sorted block of standard headers, or as a new block behind the
+    last include that no condition guards."""
     lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
-    is_standard = [re.match(r"#include <\w+>", line) is not None for line in lines]
     new = [f"#include <{header}>\n" for header in headers]
-    if any(is_standard):
-        first = is_standard.index(True)
-        end = first
-        while end < len(lines) and is_standard[end]:
-            end += 1
+    depth, last, block = 0, -1, []
+    for k, line in enumerate(lines):
+        depth += line.startswith("#if") - line.startswith("#endif")
+        if depth == 0 and line.startswith(("#include", "#pragma once")):
+            last = k
+            if re.match(r"#include <\w+>", line) and (not block or block[-1] == k - 1):
+                block.append(k)
+    if block:
+        first, end = block[0], block[-1] + 1
         lines[first:end] = sorted(lines[first:end] + new)
     else:
-        places = [k for k, line in enumerate(lines) if line.startswith(("#include", "#pragma once"))]
-        own = [k for k in places if lines[k].startswith('#include "')]
-        before_own = len(own) > 1 or (own and file.suffix != ".cpp")
-        if before_own:
-            place = own[1] if file.suffix == ".cpp" and own[0] == places[0] else own[0]
-            lines[place:place] = sorted(new) + ["\n"]
-        else:
-            place = places[-1] + 1 if places else 0
-            lines[place:place] = ["\n"] + sorted(new)
+        lines[last + 1:last + 1] = ["\n"] + sorted(new)
     file.write_text("".join(lines), encoding="utf-8")
 
 
@@ -222,6 +217,8 @@ def main():
         files = [f for folder in FOLDERS for f in sorted((ROOT / folder).rglob("*.[ch]pp"))]
     faults, most = 0, Counter()
     for file in files:
+        if file.stem.endswith("-inl"):
+            continue  # included once for each instruction set, behind what includes it
         missing = missing_headers(file)
         for header, (number, name) in sorted(missing.items()):
             print(f"{file.relative_to(ROOT)}:{number}: std::{name} needs #include <{header}>")

@@ -3,7 +3,9 @@
 
 #include "benchmarks/matrix/contestants.hpp"
 
+#include <algorithm>
 #include <iterator>
+#include <string_view>
 
 namespace abut::benchmarks {
 

@@ -3,6 +3,7 @@
 #include "benchmarks/common/timing.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <utility>

@@ -5,6 +5,7 @@
 
 #include "scenes/scene.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>

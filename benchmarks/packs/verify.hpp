@@ -4,6 +4,8 @@
 
 #include <abut/detect.hpp>
 
+#include <array>
+
 namespace abut::benchmarks {
 
 /// The work of direct_check grows with the square of the number of elements.

@@ -11,6 +11,7 @@
 
 #include <abut/algorithm.hpp>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

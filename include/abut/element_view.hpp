@@ -4,10 +4,12 @@
 #include <abut/export.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <ranges>
 #include <type_traits>
+#include <utility>
 
 namespace abut {
 

@@ -4,6 +4,7 @@
 #include <abut/export.hpp>
 #include <abut/pair_list.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -12,6 +12,7 @@
 #include <abut/error.hpp>
 #include <abut/two_sets.hpp>
 
+#include <cstdint>
 #include <string>
 
 namespace abut {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <span>
 #include <string>
 
 namespace abut::trace {

@@ -7,6 +7,7 @@
 #include <abut/domain.hpp>
 #include <abut/error.hpp>
 
+#include <array>
 #include <cmath>
 #include <string>
 

@@ -4,6 +4,7 @@
 #include <abut/group_table.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace abut {

@@ -4,6 +4,8 @@
 
 #include <abut/domain.hpp>
 
+#include <array>
+
 namespace abut::api {
 
 /// The domain as the layers below take it.

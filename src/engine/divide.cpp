@@ -5,6 +5,7 @@
 #include "grid/kernel_bounds.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace abut::engine {
 namespace {

@@ -5,6 +5,7 @@
 #include "engine/size_cut.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace abut::engine {
 namespace {

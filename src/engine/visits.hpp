@@ -6,6 +6,7 @@
 #include "kernels/tile_view.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 

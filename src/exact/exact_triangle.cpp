@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace abut::base {
 namespace {

@@ -18,7 +18,9 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace abut::grid {
 namespace {

@@ -9,7 +9,12 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace abut::detail {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "io/quoted_text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>

@@ -8,6 +8,9 @@
 
 #include "kernels/candidate_kernels.hpp"
 
+#include <array>
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;

@@ -9,6 +9,8 @@
 #include "kernels/element_kernels.hpp"
 #include "kernels/tile_view.hpp"
 
+#include <array>
+#include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();

@@ -9,7 +9,9 @@
 #include "kernels/compress_table.hpp"
 #include "kernels/image_kernels.hpp"
 
+#include <array>
 #include <bit>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {

@@ -11,8 +11,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <string>
+#include <string_view>
 
 #if defined(ABUT_HAVE_HIGHWAY)
 #include <hwy/targets.h>

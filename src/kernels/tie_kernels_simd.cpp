@@ -11,6 +11,9 @@
 #include "exact/sphere_predicate.hpp"
 #include "kernels/tie_kernels.hpp"
 
+#include <array>
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;

@@ -4,6 +4,9 @@
 #include "kernels/tile_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
 #include <type_traits>
 
 namespace abut::kernels {

@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 

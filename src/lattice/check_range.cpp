@@ -7,6 +7,7 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 

@@ -1,6 +1,7 @@
 #include "lists/rule_sink.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace abut::api {
 namespace {

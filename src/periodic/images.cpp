@@ -7,6 +7,7 @@
 #include "periodic/place_natives.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 

@@ -17,6 +17,7 @@
 #include <abut/element_view.hpp>
 #include <abut/pair.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

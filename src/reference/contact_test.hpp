@@ -6,6 +6,7 @@
 
 #include <abut/pair.hpp>
 
+#include <array>
 #include <cstdint>
 
 namespace abut::reference {

@@ -8,6 +8,9 @@
 #include "reference/contact_test.hpp"
 #include "reference/show.hpp"
 
+#include <array>
+#include <cstdint>
+
 namespace abut::reference {
 
 template <class Test>

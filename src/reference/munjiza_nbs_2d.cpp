@@ -17,6 +17,9 @@
 #include "reference/contact_test.hpp"
 #include "reference/guarded_heads.hpp"
 
+#include <array>
+#include <cstdint>
+
 namespace abut::reference {
 namespace {
 

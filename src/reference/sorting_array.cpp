@@ -17,7 +17,10 @@
 #include <array>
 #include <bit>
 #include <compare>
+#include <cstdint>
 #include <numeric>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace abut::reference {

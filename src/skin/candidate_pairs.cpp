@@ -5,6 +5,7 @@
 #include "skin/candidate_writer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <limits>
 #include <span>

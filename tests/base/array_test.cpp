@@ -4,6 +4,8 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <new>
 #include <utility>

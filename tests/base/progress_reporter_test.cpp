@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <abut/error.hpp>
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>

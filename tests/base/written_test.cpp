@@ -6,7 +6,9 @@
 
 #include <bit>
 #include <charconv>
+#include <cstdint>
 #include <limits>
+#include <string>
 
 namespace abut::test {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace abut::testing {
 namespace {

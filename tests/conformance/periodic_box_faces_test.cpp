@@ -4,7 +4,12 @@
 #include "conformance/periodic_boxes.hpp"
 #include "scenes/random.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace abut::testing {
 namespace {

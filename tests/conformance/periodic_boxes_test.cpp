@@ -6,8 +6,12 @@
 
 #include <abut/two_sets.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace abut::testing {
 namespace {

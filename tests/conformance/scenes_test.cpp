@@ -12,10 +12,12 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace abut::testing {
 namespace {

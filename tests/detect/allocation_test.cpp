@@ -13,8 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
 #include <new>
+#include <string>
+#include <string_view>
 
 namespace abut::testing {
 namespace {

@@ -8,7 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace abut::testing {
 namespace {

@@ -10,7 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace abut::testing {
 namespace {

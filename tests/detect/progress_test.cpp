@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 

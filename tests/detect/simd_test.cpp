@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace abut::testing {
 namespace {

@@ -15,7 +15,9 @@
 #include <limits>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <sched.h>
 #include <signal.h>

@@ -8,7 +8,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <initializer_list>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace abut::testing {
 namespace {

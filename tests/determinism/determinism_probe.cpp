@@ -10,10 +10,15 @@
 #include <abut/abut.hpp>
 
 #include <algorithm>
+#include <array>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace abut::determinism {
 namespace {

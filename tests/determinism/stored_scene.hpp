@@ -2,6 +2,7 @@
 
 #include <abut/element_view.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -5,8 +5,13 @@
 #include "support/rows_variants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace abut::engine {
 namespace {

@@ -2,6 +2,8 @@
 
 #include "engine/random_spheres.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace abut::engine {

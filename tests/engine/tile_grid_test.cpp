@@ -4,7 +4,11 @@
 #include "kernels/element_kernels.hpp"
 #include "support/rows_variants.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace abut::engine {
 namespace {

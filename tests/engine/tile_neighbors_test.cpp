@@ -3,6 +3,8 @@
 #include "engine/random_spheres.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <map>
 #include <set>
 

@@ -6,9 +6,13 @@
 #include "support/rows_variants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
+#include <span>
+#include <vector>
 
 namespace abut::engine {
 namespace {

@@ -4,7 +4,12 @@
 #include "engine/sorted_tile.hpp"
 #include "support/nobody_asked.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace abut::engine {
 namespace {

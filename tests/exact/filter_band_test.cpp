@@ -8,7 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace abut::test {
 namespace {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <random>
 #include <utility>
 
 namespace abut::test {

@@ -6,7 +6,13 @@
 
 #include <gmpxx.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <limits>
+#include <random>
+#include <utility>
 
 /// Pairs of spheres with a lattice between them that are hard to decide, and what rational numbers
 /// say to them.

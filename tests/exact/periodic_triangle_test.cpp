@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <optional>
 
 namespace abut::test {

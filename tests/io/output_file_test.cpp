@@ -8,6 +8,8 @@
 #include <sys/wait.h>
 
 #include <csignal>
+#include <string>
+#include <string_view>
 
 namespace abut::io::testing {
 namespace {

@@ -2,7 +2,12 @@
 
 #include <abut/detect.hpp>
 
+#include <array>
 #include <clocale>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace abut::io::testing {
 namespace {

@@ -1,8 +1,11 @@
 #include "scratch.hpp"
 
+#include <array>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace abut::io::testing {
 namespace {

@@ -1,6 +1,9 @@
 #include "scratch.hpp"
 
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace abut::io::testing {
 namespace {

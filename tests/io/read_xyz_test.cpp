@@ -1,5 +1,11 @@
 #include "scratch.hpp"
 
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace abut::io::testing {
 namespace {
 

@@ -5,9 +5,13 @@
 #include <abut/detect.hpp>
 
 #include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <random>
+#include <span>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace abut::io::testing {
 namespace {

@@ -3,11 +3,14 @@
 #include "scratch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <random>
+#include <string>
 
 namespace abut::io::testing {
 namespace {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <ostream>
+#include <utility>
 
 /// Lattices of every kind, for tests.
 namespace abut::test {

@@ -14,7 +14,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <set>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace abut::api {
 namespace {

@@ -8,8 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 /// What RapidCheck prints of a counterexample.
 namespace abut::scenes {

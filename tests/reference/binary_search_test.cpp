@@ -5,7 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <utility>
 
 namespace abut::test {
 namespace {

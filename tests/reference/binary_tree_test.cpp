@@ -5,8 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdint>
+#include <random>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace abut::test {
 namespace {

@@ -6,8 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace abut::test {
 namespace {

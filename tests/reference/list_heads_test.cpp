@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 namespace abut::reference {

@@ -2,6 +2,7 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <cmath>
 
 namespace abut::testing {

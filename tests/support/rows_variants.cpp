@@ -5,6 +5,7 @@
 #include <abut/detect.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace abut::testing {
 namespace {

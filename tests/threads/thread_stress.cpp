@@ -13,7 +13,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <iostream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>

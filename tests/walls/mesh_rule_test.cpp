@@ -12,6 +12,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace abut::testing {

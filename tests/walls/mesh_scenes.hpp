@@ -4,6 +4,7 @@
 #include "walls/mesh_oracle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 

@@ -10,8 +10,12 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
+#include <new>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace abut::testing {

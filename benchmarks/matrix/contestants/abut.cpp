@@ -5,6 +5,12 @@
 #include <abut/detector.hpp>
 #include <abut/error.hpp>
 
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
 namespace abut::benchmarks {
 namespace {
 

@@ -8,7 +8,10 @@
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/version.hpp>
 
+#include <array>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace abut::benchmarks {
 namespace {

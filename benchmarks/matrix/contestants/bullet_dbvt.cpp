@@ -6,6 +6,11 @@
 
 #include <LinearMath/btScalar.h>
 
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace abut::benchmarks {
 namespace {
 

@@ -6,6 +6,11 @@
 
 #include <CGAL/version.h>
 
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
 namespace abut::benchmarks {
 namespace {
 

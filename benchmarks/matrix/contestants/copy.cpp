@@ -4,6 +4,8 @@
 #include "benchmarks/matrix/huge_array.hpp"
 
 #include <cstring>
+#include <memory>
+#include <vector>
 
 namespace abut::benchmarks {
 namespace {

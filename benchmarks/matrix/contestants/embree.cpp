@@ -6,7 +6,10 @@
 
 #include <embree3/rtcore.h>
 
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace abut::benchmarks {
 namespace {

@@ -6,6 +6,12 @@
 
 #include <nanoflann.hpp>
 
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
 namespace abut::benchmarks {
 namespace {
 

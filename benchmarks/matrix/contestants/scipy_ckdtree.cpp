@@ -5,12 +5,16 @@
 #include "benchmarks/matrix/contestant.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 #include <sys/mman.h>
 #include <sys/wait.h>

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <new>
 #include <stdexcept>
+#include <vector>
 
 namespace abut::io {
 namespace {

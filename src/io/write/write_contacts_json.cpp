@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <concepts>
+#include <cstdint>
+#include <string>
+
 namespace abut::io {
 namespace {
 

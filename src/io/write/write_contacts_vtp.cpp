@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 /// VTK PolyData in XML, version 1.0 with header type UInt64: the arrays lie raw behind "_" in the

@@ -3,6 +3,7 @@
 #include <abut/abut.hpp>
 
 #include <cstdio>
+#include <string>
 #include <vector>
 
 int main() {

@@ -34,6 +34,9 @@ constexpr std::size_t fetched_ahead = 8;
 /// One sphere a lane.
 template <int Dim>
 struct Spheres {
+  // Written out: g++ makes the implied one without the instruction set of the namespace.
+  HWY_INLINE Spheres() {}
+
   Doubles center[Dim];
   Doubles radius;
 };

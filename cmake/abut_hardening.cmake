@@ -1,5 +1,5 @@
 # Hardening of what is installed: a fault in memory ends the program at once instead of being used.
-# Each is left out where the compiler or the linker lacks it. What it costs: docs/adr/0024.
+# Each is left out where the compiler or the linker lacks it. What it costs: docs/adr/0017.
 #   ABUT_HARDENING_COMPILE     stack protector; checked memcpy and the like where sizes are known
 #   ABUT_HARDENING_LINK        relocations are resolved at the start and read-only from then on
 #   ABUT_HARDENING_ASSERTIONS  preconditions of the standard library, for the tool; the core's

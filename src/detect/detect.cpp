@@ -59,8 +59,8 @@ NeighborList neighbor_list_of(const api::DetectionRequest& request, NeighborList
   ShiftArray shifts;
   NeighborList::Distances distances;
   NeighborList::Vectors vectors;
-  Statistics statistics = new_run()->list_neighbors(
-      request, kind, {offsets, neighbors, shifts, distances, vectors});
+  Statistics statistics =
+      new_run()->list_neighbors(request, kind, {offsets, neighbors, shifts, distances, vectors});
   return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
                       std::move(distances), std::move(vectors), std::move(statistics));
 }
@@ -81,22 +81,19 @@ PairList find_contact_pairs(const ElementView& first, const ElementView& second,
                             const Domain& domain, const Options& options) {
   PairArray pairs;
   ShiftArray shifts;
-  Statistics statistics =
-      new_run()->list_pairs({first, domain, options, &second}, pairs, shifts);
+  Statistics statistics = new_run()->list_pairs({first, domain, options, &second}, pairs, shifts);
   return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
 }
 
 Statistics for_each_batch(const ElementView& first, const ElementView& second, const Domain& domain,
                           const Options& options, const PairBatchVisitor& visitor) {
-  return new_run()->visit_batches({first, domain, options, &second},
-                                        api::visitors_of(visitor));
+  return new_run()->visit_batches({first, domain, options, &second}, api::visitors_of(visitor));
 }
 
 Statistics for_each_shifted_batch(const ElementView& first, const ElementView& second,
                                   const Domain& domain, const Options& options,
                                   const ShiftedBatchVisitor& visitor) {
-  return new_run()->visit_batches({first, domain, options, &second},
-                                        api::visitors_of(visitor));
+  return new_run()->visit_batches({first, domain, options, &second}, api::visitors_of(visitor));
 }
 
 Statistics count_contact_pairs(const ElementView& first, const ElementView& second,

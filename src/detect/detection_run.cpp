@@ -15,6 +15,7 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace abut::api {
 namespace {

@@ -38,6 +38,7 @@ class DetectionRun {
   DetectionRun() = default;
   DetectionRun(const DetectionRun&) = delete;
   DetectionRun& operator=(const DetectionRun&) = delete;
+  ~DetectionRun() = default;
 
   /// Leaves `shifts` empty unless the options ask for them. On failure both are empty.
   Statistics list_pairs(const DetectionRequest& request, PairArray& pairs, ShiftArray& shifts);

@@ -11,10 +11,13 @@
 #include "reference/partition_sort.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace abut::trace {
 namespace {

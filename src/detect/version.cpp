@@ -2,6 +2,9 @@
 
 #include <abut/version.hpp>
 
+#include <string>
+#include <string_view>
+
 #define ABUT_TEXT_OF(x) #x
 #define ABUT_TEXT(x) ABUT_TEXT_OF(x)
 

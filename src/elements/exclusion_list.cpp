@@ -4,6 +4,9 @@
 #include <abut/exclusion_list.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 

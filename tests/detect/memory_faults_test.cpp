@@ -12,8 +12,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <new>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace abut::testing {

@@ -5,10 +5,12 @@
 #include <abut/abut.hpp>
 #include <abut/trace.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string_view>
 
 namespace abut::testing {
 namespace {
@@ -249,23 +251,41 @@ void add_views_of_boxes(Calls& calls) {
                    ErrorCode::invalid_input});
 }
 
-void add_detector(Calls& calls) {
-  const Given& g = given();
-  const auto add = [&](const char* name, std::string what, std::function<void(Detector&)> use) {
+/// Adds one use of a Detector twice, without a skin and with one.
+class DetectorCalls {
+ public:
+  explicit DetectorCalls(Calls& calls) : calls_(calls) {}
+
+  void operator()(const char* name, const std::string& what,
+                  const std::function<void(Detector&)>& use) const {
     for (const Skin skin : {Skin::none(), Skin::fixed(0.1)}) {
-      calls.push_back({name, what + (skin.kind() == Skin::Kind::none ? "" : ", skin"), [use, skin] {
-                         Detector detector;
-                         detector.set_skin(skin);
-                         use(detector);
-                       }});
+      calls_.push_back(
+          {name, what + (skin.kind() == Skin::Kind::none ? "" : ", skin"), [use, skin] {
+             Detector detector;
+             detector.set_skin(skin);
+             use(detector);
+           }});
     }
-  };
+  }
+
+ private:
+  Calls& calls_;
+};
+
+void add_detector_settings(Calls& calls) {
+  const Given& g = given();
+  const DetectorCalls add(calls);
   add("abut::Detector::Detector", "", [](Detector&) {});
   add("abut::Detector::set_skin", "", [](Detector& d) { d.set_skin(Skin::automatic()); });
   add("abut::Detector::set_ids", "small", [&g](Detector& d) { d.set_ids(g.ids); });
   add("abut::Detector::set_ids", "large", [&g](Detector& d) { d.set_ids(g.large_ids); });
   calls.push_back({"abut::Detector::set_ids", "refused", [&g] { Detector().set_ids(g.ids_twice); },
                    ErrorCode::invalid_input});
+}
+
+void add_detector(Calls& calls) {
+  const Given& g = given();
+  const DetectorCalls add(calls);
   for (const Domain* domain : {&g.open, &g.block}) {
     const std::string where = domain->is_periodic() ? "in a cell" : "in open space";
     add("abut::Detector::find_contact_pairs", where,
@@ -329,6 +349,7 @@ std::vector<PublicCall> public_calls() {
   add_lists_and_tables(calls);
   add_walls(calls);
   add_views_of_boxes(calls);
+  add_detector_settings(calls);
   add_detector(calls);
   add_history(calls);
   return calls;

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <thread>
+#include <vector>
 
 namespace abut::testing {
 namespace {

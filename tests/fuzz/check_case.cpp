@@ -7,9 +7,12 @@
 #include <abut/simd.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace abut::fuzz {
 namespace {

@@ -5,7 +5,11 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <concepts>
+#include <cstdint>
 #include <mutex>
+#include <span>
+#include <vector>
 
 namespace abut::fuzz {
 namespace {

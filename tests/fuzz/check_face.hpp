@@ -3,6 +3,7 @@
 #include "fuzz/question.hpp"
 
 #include <array>
+#include <cstdint>
 #include <string>
 
 namespace abut::fuzz {

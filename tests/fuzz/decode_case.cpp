@@ -5,7 +5,11 @@
 #include "fuzz/number_maker.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
 
 namespace abut::fuzz {
 namespace {

@@ -1,5 +1,6 @@
 #include "fuzz/dump_case.hpp"
 
+#include <cstdint>
 #include <cstdio>
 
 namespace abut::fuzz {

@@ -1,7 +1,9 @@
 #include "fuzz/element_maker.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace abut::fuzz {
 namespace {

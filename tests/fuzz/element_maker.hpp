@@ -3,6 +3,8 @@
 #include "fuzz/domain_maker.hpp"
 #include "fuzz/fuzz_case.hpp"
 
+#include <array>
+
 namespace abut::fuzz {
 
 /// Places elements: anywhere, upon each other, touching each other or an image, and moves them.

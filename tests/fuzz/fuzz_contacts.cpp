@@ -4,9 +4,11 @@
 #include "fuzz/check_case.hpp"
 #include "fuzz/dump_case.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace abut::fuzz;

@@ -1,5 +1,7 @@
 #include "fuzz/question.hpp"
 
+#include <array>
+
 namespace abut::fuzz {
 
 Question::Question(const System& system, const Expected& expected)

@@ -8,6 +8,7 @@
 #include <abut/options.hpp>
 #include <abut/two_sets.hpp>
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 

@@ -1,6 +1,8 @@
 #include "fuzz/stored_elements.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace abut::fuzz {
 

@@ -10,7 +10,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <set>
+#include <vector>
 
 namespace abut::test {
 namespace {
@@ -66,6 +69,21 @@ std::vector<std::set<std::size_t>> tiles_of(const engine::Tiles<Dim>& tiles, std
   return result;
 }
 
+/// Natives and ghosts as one group, as a periodic search makes it.
+template <int Dim>
+engine::Group<Dim> group_of(const engine::Images<Dim>& images) {
+  const std::size_t natives = images.natives().size();
+  engine::Group<Dim> group;
+  group.natives = engine::Numbers(natives);
+  group.foreigns =
+      engine::Numbers::from(static_cast<std::uint32_t>(natives), images.ghosts().size());
+  group.bounds = images.native_bounds();
+  group.bounds.include(images.ghost_bounds());
+  group.bounds.lower = images.native_bounds().lower;
+  group.bounds.upper = images.native_bounds().upper;
+  return group;
+}
+
 /// Returns how many pairs of a native and a ghost had to meet.
 template <int Dim>
 std::size_t check(const ExtremeSystem& system, double least_cells, double most_tiles) {
@@ -84,14 +102,7 @@ std::size_t check(const ExtremeSystem& system, double least_cells, double most_t
 
   const double margin = system.margin * images.unit();
   const std::size_t natives = images.natives().size();
-  engine::Group<Dim> group;
-  group.natives = engine::Numbers(natives);
-  group.foreigns =
-      engine::Numbers::from(static_cast<std::uint32_t>(natives), images.ghosts().size());
-  group.bounds = images.native_bounds();
-  group.bounds.include(images.ghost_bounds());
-  group.bounds.lower = images.native_bounds().lower;
-  group.bounds.upper = images.native_bounds().upper;
+  const engine::Group<Dim> group = group_of(images);
   const auto grid = engine::TileGrid<Dim>::over(
       group.bounds, cell_size(images, group.bounds, margin), least_cells, most_tiles);
   engine::Tiles<Dim> tiles(memory);

@@ -116,6 +116,15 @@ template <int Dim>
   });
 }
 
+template <int Dim>
+void expect_right_bounds(const engine::Images<Dim>& images) {
+  const auto natives = images.natives();
+  const auto ghosts = images.natives_and_ghosts().subspan(natives.size());
+  expect_same(images.native_bounds(), bounds_of<Dim>(natives));
+  expect_same(images.ghost_bounds(), bounds_of<Dim>(ghosts));
+  EXPECT_EQ(images.ghosts_are_outside(), are_outside<Dim>(ghosts, bounds_of<Dim>(natives)));
+}
+
 /// All that a search over natives and ghosts finds, in canonical order; a pair found twice stands
 /// there twice.
 template <int Dim>
@@ -124,23 +133,20 @@ template <int Dim>
                                                      Simd simd = Simd::scalar) {
   const grid::ReducedLattice<Dim> reduced(system.lattice);
   base::MemoryMeter memory;
-  base::Array<base::Sphere<Dim>> elements = array_of(system.spheres, memory);
+  auto elements = array_of(system.spheres, memory);
   engine::Images<Dim> images(memory);
   images.find(elements, bounds_of<Dim>(system.spheres), reduced,
               {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
   const double margin = system.margin * images.unit();
   const auto natives = images.natives();
   const auto ghosts = images.natives_and_ghosts().subspan(natives.size());
-  expect_same(images.native_bounds(), bounds_of<Dim>(natives));
-  expect_same(images.ghost_bounds(), bounds_of<Dim>(ghosts));
-  EXPECT_EQ(images.ghosts_are_outside(), are_outside<Dim>(ghosts, bounds_of<Dim>(natives)));
+  expect_right_bounds(images);
   std::vector<FoundPair> pairs;
-  std::uint64_t exact_decisions = 0;
   const auto decide = [&](std::size_t i, std::size_t j, const ImageShift& shift) {
-    if (base::within_reach(system.spheres[i], system.spheres[j], shift, system.lattice,
-                           system.margin, exact_decisions)) {
-      pairs.push_back(canonical(i, j, shift));
-    }
+    std::uint64_t exact_decisions = 0;
+    const bool within = base::within_reach(system.spheres[i], system.spheres[j], shift,
+                                           system.lattice, system.margin, exact_decisions);
+    if (within) pairs.push_back(canonical(i, j, shift));
   };
   for (std::size_t i = 0; i < natives.size(); ++i) {
     for (std::size_t j = i + 1; j < natives.size(); ++j) {
@@ -153,11 +159,9 @@ template <int Dim>
       });
     }
     for (std::size_t g = 0; g < images.ghosts().size(); ++g) {
-      const base::Sphere<Dim>& stored = images.natives_and_ghosts()[natives.size() + g];
-      if (!may_pair(natives[i], stored, margin, images.slack())) continue;
+      if (!may_pair(natives[i], ghosts[g], margin, images.slack())) continue;
       const engine::Ghost& ghost = images.ghosts()[g];
-      if (!images.counts(i, ghost)) continue;
-      decide(i, ghost.element, images.shift_between(i, ghost));
+      if (images.counts(i, ghost)) decide(i, ghost.element, images.shift_between(i, ghost));
     }
   }
   std::sort(pairs.begin(), pairs.end());

@@ -4,7 +4,9 @@
 #include "benchmarks/systems/box_contestant.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace abut::benchmarks {
 namespace {

@@ -187,6 +187,27 @@ void set_edges(const LineReader& reader, const Box& box, DataHeader& header) {
   header.edges[2][1] = box.tilts[2];
 }
 
+/// Refuses a header without a number of atoms, and one that announces atoms which do not follow.
+void require_count(LineReader& reader, const Box& box, const DataHeader& header) {
+  if (!header.count && header.has_atoms) {
+    reader.fail_at_line(
+        "the section Atoms comes without a line 'N atoms' before it; add the number of atoms below "
+        "the first line, which is a comment");
+  }
+  if (!header.count && !box.bounds[0] && !box.vectors[0]) {
+    reader.fail(
+        "has neither a line 'N atoms' nor a box; it is no LAMMPS data file: name its format "
+        "with --format");
+  }
+  if (!header.count) {
+    reader.fail("has no line 'N atoms' in its header; add it, '0 atoms' where there are none");
+  }
+  if (!header.has_atoms && *header.count > 0) {
+    reader.fail(fmt::format("announces {} atoms and has no section Atoms; the file is cut off",
+                            *header.count));
+  }
+}
+
 std::string style_named_behind(std::string_view line) {
   const std::size_t hash = line.find('#');
   if (hash == std::string_view::npos) return {};
@@ -224,26 +245,9 @@ DataHeader read_data_header(LineReader& reader) {
     if (!in_header) require_not_of_header(reader, text);
     in_header = in_header && is_of_header;
   }
-  if (!header.count && header.has_atoms) {
-    reader.fail_at_line(
-        "the section Atoms comes without a line 'N atoms' before it; add the number of atoms below "
-        "the first line, which is a comment");
-  }
-  const Box& box = parser.box();
-  if (!header.count && !box.bounds[0] && !box.vectors[0]) {
-    reader.fail(
-        "has neither a line 'N atoms' nor a box; it is no LAMMPS data file: name its format "
-        "with --format");
-  }
-  if (!header.count) {
-    reader.fail("has no line 'N atoms' in its header; add it, '0 atoms' where there are none");
-  }
-  if (!header.has_atoms && *header.count > 0) {
-    reader.fail(fmt::format("announces {} atoms and has no section Atoms; the file is cut off",
-                            *header.count));
-  }
+  require_count(reader, parser.box(), header);
   parser.require_no_odd_line();
-  set_edges(reader, box, header);
+  set_edges(reader, parser.box(), header);
   return header;
 }
 

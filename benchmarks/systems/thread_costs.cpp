@@ -3,6 +3,7 @@
 // first detection of a thread of the caller's, which starts its helpers. Prints CSV.
 
 #include "benchmarks/common/program.hpp"
+#include "benchmarks/common/timing.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>

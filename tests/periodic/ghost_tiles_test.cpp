@@ -5,6 +5,7 @@
 #include "lattice/lattice_unit.hpp"
 #include "periodic/images.hpp"
 #include "periodic/periodic_search.hpp"
+#include "support/nobody_asked.hpp"
 #include "support/periodic_extremes.hpp"
 
 #include <gtest/gtest.h>
@@ -106,8 +107,9 @@ std::size_t check(const ExtremeSystem& system, double least_cells, double most_t
   const auto grid = engine::TileGrid<Dim>::over(
       group.bounds, cell_size(images, group.bounds, margin), least_cells, most_tiles);
   engine::Tiles<Dim> tiles(memory);
+  testing::NobodyAsked nobody;
   tiles.partition({images.natives_and_ghosts(), {}}, group, grid, margin,
-                  kernels::element_kernels(Simd::scalar), 1);
+                  kernels::element_kernels(Simd::scalar), 1, nobody.work);
   const auto where = tiles_of(tiles, images.natives_and_ghosts().size(), grid.tile_count);
   std::size_t meetings = 0;
   for (std::size_t i = 0; i < natives; ++i) {

@@ -2,6 +2,7 @@
 
 #include "walls/feature_search.hpp"
 #include "scenes/random.hpp"
+#include "support/nobody_asked.hpp"
 #include "walls/box_cover.hpp"
 
 #include <gmpxx.h>
@@ -56,7 +57,8 @@ TEST(BoxCover, MeetsEachBoxThatIsCovered) {
     }
     const ElementView boxes = rectangles(lower, lower, upper, upper);
     for (const std::size_t workers : {1U, 3U}) {
-      const BoxCover<2> cover(boxes, workers);
+      testing::NobodyAsked nobody;
+      const BoxCover<2> cover(boxes, workers, nobody.work);
       for (std::size_t k = 0; k < count; ++k) {
         EXPECT_TRUE(cover.meets({{lower[k], lower[k]}, {lower[k], lower[k]}})) << k;
         EXPECT_TRUE(cover.meets({{upper[k], upper[k]}, {upper[k], upper[k]}})) << k;
@@ -69,7 +71,9 @@ TEST(BoxCover, MeetsEachBoxThatIsCovered) {
     }
   }
   const std::vector<double> none;
-  EXPECT_FALSE(BoxCover<2>(rectangles(none, none, none, none), 2).meets({{0, 0}, {0, 0}}));
+  testing::NobodyAsked nobody;
+  const BoxCover<2> cover(rectangles(none, none, none, none), 2, nobody.work);
+  EXPECT_FALSE(cover.meets({{0, 0}, {0, 0}}));
 }
 
 }  // namespace

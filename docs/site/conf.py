@@ -11,7 +11,8 @@ extensions = ["myst_parser", "breathe", "navigation", "source_pages"]
 root_doc = "index"
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 # The staged folder holds links to all of the project; these are its pages.
-include_patterns = ["index.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/**",
+include_patterns = ["index.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md",
+                    "docs/**",
                     "reference/*", "benchmarks/notes/*"]
 exclude_patterns = ["docs/README.md", "docs/site", "docs/images", "src", "include", "tests", "cli",
                     "benchmarks/[!n]*", "examples", "scenes", "scripts", "cmake"]

@@ -44,10 +44,15 @@ bool is_measured(const DetectionRequest& request) {
   return request.options.neighbor_data != NeighborData::none;
 }
 
-/// Shifts that a search must find: those of open domains are known, and distances need them.
-Shifts shifts_to_find(const DetectionRequest& request) {
-  if (!request.domain.is_periodic()) return Shifts::none;
-  return is_measured(request) ? Shifts::stored : request.options.shifts;
+/// Shifts that the search for a pair list must find: those of open domains are known.
+Shifts shifts_of_pairs(const DetectionRequest& request) {
+  return request.domain.is_periodic() ? request.options.shifts : Shifts::none;
+}
+
+/// Shifts that the search for a neighbor list must find: distances and vectors need them.
+Shifts shifts_of_rows(const DetectionRequest& request) {
+  const bool needs_shifts = request.domain.is_periodic() && is_measured(request);
+  return needs_shifts ? Shifts::stored : shifts_of_pairs(request);
 }
 
 void fill_with_none(ShiftArray& shifts, base::WorkCounter& work) {
@@ -155,7 +160,7 @@ Statistics DetectionRun::list_pairs(const DetectionRequest& request, PairArray& 
   const Statistics result = guarded(request, [&](DetectionContext& context) {
     const Options& options = request.options;
     Statistics statistics =
-        store(request, {options.max_pairs, shifts_to_find(request), options.order, list.buffer()},
+        store(request, {options.max_pairs, shifts_of_pairs(request), options.order, list.buffer()},
               context);
     Stopwatch stopwatch;
     write_pairs(request, pairs, shifts, static_cast<std::size_t>(statistics.threads), context.work);
@@ -174,7 +179,7 @@ void DetectionRun::write_pairs(const DetectionRequest& request, PairArray& pairs
   const std::size_t shift_count = request.options.shifts == Shifts::stored ? found_.size() : 0;
   const ResultBuffer pair_buffer(pairs, found_.size(), memory_, kept);
   const ResultBuffer shift_buffer(shifts, shift_count, memory_, std::min(kept, shifts.size()));
-  if (shifts_to_find(request) == Shifts::stored) {
+  if (shifts_of_pairs(request) == Shifts::stored) {
     const ImagePieces images{pieces, found_.shift_pieces()};
     return found_.must_be_sorted() ? order_.sort(images, elements, pairs, shifts, workers, work)
                                    : order_.join(images, pairs, shifts, workers, work, kept);
@@ -200,7 +205,7 @@ Statistics DetectionRun::list_neighbors(const DetectionRequest& request, Neighbo
   reporting_lack_of_memory([&] { require_measurable(request); });
   const Statistics result = guarded(request, [&](DetectionContext& context) {
     Statistics statistics = store(
-        request, {.limit = request.options.max_pairs, .shifts = shifts_to_find(request)}, context);
+        request, {.limit = request.options.max_pairs, .shifts = shifts_of_rows(request)}, context);
     Stopwatch stopwatch;
     write_rows(request, kind, arrays, static_cast<std::size_t>(statistics.threads), context.work);
     statistics.order_seconds = stopwatch.lap();
@@ -217,7 +222,7 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
   const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
   const auto entries_if = [entries](bool wanted) { return wanted ? entries : 0; };
   const bool with_shifts =
-      request.options.shifts == Shifts::stored || shifts_to_find(request) == Shifts::stored;
+      request.options.shifts == Shifts::stored || shifts_of_rows(request) == Shifts::stored;
   const bool distances = data != NeighborData::none && data != NeighborData::vectors;
   const bool vectors = data != NeighborData::none && data != NeighborData::distances;
   const ResultBuffer offset_buffer(arrays.offsets, request.elements.size() + 2, memory_);
@@ -225,7 +230,7 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
   const ResultBuffer shift_buffer(arrays.shifts, entries_if(with_shifts), memory_);
   const ResultBuffer distance_buffer(arrays.distances, entries_if(distances), memory_);
   const ResultBuffer vector_buffer(arrays.vectors, entries_if(vectors), memory_);
-  list_rows(shifts_to_find(request), kind, arrays, workers, work);
+  list_rows(shifts_of_rows(request), kind, arrays, workers, work);
   if (is_measured(request)) {
     request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, workers, work)
                                        : measure_rows<3>(request, arrays, workers, work);

@@ -299,6 +299,22 @@ TEST(Periodic, ADetectorTakesTurnsBetweenDomains) {
   }
 }
 
+TEST(Periodic, NeighborDataChangesNoListOfPairs) {
+  Random random(10);
+  const Scene scene = random_scene(3, 60, 0.3, 1.5, random);
+  const Domain cube = Domain::periodic({1.0, 1.0, 1.0});
+  for (const Order order : {Order::canonical, Order::as_found}) {
+    const Options plain{.order = order};
+    Options measured = plain;
+    measured.neighbor_data = NeighborData::distances_and_vectors;
+    const PairList expected = find_contact_pairs(view_of(scene), cube, plain);
+    const PairList found = find_contact_pairs(view_of(scene), cube, measured);
+    ASSERT_GT(expected.size(), 100U);
+    EXPECT_TRUE(std::ranges::equal(found.pairs(), expected.pairs()));
+    EXPECT_TRUE(found.shifts().empty());
+  }
+}
+
 TEST(Periodic, OfManyPartnersToo) {
   // Every element has hundreds of partners, far more than are ranked by counting.
   Random random(9);

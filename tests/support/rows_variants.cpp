@@ -5,6 +5,7 @@
 #include <abut/detect.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 
 namespace abut::testing {
@@ -18,9 +19,16 @@ std::string told(const Options& options) {
   return std::string(name_of(options.simd)) + ", " + std::to_string(options.threads) + " threads: ";
 }
 
+/// Threads that a detection takes: as many as asked for, but no more than elements.
+int threads_taken(const Statistics& statistics, const Options& options) {
+  const std::uint64_t useful = std::max<std::uint64_t>(statistics.elements, 1);
+  return static_cast<int>(
+      std::min<std::uint64_t>(static_cast<std::uint64_t>(options.threads), useful));
+}
+
 AssertionResult ran_as_asked(const Statistics& statistics, const Options& options) {
   if (statistics.algorithm == Algorithm::rows && statistics.simd == options.simd &&
-      statistics.threads == options.threads) {
+      statistics.threads == threads_taken(statistics, options)) {
     return AssertionSuccess();
   }
   return AssertionFailure() << told(options) << name_of(statistics.algorithm) << " ran with "

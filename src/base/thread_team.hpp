@@ -58,7 +58,8 @@ class Helper {
   int place_;
   bool is_started_ = false;
   pthread_t thread_{};
-  std::array<char, 64> apart_{};  ///< no two helpers' states share a line of the cache
+  /// Keeps the states of two helpers on different lines of the cache.
+  [[maybe_unused]] std::array<char, 64> padding_{};
 };
 
 /// The threads that one thread of the caller's keeps for the regions of its detections: itself and

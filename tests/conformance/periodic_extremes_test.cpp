@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(Crosses, PeriodicExtremes, ::testing::ValuesIn(all_cros
 TEST_P(PeriodicExtremes, EveryFaceTellsTheSamePairs) {
   for (const int dimensions : {2, 3}) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-      for (const std::size_t count : {1, 2, 12}) check(dimensions, count, 16 * seed + count);
+      for (const std::size_t count : {1U, 2U, 12U}) check(dimensions, count, 16 * seed + count);
     }
     check(dimensions, 0, 99);
     check(dimensions, GetParam().kind == DomainKind::small_cell ? 25 : 200, 100);

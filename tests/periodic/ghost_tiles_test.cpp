@@ -133,7 +133,7 @@ TEST(GhostTiles, EveryGhostReachesTheTilesOfAllThatItMayMeet) {
       for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(::testing::Message()
                      << name_of(kind) << ", " << name_of(extreme) << ", seed " << seed);
-        for (const std::size_t count : {1, 5, 60}) {
+        for (const std::size_t count : {1U, 5U, 60U}) {
           meetings += check<2>(testing::extreme_system(kind, extreme, 2, count, seed), 1.0, 64.0);
           meetings += check<3>(testing::extreme_system(kind, extreme, 3, count, seed), 1.0, 64.0);
           meetings += check<3>(testing::extreme_system(kind, extreme, 3, count, seed), 1.0, 1.0);

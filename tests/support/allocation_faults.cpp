@@ -1,9 +1,13 @@
 #include "support/allocation_faults.hpp"
 
+#include <abut/detect.hpp>
+#include <abut/points.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 namespace abut::testing {
 namespace {
@@ -24,6 +28,14 @@ bool refuses(std::size_t bytes) {
   return refuse_all ? number >= first_refused : number == first_refused;
 }
 
+/// Makes the OpenMP runtime ready, which prepares itself when it is first asked. LLVM's waits for
+/// ever afterwards if memory runs out in that (docs/limits.md).
+bool prepare_openmp() {
+  const std::vector<double> zero{0.0};
+  static_cast<void>(count_contact_pairs(points(zero, zero)));
+  return true;
+}
+
 }  // namespace
 
 void* allocate(std::size_t bytes) {
@@ -34,6 +46,8 @@ void* allocate(std::size_t bytes) {
 }
 
 AllocationFault::AllocationFault(std::uint64_t which, Refuse how) {
+  static const bool is_prepared = prepare_openmp();
+  static_cast<void>(is_prepared);
   requests_so_far = 0;
   largest = 0;
   first_refused = which;

@@ -7,20 +7,42 @@
 namespace abut::api {
 namespace {
 
-/// Never destroyed: it may be thrown while the program ends. Copies of an Error share its sentence.
-const Error& ready_error() {
-  static const Error& error =
-      *new Error(ErrorCode::limit_exceeded, "memory ran out; take fewer elements, or free memory");
-  return error;
+constexpr const char* sentence = "memory ran out; take fewer elements, or free memory";
+
+/// Whether the ready error exists: not yet while the library is loaded, no more once it is unloaded
+/// or the program ends.
+bool is_ready = false;
+
+/// An Error made in advance. Copies of an Error share its sentence, so that throwing one allocates
+/// no more than the runtime keeps in reserve.
+class ReadyError {
+ public:
+  ReadyError() : error_(ErrorCode::limit_exceeded, sentence) { is_ready = true; }
+  ~ReadyError() { is_ready = false; }
+
+  ReadyError(const ReadyError&) = delete;
+  ReadyError& operator=(const ReadyError&) = delete;
+
+  [[nodiscard]] const Error& error() const noexcept { return error_; }
+
+ private:
+  Error error_;
+};
+
+const ReadyError& ready_error() {
+  static const ReadyError ready;
+  return ready;
 }
 
 /// Has it made early.
-[[maybe_unused]] const Error& made_when_loaded = ready_error();
+[[maybe_unused]] const ReadyError& made_when_loaded = ready_error();
 
 }  // namespace
 
 void report_lack_of_memory() {
-  throw Error(ready_error());
+  const ReadyError& ready = ready_error();
+  if (is_ready) throw Error(ready.error());
+  throw Error(ErrorCode::limit_exceeded, sentence);
 }
 
 void report_lack_of_memory(const base::MemoryMeter& memory) {

@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -30,9 +29,9 @@ struct Settings {
 
 template <class Work>
 [[nodiscard]] double seconds(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch stopwatch;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return stopwatch.lap();
 }
 
 [[nodiscard]] ElementView view_of(const scenes::Scene& scene) {

@@ -1,6 +1,6 @@
 #include "algorithms/choose_algorithm.hpp"
 
-namespace abut::api {
+namespace abut::registry {
 namespace {
 
 /// Below this, the arrays of `rows` take longer to lay out than all distances to compute.
@@ -10,9 +10,9 @@ constexpr std::size_t few_elements = 64;
 
 Choice choose_algorithm(std::size_t element_count) {
   if (element_count <= few_elements) {
-    return {&row_of(Algorithm::direct_check), "at most 64 elements"};
+    return {&entry_of(Algorithm::direct_check), "at most 64 elements"};
   }
-  return {&row_of(Algorithm::rows), "more than 64 elements"};
+  return {&entry_of(Algorithm::rows), "more than 64 elements"};
 }
 
-}  // namespace abut::api
+}  // namespace abut::registry

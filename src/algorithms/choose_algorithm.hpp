@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <string_view>
 
-namespace abut::api {
+namespace abut::registry {
 
 struct Choice {
-  const RegistryRow* row;
+  const AlgorithmEntry* row;
   std::string_view reason;
 };
 
@@ -16,4 +16,4 @@ struct Choice {
 /// the domain, the packing and the sizes; it divides by size itself.
 [[nodiscard]] Choice choose_algorithm(std::size_t element_count);
 
-}  // namespace abut::api
+}  // namespace abut::registry

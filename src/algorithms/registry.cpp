@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-namespace abut::api {
+namespace abut::registry {
 namespace {
 
 using namespace reference;
@@ -24,14 +24,14 @@ void direct_check_elements(const AlgorithmInput<Dim>& input, base::PairSink& sin
                            base::DetectionContext& context) {
   sink.expect_workers(1);
   base::PairWriter pairs(sink);
-  ContactTest<Dim> test(input.elements, input.settings.margin, pairs, context);
+  PairDecider<Dim> test(input.elements, input.settings.margin, pairs, context);
   direct_check(input.elements.size(), test, context);
   pairs.finish();
 }
 
 template <int Dim>
-void direct_check_all_images(const AlgorithmInput<Dim>& input, base::Array<base::Sphere<Dim>>&,
-                             const base::Lattice& lattice, base::PairSink& sink,
+void direct_check_all_images(const AlgorithmInput<Dim>& input, base::Array<exact::Sphere<Dim>>&,
+                             const exact::Lattice& lattice, base::PairSink& sink,
                              base::DetectionContext& context) {
   sink.expect_workers(1);
   base::ImagePairWriter pairs(sink);
@@ -51,68 +51,68 @@ void rows(const AlgorithmInput<Dim>& input, base::PairSink& sink, base::Detectio
 }
 
 template <int Dim>
-constexpr Runs<Dim> direct_check_runs{.on_elements = direct_check_elements<Dim>,
-                                      .on_images = direct_check_all_images<Dim>,
-                                      .trace = trace_direct_check<Dim>};
+constexpr EntryPoints<Dim> direct_check_entry{.on_elements = direct_check_elements<Dim>,
+                                              .on_images = direct_check_all_images<Dim>,
+                                              .trace = trace_direct_check<Dim>};
 
 template <int Dim>
-constexpr Runs<Dim> binary_tree_runs{.on_cells = binary_tree<Dim, ContactTest<Dim>>,
-                                     .trace = binary_tree<Dim, CandidateRecorder>};
+constexpr EntryPoints<Dim> binary_tree_entry{.on_cells = binary_tree<Dim, PairDecider<Dim>>,
+                                             .trace = binary_tree<Dim, CandidateRecorder>};
 
 template <int Dim>
-constexpr Runs<Dim> screening_array_runs{.on_cells = screening_array<Dim, ContactTest<Dim>>,
-                                         .trace = screening_array<Dim, CandidateRecorder>,
-                                         .grid_bytes = screening_array_bytes<Dim>};
+constexpr EntryPoints<Dim> screening_array_entry{.on_cells = screening_array<Dim, PairDecider<Dim>>,
+                                                 .trace = screening_array<Dim, CandidateRecorder>,
+                                                 .grid_bytes = screening_array_bytes<Dim>};
 
 template <int Dim>
-constexpr Runs<Dim> sorting_array_runs{.on_cells = sorting_array<Dim, ContactTest<Dim>>,
-                                       .trace = sorting_array<Dim, CandidateRecorder>};
+constexpr EntryPoints<Dim> sorting_array_entry{.on_cells = sorting_array<Dim, PairDecider<Dim>>,
+                                               .trace = sorting_array<Dim, CandidateRecorder>};
 
-constexpr Runs<2> munjiza_nbs_2d_runs{.on_cells = munjiza_nbs_2d<ContactTest<2>>,
-                                      .trace = munjiza_nbs_2d<CandidateRecorder>,
-                                      .grid_bytes = munjiza_nbs_bytes<2>};
+constexpr EntryPoints<2> munjiza_nbs_2d_entry{.on_cells = munjiza_nbs_2d<PairDecider<2>>,
+                                              .trace = munjiza_nbs_2d<CandidateRecorder>,
+                                              .grid_bytes = munjiza_nbs_bytes<2>};
 
-constexpr Runs<3> munjiza_nbs_3d_runs{.on_cells = munjiza_nbs_3d<ContactTest<3>>,
-                                      .trace = munjiza_nbs_3d<CandidateRecorder>,
-                                      .grid_bytes = munjiza_nbs_bytes<3>};
+constexpr EntryPoints<3> munjiza_nbs_3d_entry{.on_cells = munjiza_nbs_3d<PairDecider<3>>,
+                                              .trace = munjiza_nbs_3d<CandidateRecorder>,
+                                              .grid_bytes = munjiza_nbs_bytes<3>};
 
 template <int Dim>
-void periodic_rows(const AlgorithmInput<Dim>& input, base::Array<base::Sphere<Dim>>& spheres,
-                   const base::Lattice& lattice, base::PairSink& sink,
+void periodic_rows(const AlgorithmInput<Dim>& input, base::Array<exact::Sphere<Dim>>& spheres,
+                   const exact::Lattice& lattice, base::PairSink& sink,
                    base::DetectionContext& context) {
-  engine::periodic_rows<Dim>(spheres, input.elements.boxes, input.bounds, lattice, input.settings,
-                             input.workspace, input.periodic_workspace, sink, context);
+  periodic::periodic_rows<Dim>(spheres, input.elements.boxes, input.bounds, lattice, input.settings,
+                               input.workspace, input.periodic_workspace, sink, context);
 }
 
 template <int Dim>
-constexpr Runs<Dim> rows_runs{.on_elements = rows<Dim>, .on_images = periodic_rows<Dim>};
+constexpr EntryPoints<Dim> rows_entry{.on_elements = rows<Dim>, .on_images = periodic_rows<Dim>};
 
-constexpr std::array<RegistryRow, 6> table{{
+constexpr std::array<AlgorithmEntry, 6> table{{
     {{Algorithm::direct_check, "direct_check", "every element against every other", "N^2", "0",
       "77-80", 2, 3, true, true},
-     direct_check_runs<2>,
-     direct_check_runs<3>},
+     direct_check_entry<2>,
+     direct_check_entry<3>},
     {{Algorithm::binary_tree, "binary_tree", "occupied cells as leaves of a tree of halvings",
       "N log N", "at most 2 N b + 2 N (b levels)", "81-87", 2, 3, false, true},
-     binary_tree_runs<2>,
-     binary_tree_runs<3>},
+     binary_tree_entry<2>,
+     binary_tree_entry<3>},
     {{Algorithm::screening_array, "screening_array", "one list for each cell, empty or not",
       "N + cells", "cells + N", "89-94", 2, 3, false, true},
-     screening_array_runs<2>,
-     screening_array_runs<3>},
+     screening_array_entry<2>,
+     screening_array_entry<3>},
     {{Algorithm::sorting_array, "sorting_array", "elements sorted by cell, cells found by halving",
       "N log N", "3 N in 2D, 4 N in 3D", "94-102, 120", 2, 3, false, true},
-     sorting_array_runs<2>,
-     sorting_array_runs<3>},
+     sorting_array_entry<2>,
+     sorting_array_entry<3>},
     {{Algorithm::munjiza_nbs, "munjiza_nbs", "lists of rows, then of the cells of two rows only",
       "N", "2 N + n_y + 2 n_x in 2D, 3 N + n_z + 2 n_y + 2 n_x in 3D", "102-127", 2, 3, false,
       true},
-     munjiza_nbs_2d_runs,
-     munjiza_nbs_3d_runs},
+     munjiza_nbs_2d_entry,
+     munjiza_nbs_3d_entry},
     {{Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N",
       "at most 32 N + 32768, and 131072 a further thread", "", 2, 3, true, false},
-     rows_runs<2>,
-     rows_runs<3>},
+     rows_entry<2>,
+     rows_entry<3>},
 }};
 
 constexpr auto infos = [] {
@@ -123,29 +123,29 @@ constexpr auto infos = [] {
 
 }  // namespace
 
-std::span<const RegistryRow> registry() {
+std::span<const AlgorithmEntry> registry() {
   return table;
 }
 
-const RegistryRow& row_of(Algorithm algorithm) {
-  for (const RegistryRow& row : table) {
+const AlgorithmEntry& entry_of(Algorithm algorithm) {
+  for (const AlgorithmEntry& row : table) {
     if (row.info.algorithm == algorithm) return row;
   }
   throw Error(ErrorCode::wrong_usage,
               "'auto' stands for a choice, not for one algorithm; name one");
 }
 
-}  // namespace abut::api
+}  // namespace abut::registry
 
 namespace abut {
 
 std::span<const AlgorithmInfo> algorithms() {
-  return api::infos;
+  return registry::infos;
 }
 
 const AlgorithmInfo& info(Algorithm algorithm) {
-  return api::reporting_lack_of_memory(
-      [&]() -> const AlgorithmInfo& { return api::row_of(algorithm).info; });
+  return base::reporting_lack_of_memory(
+      [&]() -> const AlgorithmInfo& { return registry::entry_of(algorithm).info; });
 }
 
 std::string_view name_of(Algorithm algorithm) {
@@ -153,7 +153,7 @@ std::string_view name_of(Algorithm algorithm) {
 }
 
 Algorithm algorithm_named(std::string_view name) {
-  return api::reporting_lack_of_memory([&] {
+  return base::reporting_lack_of_memory([&] {
     if (name == "auto") return Algorithm::automatic;
     std::string known = "auto";
     for (const AlgorithmInfo& row : algorithms()) {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace abut::api {
+namespace abut::base {
 namespace {
 
 constexpr const char* sentence = "memory ran out; take fewer elements, or free memory";
@@ -45,7 +45,7 @@ void report_lack_of_memory() {
   throw Error(ErrorCode::limit_exceeded, sentence);
 }
 
-void report_lack_of_memory(const base::MemoryMeter& memory) {
+void report_lack_of_memory(const MemoryMeter& memory) {
   try {
     throw Error(ErrorCode::limit_exceeded,
                 "memory ran out with " + std::to_string(memory.held()) +
@@ -56,4 +56,4 @@ void report_lack_of_memory(const base::MemoryMeter& memory) {
   }
 }
 
-}  // namespace abut::api
+}  // namespace abut::base

@@ -6,18 +6,18 @@
 #include <stdexcept>
 #include <utility>
 
-namespace abut::api {
+namespace abut::base {
 
 /// Throws Error{limit_exceeded} and allocates nothing: its sentence was written when the library
 /// was loaded.
 [[noreturn]] void report_lack_of_memory();
 
 /// The same, with the bytes that a detection holds if there is memory for that sentence.
-[[noreturn]] void report_lack_of_memory(const base::MemoryMeter& memory);
+[[noreturn]] void report_lack_of_memory(const MemoryMeter& memory);
 
 /// Runs `body`; if memory runs out in it, that is an Error{limit_exceeded}.
 template <class Body>
-decltype(auto) reporting_lack_of_memory(const base::MemoryMeter& memory, Body&& body) {
+decltype(auto) reporting_lack_of_memory(const MemoryMeter& memory, Body&& body) {
   try {
     return std::forward<Body>(body)();
   } catch (const std::bad_alloc&) {
@@ -39,4 +39,4 @@ decltype(auto) reporting_lack_of_memory(Body&& body) {
   }
 }
 
-}  // namespace abut::api
+}  // namespace abut::base

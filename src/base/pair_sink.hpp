@@ -23,7 +23,7 @@ class PairSink {
   virtual ~PairSink() = default;
 
   /// Least size of a room.
-  static constexpr std::size_t smallest_room = 512;
+  static constexpr std::size_t smallest_buffer = 512;
 
   /// Announces canonical order; called before expect_workers, and not at all where pairs come in
   /// the order in which they are found.
@@ -33,11 +33,11 @@ class PairSink {
   virtual void expect_workers(std::size_t count) = 0;
 
   /// Room for pairs, this worker's own until it commits.
-  [[nodiscard]] virtual std::span<ContactPair> room(std::size_t worker) = 0;
+  [[nodiscard]] virtual std::span<ContactPair> buffer(std::size_t worker) = 0;
 
   /// Room for their image shifts, parallel to the room for pairs that was asked for last. Empty
   /// where shifts are not wanted; they need not be written then.
-  [[nodiscard]] virtual std::span<ImageShift> shift_room(std::size_t) { return {}; }
+  [[nodiscard]] virtual std::span<ImageShift> shift_buffer(std::size_t) { return {}; }
 
   /// The first `count` pairs of the worker's room are found; it must ask for room anew.
   virtual void commit(std::size_t count, const Origin& origin) = 0;
@@ -51,13 +51,13 @@ class PairSink {
 /// A single worker's pen, for pairs of an open domain.
 class PairWriter {
  public:
-  explicit PairWriter(PairSink& sink) : sink_(sink), room_(sink.room(0)) {}
+  explicit PairWriter(PairSink& sink) : sink_(sink), room_(sink.buffer(0)) {}
 
   void push(ContactPair pair) {
     room_[filled_++] = pair;
     if (filled_ < room_.size()) return;
     finish();
-    room_ = sink_.room(0);
+    room_ = sink_.buffer(0);
   }
 
   /// Commits the rest; nothing is pushed after it.
@@ -95,8 +95,8 @@ class ImagePairWriter {
 
  private:
   void take_room() {
-    room_ = sink_.room(0);
-    shifts_ = sink_.shift_room(0);
+    room_ = sink_.buffer(0);
+    shifts_ = sink_.shift_buffer(0);
   }
 
   PairSink& sink_;

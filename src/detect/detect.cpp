@@ -12,14 +12,14 @@ namespace abut {
 namespace {
 
 /// Not on the stack, of which its 75 KiB may be all that a thread has.
-std::unique_ptr<api::DetectionRun> new_run() {
-  return api::reporting_lack_of_memory([] { return std::make_unique<api::DetectionRun>(); });
+std::unique_ptr<detect::DetectionRun> new_run() {
+  return base::reporting_lack_of_memory([] { return std::make_unique<detect::DetectionRun>(); });
 }
 
 /// The margin of points is the cutoff.
 Options options_with(const ElementView& points, double cutoff, const Options& options) {
-  return api::reporting_lack_of_memory([&] {
-    api::require_points(points, cutoff);
+  return base::reporting_lack_of_memory([&] {
+    detect::require_points(points, cutoff);
     Options with_cutoff = options;
     with_cutoff.margin = cutoff;
     return with_cutoff;
@@ -38,12 +38,12 @@ PairList find_contact_pairs(const ElementView& elements, const Domain& domain,
 
 Statistics for_each_batch(const ElementView& elements, const Domain& domain, const Options& options,
                           const PairBatchVisitor& visitor) {
-  return new_run()->visit_batches({elements, domain, options}, api::visitors_of(visitor));
+  return new_run()->visit_batches({elements, domain, options}, lists::visitors_of(visitor));
 }
 
 Statistics for_each_shifted_batch(const ElementView& elements, const Domain& domain,
                                   const Options& options, const ShiftedBatchVisitor& visitor) {
-  return new_run()->visit_batches({elements, domain, options}, api::visitors_of(visitor));
+  return new_run()->visit_batches({elements, domain, options}, lists::visitors_of(visitor));
 }
 
 Statistics count_contact_pairs(const ElementView& elements, const Domain& domain,
@@ -53,7 +53,7 @@ Statistics count_contact_pairs(const ElementView& elements, const Domain& domain
 
 namespace {
 
-NeighborList neighbor_list_of(const api::DetectionRequest& request, NeighborListKind kind) {
+NeighborList neighbor_list_of(const detect::DetectionRequest& request, NeighborListKind kind) {
   NeighborList::Offsets offsets;
   NeighborList::Neighbors neighbors;
   ShiftArray shifts;
@@ -87,13 +87,13 @@ PairList find_contact_pairs(const ElementView& first, const ElementView& second,
 
 Statistics for_each_batch(const ElementView& first, const ElementView& second, const Domain& domain,
                           const Options& options, const PairBatchVisitor& visitor) {
-  return new_run()->visit_batches({first, domain, options, &second}, api::visitors_of(visitor));
+  return new_run()->visit_batches({first, domain, options, &second}, lists::visitors_of(visitor));
 }
 
 Statistics for_each_shifted_batch(const ElementView& first, const ElementView& second,
                                   const Domain& domain, const Options& options,
                                   const ShiftedBatchVisitor& visitor) {
-  return new_run()->visit_batches({first, domain, options, &second}, api::visitors_of(visitor));
+  return new_run()->visit_batches({first, domain, options, &second}, lists::visitors_of(visitor));
 }
 
 Statistics count_contact_pairs(const ElementView& first, const ElementView& second,

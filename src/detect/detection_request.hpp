@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace abut::api {
+namespace abut::detect {
 
 /// One call: which elements, where they live, and how their contacts are to be found. The caller's
 /// objects outlive it.
@@ -22,4 +22,4 @@ struct DetectionRequest {
   }
 };
 
-}  // namespace abut::api
+}  // namespace abut::detect

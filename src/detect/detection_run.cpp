@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <span>
 
-namespace abut::api {
+namespace abut::detect {
 namespace {
 
 using base::DetectionContext;
@@ -30,7 +30,7 @@ void validate_request(const DetectionRequest& request) {
   } else {
     validate(request.options, request.elements, *request.others, request.domain);
   }
-  validate_rule(request.options.rule, request.elements, request.others);
+  elements::validate_rule(request.options.rule, request.elements, request.others);
 }
 
 SearchTask task_of(const DetectionRequest& request) {
@@ -72,14 +72,14 @@ void require_measurable(const DetectionRequest& request) {
 template <class Body>
 Statistics DetectionRun::guarded(const DetectionRequest& request, Body&& body) {
   const base::FloatEnvironment environment;
-  reporting_lack_of_memory([&] {
+  base::reporting_lack_of_memory([&] {
     validate_request(request);
     if (request.others == nullptr) skin_.require_ids_for(request.elements.size());
   });
   memory_.start_anew(memory_bound(request.options));
   DetectionContext context(memory_, request.options.progress);
   return base::letting_through([&] {
-    return reporting_lack_of_memory(memory_, [&] {
+    return base::reporting_lack_of_memory(memory_, [&] {
       Statistics statistics = body(context);
       statistics.candidate_tests = context.candidate_tests;
       statistics.exact_decisions = context.exact_decisions;
@@ -94,14 +94,14 @@ Statistics DetectionRun::guarded(const DetectionRequest& request, Body&& body) {
 template <int Dim>
 void DetectionRun::search(const DetectionRequest& request, const SearchTask& task, PairSink& sink,
                           DetectionContext& context, Statistics& statistics) {
-  Arrays<Dim>& own = arrays<Dim>();
+  RunArrays<Dim>& own = arrays<Dim>();
   if (request.others != nullptr) {
     return own.two_set_search.search(own.search, own.elements, task, sink, context, statistics);
   }
   if (skin_.applies_to(request)) {
     const SkinCall<Dim> call{own.elements, own.search, own.two_set_search,
                              task,         context,    statistics};
-    const SkinDetection::Candidates candidates = skin_.prepare(call);
+    const SkinDetection::Prepared candidates = skin_.prepare(call);
     if (candidates.source != SkinDetection::Source::none) {
       return skin_.deliver(call, candidates, sink);
     }
@@ -112,7 +112,7 @@ void DetectionRun::search(const DetectionRequest& request, const SearchTask& tas
 template <int Dim>
 Statistics DetectionRun::find_in(const DetectionRequest& request, PairSink& sink,
                                  DetectionContext& context) {
-  Arrays<Dim>& own = arrays<Dim>();
+  RunArrays<Dim>& own = arrays<Dim>();
   const SearchTask task = task_of(request);
   Statistics statistics;
   statistics.elements = request.size();
@@ -121,8 +121,8 @@ Statistics DetectionRun::find_in(const DetectionRequest& request, PairSink& sink
   Stopwatch stopwatch;
   context.progress.begin("gather", request.size());
   if (request.others == nullptr) {
-    gather<Dim>(request.elements, {task.settings.workers, task.settings.simd}, own.elements,
-                context);
+    elements::gather<Dim>(request.elements, {task.settings.workers, task.settings.simd},
+                          own.elements, context);
   } else {
     own.two_set_search.gather(request.elements, *request.others, task, own.elements, context);
   }
@@ -144,7 +144,7 @@ Statistics DetectionRun::find(const DetectionRequest& request, PairSink& sink,
                                             : find_in<3>(request, *target, context);
 }
 
-Statistics DetectionRun::store(const DetectionRequest& request, const PairDemand& demand,
+Statistics DetectionRun::store(const DetectionRequest& request, const lists::PairDemand& demand,
                                DetectionContext& context) {
   found_.start_anew(demand);
   Statistics statistics = find(request, found_, context);
@@ -156,7 +156,7 @@ Statistics DetectionRun::store(const DetectionRequest& request, const PairDemand
 
 Statistics DetectionRun::list_pairs(const DetectionRequest& request, PairArray& pairs,
                                     ShiftArray& shifts) {
-  ListBuffer list(pairs, shifts);
+  lists::ListBuffer list(pairs, shifts);
   const Statistics result = guarded(request, [&](DetectionContext& context) {
     const Options& options = request.options;
     Statistics statistics =
@@ -173,14 +173,15 @@ Statistics DetectionRun::list_pairs(const DetectionRequest& request, PairArray& 
 
 void DetectionRun::write_pairs(const DetectionRequest& request, PairArray& pairs,
                                ShiftArray& shifts, std::size_t workers, base::WorkCounter& work) {
-  const PairPieces pieces = found_.pieces();
+  const lists::PairPieces pieces = found_.pieces();
   const std::size_t kept = found_.in_buffer();
   const std::size_t elements = request.elements.size();
   const std::size_t shift_count = request.options.shifts == Shifts::stored ? found_.size() : 0;
-  const ResultBuffer pair_buffer(pairs, found_.size(), memory_, kept);
-  const ResultBuffer shift_buffer(shifts, shift_count, memory_, std::min(kept, shifts.size()));
+  const lists::ResultBuffer pair_buffer(pairs, found_.size(), memory_, kept);
+  const lists::ResultBuffer shift_buffer(shifts, shift_count, memory_,
+                                         std::min(kept, shifts.size()));
   if (shifts_of_pairs(request) == Shifts::stored) {
-    const ImagePieces images{pieces, found_.shift_pieces()};
+    const lists::ImagePieces images{pieces, found_.shift_pieces()};
     return found_.must_be_sorted() ? order_.sort(images, elements, pairs, shifts, workers, work)
                                    : order_.join(images, pairs, shifts, workers, work, kept);
   }
@@ -189,7 +190,8 @@ void DetectionRun::write_pairs(const DetectionRequest& request, PairArray& pairs
   order_.join(pieces, pairs, workers, work, kept);
 }
 
-Statistics DetectionRun::visit_batches(const DetectionRequest& request, const Visitors& visitors) {
+Statistics DetectionRun::visit_batches(const DetectionRequest& request,
+                                       const lists::Visitors& visitors) {
   return guarded(request, [&](DetectionContext& context) {
     visiting_.start_anew(request.options.max_pairs, visitors);
     Statistics statistics = find(request, visiting_, context);
@@ -201,8 +203,8 @@ Statistics DetectionRun::visit_batches(const DetectionRequest& request, const Vi
 
 Statistics DetectionRun::list_neighbors(const DetectionRequest& request, NeighborListKind kind,
                                         const NeighborArrays& arrays) {
-  RowBuffers buffers(arrays);
-  reporting_lack_of_memory([&] { require_measurable(request); });
+  lists::RowBuffers buffers(arrays);
+  base::reporting_lack_of_memory([&] { require_measurable(request); });
   const Statistics result = guarded(request, [&](DetectionContext& context) {
     Statistics statistics = store(
         request, {.limit = request.options.max_pairs, .shifts = shifts_of_rows(request)}, context);
@@ -225,11 +227,11 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
       request.options.shifts == Shifts::stored || shifts_of_rows(request) == Shifts::stored;
   const bool distances = data != NeighborData::none && data != NeighborData::vectors;
   const bool vectors = data != NeighborData::none && data != NeighborData::distances;
-  const ResultBuffer offset_buffer(arrays.offsets, request.elements.size() + 2, memory_);
-  const ResultBuffer neighbor_buffer(arrays.neighbors, entries, memory_);
-  const ResultBuffer shift_buffer(arrays.shifts, entries_if(with_shifts), memory_);
-  const ResultBuffer distance_buffer(arrays.distances, entries_if(distances), memory_);
-  const ResultBuffer vector_buffer(arrays.vectors, entries_if(vectors), memory_);
+  const lists::ResultBuffer offset_buffer(arrays.offsets, request.elements.size() + 2, memory_);
+  const lists::ResultBuffer neighbor_buffer(arrays.neighbors, entries, memory_);
+  const lists::ResultBuffer shift_buffer(arrays.shifts, entries_if(with_shifts), memory_);
+  const lists::ResultBuffer distance_buffer(arrays.distances, entries_if(distances), memory_);
+  const lists::ResultBuffer vector_buffer(arrays.vectors, entries_if(vectors), memory_);
   list_rows(shifts_of_rows(request), kind, arrays, workers, work);
   if (is_measured(request)) {
     request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, workers, work)
@@ -242,31 +244,32 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
 void DetectionRun::list_rows(Shifts found_shifts, NeighborListKind kind,
                              const NeighborArrays& arrays, std::size_t workers,
                              base::WorkCounter& work) {
-  const PairPieces pieces = found_.pieces();
+  const lists::PairPieces pieces = found_.pieces();
   if (found_shifts == Shifts::none) {
     fill_with_none(arrays.shifts, work);
-    return neighbor_rows_.list(pieces, kind,
-                               std::span(arrays.offsets).first(arrays.offsets.size() - 1),
-                               arrays.neighbors, workers, work);
+    return csr_builder_.list(pieces, kind,
+                             std::span(arrays.offsets).first(arrays.offsets.size() - 1),
+                             arrays.neighbors, workers, work);
   }
   while (row_rooms_.size() < workers) {
-    row_rooms_.push_back(base::make_array_for_overwrite<Partner>(memory_, 0));
+    row_rooms_.push_back(base::make_array_for_overwrite<lists::Partner>(memory_, 0));
   }
-  list_image_rows({pieces, found_.shift_pieces()}, kind, arrays.offsets, arrays.neighbors,
-                  arrays.shifts, std::span(row_rooms_).first(workers), work);
+  lists::list_image_rows({pieces, found_.shift_pieces()}, kind, arrays.offsets, arrays.neighbors,
+                         arrays.shifts, std::span(row_rooms_).first(workers), work);
 }
 
 template <int Dim>
 void DetectionRun::measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
                                 std::size_t workers, base::WorkCounter& work) {
-  const Arrays<Dim>& own = this->arrays<Dim>();
-  using Spheres = std::span<const base::Sphere<Dim>>;
+  const RunArrays<Dim>& own = this->arrays<Dim>();
+  using Spheres = std::span<const exact::Sphere<Dim>>;
   const bool one_set = request.others == nullptr;
   const Spheres first = one_set ? Spheres(own.elements.spheres) : own.two_set_search.first();
   const Spheres second = one_set ? first : own.two_set_search.second();
-  const MeasuredRows<Dim> rows{first,          second,           lattice_of(request.domain),
-                               arrays.offsets, arrays.neighbors, arrays.shifts};
-  measure_neighbors<Dim>(rows, arrays.distances, arrays.vectors, workers, work);
+  const lists::MeasuredRows<Dim> rows{
+      first,          second,           elements::lattice_of(request.domain),
+      arrays.offsets, arrays.neighbors, arrays.shifts};
+  lists::measure_neighbors<Dim>(rows, arrays.distances, arrays.vectors, workers, work);
 }
 
-}  // namespace abut::api
+}  // namespace abut::detect

@@ -8,9 +8,9 @@
 #include "detect/skin_detection.hpp"
 #include "detect/two_set_search.hpp"
 #include "elements/gathered_elements.hpp"
+#include "lists/csr_builder.hpp"
 #include "lists/found_pairs.hpp"
 #include "lists/image_neighbor_rows.hpp"
-#include "lists/neighbor_rows.hpp"
 #include "lists/order_pairs.hpp"
 #include "lists/rule_sink.hpp"
 #include "lists/visiting_sink.hpp"
@@ -20,7 +20,7 @@
 
 #include <cstddef>
 
-namespace abut::api {
+namespace abut::detect {
 
 /// The arrays of a neighbor list, to be filled: those not asked for are left empty.
 struct NeighborArrays {
@@ -43,7 +43,7 @@ class DetectionRun {
   /// Leaves `shifts` empty unless the options ask for them. On failure both are empty.
   Statistics list_pairs(const DetectionRequest& request, PairArray& pairs, ShiftArray& shifts);
 
-  Statistics visit_batches(const DetectionRequest& request, const Visitors& visitors);
+  Statistics visit_batches(const DetectionRequest& request, const lists::Visitors& visitors);
 
   Statistics list_neighbors(const DetectionRequest& request, NeighborListKind kind,
                             const NeighborArrays& arrays);
@@ -54,17 +54,17 @@ class DetectionRun {
 
  private:
   template <int Dim>
-  struct Arrays {
-    explicit Arrays(base::MemoryMeter& memory)
+  struct RunArrays {
+    explicit RunArrays(base::MemoryMeter& memory)
         : elements(memory), search(memory), two_set_search(memory) {}
 
-    GatheredElements<Dim> elements;
+    elements::GatheredElements<Dim> elements;
     ElementSearch<Dim> search;
     TwoSetSearch<Dim> two_set_search;
   };
 
   template <int Dim>
-  [[nodiscard]] Arrays<Dim>& arrays() noexcept {
+  [[nodiscard]] RunArrays<Dim>& arrays() noexcept {
     if constexpr (Dim == 2) {
       return in_2d_;
     } else {
@@ -87,7 +87,7 @@ class DetectionRun {
   void search(const DetectionRequest& request, const SearchTask& task, base::PairSink& sink,
               base::DetectionContext& context, Statistics& statistics);
   /// Finds the pairs and keeps them in `found_`.
-  Statistics store(const DetectionRequest& request, const PairDemand& demand,
+  Statistics store(const DetectionRequest& request, const lists::PairDemand& demand,
                    base::DetectionContext& context);
 
   void write_pairs(const DetectionRequest& request, PairArray& pairs, ShiftArray& shifts,
@@ -101,15 +101,15 @@ class DetectionRun {
                     std::size_t workers, base::WorkCounter& work);
 
   base::MemoryMeter memory_;
-  Arrays<2> in_2d_{memory_};
-  Arrays<3> in_3d_{memory_};
+  RunArrays<2> in_2d_{memory_};
+  RunArrays<3> in_3d_{memory_};
   SkinDetection skin_{memory_};
-  FoundPairs found_{memory_};
-  VisitingSink visiting_;
-  RuleSink ruling_;
-  PairOrder order_{memory_};
-  NeighborRows neighbor_rows_{memory_};
-  RowRooms row_rooms_;
+  lists::FoundPairs found_{memory_};
+  lists::VisitingSink visiting_;
+  lists::RuleSink ruling_;
+  lists::PairOrder order_{memory_};
+  lists::CsrBuilder csr_builder_{memory_};
+  lists::RowRooms row_rooms_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::detect

@@ -11,13 +11,13 @@ struct Detector::State {
   explicit State(Options given) : options(std::move(given)) {}
 
   Options options;
-  api::DetectionRun run;
+  detect::DetectionRun run;
   PairList pairs;
   NeighborList neighbors;
 };
 
 Detector::Detector(Options options)
-    : state_(api::reporting_lack_of_memory(
+    : state_(base::reporting_lack_of_memory(
           [&] { return std::make_unique<State>(std::move(options)); })) {}
 Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
@@ -32,11 +32,11 @@ void Detector::set_options(Options options) {
 }
 
 void Detector::set_skin(Skin skin) {
-  api::reporting_lack_of_memory([&] { state_->run.skin().set_skin(skin); });
+  base::reporting_lack_of_memory([&] { state_->run.skin().set_skin(skin); });
 }
 
 void Detector::set_ids(std::span<const std::uint64_t> ids) {
-  api::reporting_lack_of_memory([&] { state_->run.skin().set_ids(ids); });
+  base::reporting_lack_of_memory([&] { state_->run.skin().set_ids(ids); });
 }
 
 Skin Detector::skin() const noexcept {
@@ -60,12 +60,14 @@ Statistics Detector::count_contact_pairs(const ElementView& elements, const Doma
 
 Statistics Detector::for_each_batch(const ElementView& elements, const Domain& domain,
                                     const PairBatchVisitor& visitor) {
-  return state_->run.visit_batches({elements, domain, state_->options}, api::visitors_of(visitor));
+  return state_->run.visit_batches({elements, domain, state_->options},
+                                   lists::visitors_of(visitor));
 }
 
 Statistics Detector::for_each_shifted_batch(const ElementView& elements, const Domain& domain,
                                             const ShiftedBatchVisitor& visitor) {
-  return state_->run.visit_batches({elements, domain, state_->options}, api::visitors_of(visitor));
+  return state_->run.visit_batches({elements, domain, state_->options},
+                                   lists::visitors_of(visitor));
 }
 
 const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain& domain,
@@ -93,14 +95,14 @@ Statistics Detector::count_contact_pairs(const ElementView& first, const Element
 Statistics Detector::for_each_batch(const ElementView& first, const ElementView& second,
                                     const Domain& domain, const PairBatchVisitor& visitor) {
   return state_->run.visit_batches({first, domain, state_->options, &second},
-                                   api::visitors_of(visitor));
+                                   lists::visitors_of(visitor));
 }
 
 Statistics Detector::for_each_shifted_batch(const ElementView& first, const ElementView& second,
                                             const Domain& domain,
                                             const ShiftedBatchVisitor& visitor) {
   return state_->run.visit_batches({first, domain, state_->options, &second},
-                                   api::visitors_of(visitor));
+                                   lists::visitors_of(visitor));
 }
 
 const NeighborList& Detector::build_neighbor_list(const ElementView& first,

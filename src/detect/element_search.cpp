@@ -2,7 +2,7 @@
 
 #include "algorithms/choose_algorithm.hpp"
 #include "algorithms/registry.hpp"
-#include "base/written.hpp"
+#include "base/shortest_text.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/lattice_of.hpp"
 #include "grid/integerise.hpp"
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <string>
 
-namespace abut::api {
+namespace abut::detect {
 namespace {
 
 using base::DetectionContext;
@@ -21,44 +21,45 @@ using base::PairSink;
 /// Throws Error{limit_exceeded} before arrays are allocated that follow the extent of the domain
 /// and exceed the memory bound.
 template <int Dim>
-void require_grid_fits(const RegistryRow& row, const grid::CellCoordinates<Dim>& cells,
+void require_grid_fits(const registry::AlgorithmEntry& row, const grid::CellCoordinates<Dim>& cells,
                        const Options& options, const DetectionContext& context) {
-  const double bytes = grid_bytes(row, cells);
+  const double bytes = registry::grid_bytes(row, cells);
   const std::uint64_t bound = grid_memory_bound(options, cells.element_count());
   if (static_cast<double>(context.memory.held()) + bytes <= static_cast<double>(bound)) return;
   std::string shape;
   for (const double count : cells.uncollapsed_cell_count) {
     if (!shape.empty()) shape += " x ";
-    shape += base::written_count(count);
+    shape += base::count_text(count);
   }
   throw Error(ErrorCode::limit_exceeded,
-              std::string(row.info.name) + " would need " + base::written_count(bytes) +
+              std::string(row.info.name) + " would need " + base::count_text(bytes) +
                   " bytes for a grid of " + shape + " cells, more than the memory bound of " +
                   std::to_string(bound) +
                   " bytes; use rows, whose memory does not follow the domain, or raise the bound");
 }
 
 template <int Dim>
-void search_cells(const RegistryRow& row, const base::Elements<Dim>& elements,
+void search_cells(const registry::AlgorithmEntry& row, const exact::Elements<Dim>& elements,
                   const grid::Bounds<Dim>& bounds, const Options& options, PairSink& sink,
                   DetectionContext& context) {
   const auto cells = grid::integerise<Dim>(elements.spheres, bounds, options.margin, context);
   require_grid_fits(row, cells, options, context);
   sink.expect_workers(1);
   base::PairWriter pairs(sink);
-  reference::ContactTest<Dim> test(elements, options.margin, pairs, context);
-  row.runs<Dim>().on_cells(cells, test, context);
+  reference::PairDecider<Dim> test(elements, options.margin, pairs, context);
+  row.entry_points<Dim>().on_cells(cells, test, context);
   pairs.finish();
 }
 
 }  // namespace
 
 template <int Dim>
-void ElementSearch<Dim>::search(GatheredElements<Dim>& elements, const SearchTask& task,
+void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const SearchTask& task,
                                 PairSink& sink, DetectionContext& context, Statistics& statistics) {
-  const Choice choice = task.options.algorithm == Algorithm::automatic
-                            ? choose_algorithm(elements.spheres.size())
-                            : Choice{&row_of(task.options.algorithm), "asked for"};
+  const registry::Choice choice =
+      task.options.algorithm == Algorithm::automatic
+          ? registry::choose_algorithm(elements.spheres.size())
+          : registry::Choice{&registry::entry_of(task.options.algorithm), "asked for"};
   statistics.algorithm = choice.row->info.algorithm;
   statistics.reason = choice.reason;
   if (statistics.algorithm == Algorithm::rows) {
@@ -66,17 +67,19 @@ void ElementSearch<Dim>::search(GatheredElements<Dim>& elements, const SearchTas
     statistics.simd = task.settings.simd;
   }
   context.progress.begin("search", elements.spheres.size());
-  const Runs<Dim>& runs = choice.row->runs<Dim>();
-  const base::Elements<Dim> packed = elements.elements();
-  const AlgorithmInput<Dim> input{packed, elements.bounds, task.settings, workspace_, periodic_};
+  const registry::EntryPoints<Dim>& entry = choice.row->entry_points<Dim>();
+  const exact::Elements<Dim> packed = elements.elements();
+  const registry::AlgorithmInput<Dim> input{packed, elements.bounds, task.settings, workspace_,
+                                            periodic_};
   if (task.domain.is_periodic()) {
-    return runs.on_images(input, elements.spheres, lattice_of(task.domain), sink, context);
+    return entry.on_images(input, elements.spheres, elements::lattice_of(task.domain), sink,
+                           context);
   }
-  if (runs.on_elements != nullptr) return runs.on_elements(input, sink, context);
+  if (entry.on_elements != nullptr) return entry.on_elements(input, sink, context);
   search_cells<Dim>(*choice.row, packed, elements.bounds, task.options, sink, context);
 }
 
 template class ElementSearch<2>;
 template class ElementSearch<3>;
 
-}  // namespace abut::api
+}  // namespace abut::detect

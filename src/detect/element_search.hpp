@@ -12,7 +12,7 @@
 #include <abut/options.hpp>
 #include <abut/statistics.hpp>
 
-namespace abut::api {
+namespace abut::detect {
 
 /// Where and how gathered elements are searched.
 struct SearchTask {
@@ -31,12 +31,12 @@ class ElementSearch {
   /// Delivers every contact pair once to `sink` and notes in `statistics` which algorithm ran, and
   /// how. A periodic search appends ghosts to the array of spheres and takes them away again, so
   /// that this array may lie elsewhere in memory afterwards.
-  void search(GatheredElements<Dim>& elements, const SearchTask& task, base::PairSink& sink,
-              base::DetectionContext& context, Statistics& statistics);
+  void search(elements::GatheredElements<Dim>& elements, const SearchTask& task,
+              base::PairSink& sink, base::DetectionContext& context, Statistics& statistics);
 
  private:
   engine::Workspace<Dim> workspace_;
-  engine::PeriodicWorkspace<Dim> periodic_;
+  periodic::PeriodicWorkspace<Dim> periodic_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::detect

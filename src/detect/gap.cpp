@@ -39,7 +39,7 @@ struct Sets {
 /// The shift is 0 on axes that are not periodic.
 void require_there(const Domain& domain, const ImageShift& shift) {
   for (int axis = 0; axis < 3; ++axis) {
-    const std::int32_t number = base::numbers(shift)[static_cast<std::size_t>(axis)];
+    const std::int32_t number = exact::numbers(shift)[static_cast<std::size_t>(axis)];
     if (number == 0 || domain.is_periodic(axis)) continue;
     throw Error(ErrorCode::wrong_usage, std::string("image shift ") + "xyz"[axis] + " = " +
                                             std::to_string(number) +
@@ -50,28 +50,28 @@ void require_there(const Domain& domain, const ImageShift& shift) {
 template <int Dim>
 double gap_of(const Sets& sets, ContactPair pair) {
   if (sets.first.shape() == Shape::box) {
-    return base::gap(api::box_at<Dim>(sets.first, pair.first),
-                     api::box_at<Dim>(sets.second, pair.second));
+    return exact::gap(elements::box_at<Dim>(sets.first, pair.first),
+                      elements::box_at<Dim>(sets.second, pair.second));
   }
-  return base::gap(api::sphere_at<Dim>(sets.first, pair.first),
-                   api::sphere_at<Dim>(sets.second, pair.second));
+  return exact::gap(elements::sphere_at<Dim>(sets.first, pair.first),
+                    elements::sphere_at<Dim>(sets.second, pair.second));
 }
 
 template <int Dim>
 double gap_of(const Sets& sets, const Domain& domain, ContactPair pair, const ImageShift& shift) {
   if (sets.first.shape() == Shape::box) {
-    return base::gap<Dim>(api::box_at<Dim>(sets.first, pair.first),
-                          api::box_at<Dim>(sets.second, pair.second), shift,
-                          api::lattice_of(domain));
+    return exact::gap<Dim>(elements::box_at<Dim>(sets.first, pair.first),
+                           elements::box_at<Dim>(sets.second, pair.second), shift,
+                           elements::lattice_of(domain));
   }
-  return base::gap<Dim>(api::sphere_at<Dim>(sets.first, pair.first),
-                        api::sphere_at<Dim>(sets.second, pair.second), shift,
-                        api::lattice_of(domain));
+  return exact::gap<Dim>(elements::sphere_at<Dim>(sets.first, pair.first),
+                         elements::sphere_at<Dim>(sets.second, pair.second), shift,
+                         elements::lattice_of(domain));
 }
 
 double checked_gap(const Sets& sets, ContactPair pair) {
-  api::reporting_lack_of_memory([&] {
-    api::require_alike(sets.first, sets.second);
+  base::reporting_lack_of_memory([&] {
+    detect::require_alike(sets.first, sets.second);
     sets.require(pair);
   });
   const base::FloatEnvironment environment;
@@ -80,10 +80,10 @@ double checked_gap(const Sets& sets, ContactPair pair) {
 
 double checked_gap(const Sets& sets, const Domain& domain, ContactPair pair,
                    const ImageShift& shift) {
-  api::reporting_lack_of_memory([&] {
-    api::require_alike(sets.first, sets.second);
+  base::reporting_lack_of_memory([&] {
+    detect::require_alike(sets.first, sets.second);
     sets.require(pair);
-    api::require_dimensions(sets.first, domain);
+    detect::require_dimensions(sets.first, domain);
     require_there(domain, shift);
   });
   const base::FloatEnvironment environment;

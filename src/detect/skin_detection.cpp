@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace abut::api {
+namespace abut::detect {
 namespace {
 
 /// Options of a search for candidates; without the caller's hook, which may be large to copy.
@@ -27,8 +27,8 @@ engine::RowsSettings settings_with_margin(engine::RowsSettings settings, double 
 }
 
 template <int Dim>
-ElementView view_of(std::span<const base::Sphere<Dim>> spheres) {
-  constexpr std::ptrdiff_t stride = sizeof(base::Sphere<Dim>);
+ElementView view_of(std::span<const exact::Sphere<Dim>> spheres) {
+  constexpr std::ptrdiff_t stride = sizeof(exact::Sphere<Dim>);
   std::array<Column<double>, Dim> centers{};
   Column<double> radii{nullptr, spheres.size(), stride};
   for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -40,7 +40,7 @@ ElementView view_of(std::span<const base::Sphere<Dim>> spheres) {
 
 /// The elements where they lie now: a periodic search may have moved the array.
 template <int Dim>
-Snapshot<Dim> snapshot(const SkinCall<Dim>& call) {
+skin::ElementsNow<Dim> elements_now(const SkinCall<Dim>& call) {
   const engine::RowsSettings& settings = call.task.settings;
   return {call.elements.spheres, call.elements.bounds, call.task.domain, settings.margin,
           settings.workers,      settings.simd,        call.context.work};
@@ -75,7 +75,7 @@ bool SkinDetection::applies_to(const DetectionRequest& request) const noexcept {
 }
 
 /// Without ids another number of elements is as much of a change as other ids.
-NamedElements SkinDetection::name_elements(std::size_t count) {
+skin::NamedElements SkinDetection::name_elements(std::size_t count) {
   if (!ids_.given() && ids_.size() != count) {
     ids_.set({}, count);
     ++ids_version_;
@@ -84,20 +84,20 @@ NamedElements SkinDetection::name_elements(std::size_t count) {
 }
 
 template <int Dim>
-bool SkinDetection::find_candidates(const SkinCall<Dim>& call, const NamedElements& named) {
+bool SkinDetection::find_candidates(const SkinCall<Dim>& call, const skin::NamedElements& named) {
   const auto search_wider = [&](double margin, base::PairSink& sink) {
     const Options options = options_with_margin(call.task.options, margin);
     const SearchTask wider{call.task.domain, options,
                            settings_with_margin(call.task.settings, margin)};
     call.search.search(call.elements, wider, sink, call.context, call.statistics);
   };
-  return arrays<Dim>().candidates.find_candidates(snapshot(call), named, choice_, search_wider);
+  return arrays<Dim>().candidates.find_candidates(elements_now(call), named, choice_, search_wider);
 }
 
 template <int Dim>
 void SkinDetection::search_insertion(const SkinCall<Dim>& call,
-                                     const typename SkinSearch<Dim>::Insertion& insertion) {
-  GatheredElements<Dim>& joined = arrays<Dim>().insertion;
+                                     const typename skin::SkinSearch<Dim>::Insertion& insertion) {
+  elements::GatheredElements<Dim>& joined = arrays<Dim>().insertion;
   const Options options = options_with_margin(call.task.options, insertion.margin);
   const SearchTask wider{insertion.domain, options,
                          settings_with_margin(call.task.settings, insertion.margin)};
@@ -110,12 +110,12 @@ void SkinDetection::search_insertion(const SkinCall<Dim>& call,
 }
 
 template <int Dim>
-bool SkinDetection::carry_over(const SkinCall<Dim>& call, const NamedElements& named) {
-  SkinSearch<Dim>& candidates = arrays<Dim>().candidates;
-  const auto search_new = [&](const typename SkinSearch<Dim>::Insertion& insertion) {
+bool SkinDetection::carry_over(const SkinCall<Dim>& call, const skin::NamedElements& named) {
+  skin::SkinSearch<Dim>& candidates = arrays<Dim>().candidates;
+  const auto search_new = [&](const typename skin::SkinSearch<Dim>::Insertion& insertion) {
     search_insertion<Dim>(call, insertion);
   };
-  if (!candidates.carry_over(snapshot(call), named, search_new)) return false;
+  if (!candidates.carry_over(elements_now(call), named, search_new)) return false;
   ++statistics_.carried;
   statistics_.inserted += candidates.added();
   return true;
@@ -123,8 +123,8 @@ bool SkinDetection::carry_over(const SkinCall<Dim>& call, const NamedElements& n
 
 template <int Dim>
 SkinDetection::Source SkinDetection::find_source(const SkinCall<Dim>& call) {
-  const NamedElements named = name_elements(call.elements.spheres.size());
-  if (arrays<Dim>().candidates.covers(snapshot(call), named)) return Source::earlier_call;
+  const skin::NamedElements named = name_elements(call.elements.spheres.size());
+  if (arrays<Dim>().candidates.covers(elements_now(call), named)) return Source::earlier_call;
   if (carry_over(call, named)) return Source::carried_over;
   return find_candidates(call, named) ? Source::this_call : Source::none;
 }
@@ -140,8 +140,8 @@ void SkinDetection::note(Source source, const Statistics& statistics) {
 }
 
 template <int Dim>
-SkinDetection::Candidates SkinDetection::prepare(const SkinCall<Dim>& call) {
-  Candidates prepared{};
+SkinDetection::Prepared SkinDetection::prepare(const SkinCall<Dim>& call) {
+  Prepared prepared{};
   prepared.source = find_source(call);
   Statistics& statistics = call.statistics;
   if (prepared.source == Source::earlier_call || prepared.source == Source::carried_over) {
@@ -154,22 +154,22 @@ SkinDetection::Candidates SkinDetection::prepare(const SkinCall<Dim>& call) {
 }
 
 template <int Dim>
-void SkinDetection::deliver(const SkinCall<Dim>& call, Candidates prepared, base::PairSink& sink) {
-  SkinSearch<Dim>& candidates = arrays<Dim>().candidates;
+void SkinDetection::deliver(const SkinCall<Dim>& call, Prepared prepared, base::PairSink& sink) {
+  skin::SkinSearch<Dim>& candidates = arrays<Dim>().candidates;
   call.statistics.threads = static_cast<int>(call.task.settings.workers);
   statistics_.candidates = candidates.candidates();
   statistics_.skin = candidates.skin();
   const bool found_now = prepared.source == Source::this_call;
   statistics_.approach = found_now ? 0.0 : candidates.approach();
-  candidates.deliver_contacts(snapshot(call), sink, call.context);
+  candidates.deliver_contacts(elements_now(call), sink, call.context);
   if (found_now) return choice_.detected(prepared.stopwatch.lap(), candidates.approach());
   if (prepared.source == Source::carried_over) return choice_.carried();
   choice_.reused(prepared.stopwatch.lap());
 }
 
-template SkinDetection::Candidates SkinDetection::prepare<2>(const SkinCall<2>&);
-template SkinDetection::Candidates SkinDetection::prepare<3>(const SkinCall<3>&);
-template void SkinDetection::deliver<2>(const SkinCall<2>&, Candidates, base::PairSink&);
-template void SkinDetection::deliver<3>(const SkinCall<3>&, Candidates, base::PairSink&);
+template SkinDetection::Prepared SkinDetection::prepare<2>(const SkinCall<2>&);
+template SkinDetection::Prepared SkinDetection::prepare<3>(const SkinCall<3>&);
+template void SkinDetection::deliver<2>(const SkinCall<2>&, Prepared, base::PairSink&);
+template void SkinDetection::deliver<3>(const SkinCall<3>&, Prepared, base::PairSink&);
 
-}  // namespace abut::api
+}  // namespace abut::detect

@@ -9,9 +9,9 @@
 #include "detect/two_set_search.hpp"
 #include "elements/element_ids.hpp"
 #include "elements/gathered_elements.hpp"
+#include "skin/elements_now.hpp"
 #include "skin/skin_choice.hpp"
 #include "skin/skin_search.hpp"
-#include "skin/snapshot.hpp"
 
 #include <abut/algorithm.hpp>
 #include <abut/skin.hpp>
@@ -21,12 +21,12 @@
 #include <cstdint>
 #include <span>
 
-namespace abut::api {
+namespace abut::detect {
 
 /// One call on gathered elements, with the searches that a detection with a skin may need.
 template <int Dim>
 struct SkinCall {
-  GatheredElements<Dim>& elements;
+  elements::GatheredElements<Dim>& elements;
   ElementSearch<Dim>& search;
   TwoSetSearch<Dim>& two_set_search;
   const SearchTask& task;
@@ -66,30 +66,30 @@ class SkinDetection {
     earlier_call,  ///< kept as they are
   };
 
-  struct Candidates {
+  struct Prepared {
     Source source;
     base::Stopwatch stopwatch;  ///< runs since the call began to look for them
   };
 
   /// Sees to it that there are candidates for this call, if that can be.
   template <int Dim>
-  [[nodiscard]] Candidates prepare(const SkinCall<Dim>& call);
+  [[nodiscard]] Prepared prepare(const SkinCall<Dim>& call);
 
   /// Delivers the contacts among the candidates that were prepared, in canonical order.
   template <int Dim>
-  void deliver(const SkinCall<Dim>& call, Candidates candidates, base::PairSink& sink);
+  void deliver(const SkinCall<Dim>& call, Prepared prepared, base::PairSink& sink);
 
  private:
   template <int Dim>
-  struct Arrays {
-    explicit Arrays(base::MemoryMeter& memory) : candidates(memory), insertion(memory) {}
+  struct SkinArrays {
+    explicit SkinArrays(base::MemoryMeter& memory) : candidates(memory), insertion(memory) {}
 
-    SkinSearch<Dim> candidates;
-    GatheredElements<Dim> insertion;  ///< new elements and all, while they are searched
+    skin::SkinSearch<Dim> candidates;
+    elements::GatheredElements<Dim> insertion;  ///< new elements and all, while they are searched
   };
 
   template <int Dim>
-  [[nodiscard]] Arrays<Dim>& arrays() noexcept {
+  [[nodiscard]] SkinArrays<Dim>& arrays() noexcept {
     if constexpr (Dim == 2) {
       return in_2d_;
     } else {
@@ -100,23 +100,23 @@ class SkinDetection {
   template <int Dim>
   [[nodiscard]] Source find_source(const SkinCall<Dim>& call);
   template <int Dim>
-  [[nodiscard]] bool carry_over(const SkinCall<Dim>& call, const NamedElements& named);
+  [[nodiscard]] bool carry_over(const SkinCall<Dim>& call, const skin::NamedElements& named);
   template <int Dim>
-  [[nodiscard]] bool find_candidates(const SkinCall<Dim>& call, const NamedElements& named);
+  [[nodiscard]] bool find_candidates(const SkinCall<Dim>& call, const skin::NamedElements& named);
   template <int Dim>
   void search_insertion(const SkinCall<Dim>& call,
-                        const typename SkinSearch<Dim>::Insertion& insertion);
-  [[nodiscard]] NamedElements name_elements(std::size_t count);
+                        const typename skin::SkinSearch<Dim>::Insertion& insertion);
+  [[nodiscard]] skin::NamedElements name_elements(std::size_t count);
   void note(Source source, const Statistics& statistics);
 
-  SkinChoice choice_;
+  skin::SkinChoice choice_;
   SkinStatistics statistics_;
-  ElementIds ids_;
-  ElementIds next_ids_;
+  elements::ElementIds ids_;
+  elements::ElementIds next_ids_;
   std::uint64_t ids_version_ = 0;
   Algorithm candidates_from_ = Algorithm::automatic;
-  Arrays<2> in_2d_;
-  Arrays<3> in_3d_;
+  SkinArrays<2> in_2d_;
+  SkinArrays<3> in_3d_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::detect

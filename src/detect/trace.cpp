@@ -33,10 +33,10 @@ constexpr std::int32_t most_cells = std::numeric_limits<std::int32_t>::max() - 2
 
 template <int Dim>
 CellSystem cells_of(const ElementView& elements, const Options& options) {
-  DetectionContext context(api::memory_bound(options), {});
-  return api::reporting_lack_of_memory(context.memory, [&] {
-    api::GatheredElements<Dim> gathered(context.memory);
-    api::gather<Dim>(elements, {}, gathered, context);
+  DetectionContext context(detect::memory_bound(options), {});
+  return base::reporting_lack_of_memory(context.memory, [&] {
+    elements::GatheredElements<Dim> gathered(context.memory);
+    elements::gather<Dim>(elements, {}, gathered, context);
     const auto cells =
         grid::integerise<Dim>(gathered.spheres, gathered.bounds, options.margin, context);
     CellSystem system;
@@ -64,7 +64,7 @@ void require_grid(const CellSystem& system) {
 }
 
 template <int Dim>
-void run(const api::RegistryRow& row, const CellSystem& system, Sink& sink) {
+void run(const registry::AlgorithmEntry& row, const CellSystem& system, Sink& sink) {
   DetectionContext context;
   context.trace = &sink;
   grid::CellCoordinates<Dim> cells(system.cells.size(), context.memory);
@@ -83,18 +83,18 @@ void run(const api::RegistryRow& row, const CellSystem& system, Sink& sink) {
     }
   }
   if (system.cells.size() > most_traced_elements ||
-      api::grid_bytes(row, cells) > most_traced_bytes) {
+      registry::grid_bytes(row, cells) > most_traced_bytes) {
     throw Error(ErrorCode::limit_exceeded,
                 std::to_string(system.cells.size()) +
                     " elements in this grid give arrays too long "
                     "to read; trace at most 65536 elements and 16 MiB of arrays");
   }
   reference::CandidateRecorder recorder(sink);
-  row.runs<Dim>().trace(cells, recorder, context);
+  row.entry_points<Dim>().trace(cells, recorder, context);
 }
 
 void run_checked(Algorithm algorithm, const CellSystem& system, Sink& sink) {
-  const api::RegistryRow& row = api::row_of(algorithm);
+  const registry::AlgorithmEntry& row = registry::entry_of(algorithm);
   if (!row.info.traceable) {
     throw Error(ErrorCode::wrong_usage,
                 std::string(row.info.name) +
@@ -136,7 +136,7 @@ Sink::~Sink() = default;
 
 CellSystem integerise(const ElementView& elements, const Options& options) {
   const base::FloatEnvironment environment;
-  api::reporting_lack_of_memory([&] { api::validate(options, elements, Domain::open()); });
+  base::reporting_lack_of_memory([&] { detect::validate(options, elements, Domain::open()); });
   return elements.dimensions() == 2 ? cells_of<2>(elements, options)
                                     : cells_of<3>(elements, options);
 }
@@ -144,14 +144,14 @@ CellSystem integerise(const ElementView& elements, const Options& options) {
 void run(Algorithm algorithm, const CellSystem& system, Sink& sink) {
   CallersSink callers(sink);
   try {
-    api::reporting_lack_of_memory([&] { run_checked(algorithm, system, callers); });
+    base::reporting_lack_of_memory([&] { run_checked(algorithm, system, callers); });
   } catch (const base::CallersException& theirs) {
     std::rethrow_exception(theirs.exception);
   }
 }
 
 Partition first_partition(std::span<const std::int32_t> values) {
-  return api::reporting_lack_of_memory([&] {
+  return base::reporting_lack_of_memory([&] {
     Partition result{{values.begin(), values.end()}, values.size()};
     if (values.empty()) return result;
     const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());

@@ -4,20 +4,20 @@
 
 #include <string>
 
-namespace abut::api {
+namespace abut::detect {
 
 template <int Dim>
 void TwoSetSearch<Dim>::gather(const ElementView& first, const ElementView& second,
-                               const SearchTask& task, GatheredElements<Dim>& joined,
+                               const SearchTask& task, elements::GatheredElements<Dim>& joined,
                                base::DetectionContext& context) {
-  const GatherSettings how{task.settings.workers, task.settings.simd};
+  const elements::GatherSettings how{task.settings.workers, task.settings.simd};
   sets_.gather(first, second, {how, task.settings.margin, !task.domain.is_periodic()}, joined,
                context);
 }
 
 /// The search numbers the elements of both sets as one, and so do its messages.
 template <int Dim>
-void TwoSetSearch<Dim>::search(ElementSearch<Dim>& inner, GatheredElements<Dim>& joined,
+void TwoSetSearch<Dim>::search(ElementSearch<Dim>& inner, elements::GatheredElements<Dim>& joined,
                                const SearchTask& task, base::PairSink& sink,
                                base::DetectionContext& context, Statistics& statistics) {
   const std::size_t first_count = sets_.first_count();
@@ -35,4 +35,4 @@ void TwoSetSearch<Dim>::search(ElementSearch<Dim>& inner, GatheredElements<Dim>&
 template class TwoSetSearch<2>;
 template class TwoSetSearch<3>;
 
-}  // namespace abut::api
+}  // namespace abut::detect

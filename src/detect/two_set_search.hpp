@@ -14,7 +14,7 @@
 
 #include <span>
 
-namespace abut::api {
+namespace abut::detect {
 
 /// Searches two sets as one system of elements and keeps the pairs between the sets. It keeps its
 /// memory.
@@ -23,24 +23,25 @@ class TwoSetSearch {
  public:
   explicit TwoSetSearch(base::MemoryMeter& memory) : sets_(memory) {}
 
-  /// Reads both sets into `joined`. Throws as api::gather does, and names the set.
+  /// Reads both sets into `joined`. Throws as elements::gather does, and names the set.
   void gather(const ElementView& first, const ElementView& second, const SearchTask& task,
-              GatheredElements<Dim>& joined, base::DetectionContext& context);
+              elements::GatheredElements<Dim>& joined, base::DetectionContext& context);
 
   /// Delivers the pairs (element of the first set, element of the second) of the sets that were
   /// gathered last.
-  void search(ElementSearch<Dim>& inner, GatheredElements<Dim>& joined, const SearchTask& task,
-              base::PairSink& sink, base::DetectionContext& context, Statistics& statistics);
+  void search(ElementSearch<Dim>& inner, elements::GatheredElements<Dim>& joined,
+              const SearchTask& task, base::PairSink& sink, base::DetectionContext& context,
+              Statistics& statistics);
 
   /// All elements of each set, also those that were left out of the search.
-  [[nodiscard]] std::span<const base::Sphere<Dim>> first() const noexcept { return sets_.first(); }
-  [[nodiscard]] std::span<const base::Sphere<Dim>> second() const noexcept {
+  [[nodiscard]] std::span<const exact::Sphere<Dim>> first() const noexcept { return sets_.first(); }
+  [[nodiscard]] std::span<const exact::Sphere<Dim>> second() const noexcept {
     return sets_.second();
   }
 
  private:
-  JoinedSets<Dim> sets_;
-  CrossSink crossing_;
+  elements::JoinedSets<Dim> sets_;
+  lists::CrossSink crossing_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::detect

@@ -2,7 +2,7 @@
 
 #include "algorithms/registry.hpp"
 #include "base/machine_memory.hpp"
-#include "base/written.hpp"
+#include "base/shortest_text.hpp"
 
 #include <abut/error.hpp>
 
@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-namespace abut::api {
+namespace abut::detect {
 namespace {
 
 constexpr std::uint64_t gibibyte = std::uint64_t{1} << 30;
@@ -27,9 +27,9 @@ std::uint64_t most_elements(Algorithm algorithm) {
 
 void require_carried(Algorithm algorithm, const Domain& domain) {
   if (!domain.is_periodic() || algorithm == Algorithm::automatic) return;
-  if (row_of(algorithm).info.periodic) return;
+  if (registry::entry_of(algorithm).info.periodic) return;
   std::string carriers;
-  for (const RegistryRow& row : registry()) {
+  for (const registry::AlgorithmEntry& row : registry::registry()) {
     if (!row.info.periodic) continue;
     carriers += (carriers.empty() ? "" : " or ") + std::string(row.info.name);
   }
@@ -40,7 +40,7 @@ void require_carried(Algorithm algorithm, const Domain& domain) {
 
 void require_in_range(const Options& options) {
   if (!(options.margin >= 0.0) || std::isinf(options.margin)) {
-    throw Error(ErrorCode::invalid_input, "margin = " + base::written(options.margin) +
+    throw Error(ErrorCode::invalid_input, "margin = " + base::shortest_text(options.margin) +
                                               "; it must be finite and not negative");
   }
   if (options.threads < 0) {
@@ -104,7 +104,7 @@ void validate(const Options& options, const ElementView& first, const ElementVie
 void require_points(const ElementView& points, double cutoff) {
   if (!(cutoff >= 0.0) || std::isinf(cutoff)) {
     throw Error(ErrorCode::invalid_input,
-                "cutoff = " + base::written(cutoff) + "; it must be finite and not negative");
+                "cutoff = " + base::shortest_text(cutoff) + "; it must be finite and not negative");
   }
   const bool spheres = points.shape() == Shape::sphere;
   if (spheres && points.has_common_radius() && points.common_radius() == 0.0) return;
@@ -122,4 +122,4 @@ std::uint64_t grid_memory_bound(const Options& options, std::size_t element_coun
   return std::min(gibibyte + bytes_per_element * element_count, base::machine_memory());
 }
 
-}  // namespace abut::api
+}  // namespace abut::detect

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::api {
+namespace abut::detect {
 
 /// Throws Error{wrong_usage} for a periodic domain of other dimensions than the elements.
 void require_dimensions(const ElementView& elements, const Domain& domain);
@@ -33,4 +33,4 @@ void require_points(const ElementView& points, double cutoff);
 /// caller's bound, else 1 GiB + 2 KiB per element.
 [[nodiscard]] std::uint64_t grid_memory_bound(const Options& options, std::size_t element_count);
 
-}  // namespace abut::api
+}  // namespace abut::detect

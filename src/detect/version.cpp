@@ -38,7 +38,7 @@ std::string_view version() {
 }
 
 std::string build_description() {
-  return api::reporting_lack_of_memory([] {
+  return base::reporting_lack_of_memory([] {
     std::string description = "abut ";
     for (const std::string_view part :
          {text, std::string_view(" ("), compiler, std::string_view(", "), architecture,

@@ -1,6 +1,6 @@
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
-#include "base/written.hpp"
+#include "base/shortest_text.hpp"
 #include "elements/lattice_of.hpp"
 #include "lattice/check_lattice.hpp"
 
@@ -17,9 +17,9 @@ namespace {
 constexpr const char* length_name[] = {"lx", "ly", "lz"};
 
 void reject(const char* what, double value, const char* rule) {
-  api::reporting_lack_of_memory([&] {
+  base::reporting_lack_of_memory([&] {
     throw Error(ErrorCode::invalid_input,
-                std::string(what) + " = " + base::written(value) + "; " + rule);
+                std::string(what) + " = " + base::shortest_text(value) + "; " + rule);
   });
 }
 
@@ -38,16 +38,17 @@ Axes with(Axes axes, std::size_t axis) {
 
 Domain::Domain(const std::array<Vector, 3>& vectors, Axes axes, std::size_t dimensions)
     : axes_(axes), dimensions_(static_cast<int>(dimensions)) {
-  api::reporting_lack_of_memory([&] { require_its_axes(axes, dimensions); });
+  base::reporting_lack_of_memory([&] { require_its_axes(axes, dimensions); });
   for (std::size_t axis = 0; axis < dimensions; ++axis) {
     if (!is_periodic(static_cast<int>(axis))) continue;
     for (std::size_t k = 0; k < dimensions; ++k)
       vectors_[axis][k] = vectors[axis][k] + 0.0;  // no -0.0
   }
   const base::FloatEnvironment environment;
-  const base::Lattice lattice = api::lattice_of(*this);
-  api::reporting_lack_of_memory(
-      [&] { dimensions == 2 ? grid::check_lattice<2>(lattice) : grid::check_lattice<3>(lattice); });
+  const exact::Lattice lattice = elements::lattice_of(*this);
+  base::reporting_lack_of_memory([&] {
+    dimensions == 2 ? lattice::check_lattice<2>(lattice) : lattice::check_lattice<3>(lattice);
+  });
 }
 
 Domain Domain::lattice(const std::array<double, 2>& a, const std::array<double, 2>& b,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace abut::api {
+namespace abut::elements {
 
 void ElementIds::set(std::span<const std::uint64_t> ids, std::size_t count) {
   if (!ids.empty() && ids.size() != count) {
@@ -42,7 +42,7 @@ void ElementIds::fill_ascending() {
   for (std::size_t k = 0; k < count_; ++k) {
     ascending_[k] = {ids_[k], static_cast<std::uint32_t>(k)};
   }
-  const auto before = [](const Place& a, const Place& b) {
+  const auto before = [](const IdEntry& a, const IdEntry& b) {
     return a.id != b.id ? a.id < b.id : a.number < b.number;
   };
   if (!std::is_sorted(ascending_.begin(), ascending_.end(), before)) {
@@ -50,7 +50,7 @@ void ElementIds::fill_ascending() {
   }
   const auto twice =
       std::adjacent_find(ascending_.begin(), ascending_.end(),
-                         [](const Place& a, const Place& b) { return a.id == b.id; });
+                         [](const IdEntry& a, const IdEntry& b) { return a.id == b.id; });
   if (twice == ascending_.end()) return;
   throw Error(ErrorCode::invalid_input, "elements " + std::to_string(twice->number) + " and " +
                                             std::to_string((twice + 1)->number) +
@@ -68,7 +68,7 @@ std::uint32_t ElementIds::number_of(std::uint64_t id) const noexcept {
     return id < number_of_.size() ? number_of_[static_cast<std::size_t>(id)] : none;
   }
   const auto place = std::partition_point(ascending_.begin(), ascending_.end(),
-                                          [id](const Place& other) { return other.id < id; });
+                                          [id](const IdEntry& other) { return other.id < id; });
   return place != ascending_.end() && place->id == id ? place->number : none;
 }
 
@@ -79,11 +79,11 @@ void ElementIds::find_in(const ElementIds& others, std::vector<std::uint32_t>& n
     return;
   }
   auto other = others.ascending_.begin();
-  for (const Place& own : ascending_) {
+  for (const IdEntry& own : ascending_) {
     while (other != others.ascending_.end() && other->id < own.id) ++other;
     if (other == others.ascending_.end()) return;
     if (other->id == own.id) numbers[own.number] = other->number;
   }
 }
 
-}  // namespace abut::api
+}  // namespace abut::elements

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::elements {
 
 /// Names of elements that outlive their numbers. Without ids given, an element's number is its id.
 class ElementIds {
@@ -32,7 +32,7 @@ class ElementIds {
   void find_in(const ElementIds& others, std::vector<std::uint32_t>& numbers) const;
 
  private:
-  struct Place {
+  struct IdEntry {
     std::uint64_t id;
     std::uint32_t number;
   };
@@ -44,7 +44,7 @@ class ElementIds {
   std::size_t count_ = 0;
   std::vector<std::uint64_t> ids_;
   std::vector<std::uint32_t> number_of_;  ///< by id, where ids are small; none where they are not
-  std::vector<Place> ascending_;          ///< where they are not
+  std::vector<IdEntry> ascending_;        ///< where they are not
 };
 
-}  // namespace abut::api
+}  // namespace abut::elements

@@ -19,7 +19,7 @@ std::string column_name(const ElementView& elements, std::size_t column) {
 
 void ElementView::require_size(std::size_t column, std::size_t size) const {
   if (size == size_) return;
-  api::reporting_lack_of_memory([&] {
+  base::reporting_lack_of_memory([&] {
     throw Error(ErrorCode::invalid_input,
                 "the arrays differ in length: " + column_name(*this, 0) + " has " +
                     std::to_string(size_) + " numbers and " + column_name(*this, column) + " has " +

@@ -39,7 +39,7 @@ ContactPair as_looked_up(const ContactPair& pair, bool of_two_sets) noexcept {
 
 ExclusionList::ExclusionList(std::span<const ContactPair> pairs, std::size_t elements)
     : second_elements_(elements) {
-  api::reporting_lack_of_memory([&] {
+  base::reporting_lack_of_memory([&] {
     require_there(pairs, elements, elements);
     fill(pairs, elements);
   });
@@ -48,7 +48,7 @@ ExclusionList::ExclusionList(std::span<const ContactPair> pairs, std::size_t ele
 ExclusionList::ExclusionList(std::span<const ContactPair> pairs, std::size_t first_elements,
                              std::size_t second_elements)
     : of_two_sets_(true), second_elements_(second_elements) {
-  api::reporting_lack_of_memory([&] {
+  base::reporting_lack_of_memory([&] {
     require_there(pairs, first_elements, second_elements);
     fill(pairs, first_elements);
   });

@@ -1,7 +1,7 @@
 #include "elements/gathered_elements.hpp"
 
 #include "base/asking_workers.hpp"
-#include "base/written.hpp"
+#include "base/shortest_text.hpp"
 #include "grid/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
 
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace abut::api {
+namespace abut::elements {
 namespace {
 
 constexpr std::size_t elements_at_a_time = 1024;
@@ -26,12 +26,12 @@ constexpr std::uint64_t steps_of_reading = 8;
 
 [[noreturn]] void reject(std::size_t element, const char* field, double value, const char* rule) {
   throw Error(ErrorCode::invalid_input, "element " + std::to_string(element) + " has " + field +
-                                            " = " + base::written(value) + "; " + rule);
+                                            " = " + base::shortest_text(value) + "; " + rule);
 }
 
 /// Names what is wrong with an element, x before y before z before the radius.
 template <int Dim>
-[[noreturn]] void reject(std::size_t number, const base::Sphere<Dim>& sphere) {
+[[noreturn]] void reject(std::size_t number, const exact::Sphere<Dim>& sphere) {
   static constexpr const char* axis_name[] = {"x", "y", "z"};
   for (int axis = 0; axis < Dim; ++axis) {
     if (!std::isfinite(sphere.center[axis])) {
@@ -45,7 +45,7 @@ template <int Dim>
 
 /// The same for a box: the lower corner's axes, then the upper's, then their order.
 template <int Dim>
-[[noreturn]] void reject(std::size_t number, const base::Box<Dim>& box) {
+[[noreturn]] void reject(std::size_t number, const exact::Box<Dim>& box) {
   static constexpr const char* lower_name[] = {"xmin", "ymin", "zmin"};
   static constexpr const char* upper_name[] = {"xmax", "ymax", "zmax"};
   constexpr const char* rule = "corners must be finite: correct or remove this element";
@@ -58,8 +58,8 @@ template <int Dim>
   int axis = 0;
   while (box.lower[axis] <= box.upper[axis]) ++axis;
   reject(number, lower_name[axis], box.lower[axis],
-         ("more than " + std::string(upper_name[axis]) + " = " + base::written(box.upper[axis]) +
-          "; exchange them or correct this element")
+         ("more than " + std::string(upper_name[axis]) + " = " +
+          base::shortest_text(box.upper[axis]) + "; exchange them or correct this element")
              .c_str());
 }
 
@@ -80,8 +80,8 @@ class Reader {
 };
 
 template <int Dim, Real T>
-base::Sphere<Dim> read_sphere(const ElementView& elements, std::size_t k) {
-  base::Sphere<Dim> sphere{};
+exact::Sphere<Dim> read_sphere(const ElementView& elements, std::size_t k) {
+  exact::Sphere<Dim> sphere{};
   for (int axis = 0; axis < Dim; ++axis) sphere.center[axis] = Reader<T>(elements.center(axis))[k];
   sphere.radius =
       elements.has_common_radius() ? elements.common_radius() : Reader<T>(elements.radii())[k];
@@ -89,8 +89,8 @@ base::Sphere<Dim> read_sphere(const ElementView& elements, std::size_t k) {
 }
 
 template <int Dim, Real T>
-base::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
-  base::Box<Dim> box{};
+exact::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
+  exact::Box<Dim> box{};
   for (int axis = 0; axis < Dim; ++axis) {
     box.lower[axis] = Reader<T>(elements.lower(axis))[k];
     box.upper[axis] = Reader<T>(elements.upper(axis))[k];
@@ -99,7 +99,7 @@ base::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
 }
 
 template <int Dim>
-bool valid(const base::Box<Dim>& box) {
+bool valid(const exact::Box<Dim>& box) {
   constexpr double largest = std::numeric_limits<double>::max();
   bool result = true;
   for (int axis = 0; axis < Dim; ++axis) {
@@ -111,8 +111,8 @@ bool valid(const base::Box<Dim>& box) {
 
 /// Halves are subtracted, since a width may exceed the largest double.
 template <int Dim>
-base::Sphere<Dim> stand_in(const base::Box<Dim>& box) {
-  base::Sphere<Dim> sphere{};
+exact::Sphere<Dim> stand_in(const exact::Box<Dim>& box) {
+  exact::Sphere<Dim> sphere{};
   for (int axis = 0; axis < Dim; ++axis) {
     sphere.center[axis] = box.lower[axis];
     sphere.radius = std::max(sphere.radius, 0.5 * box.upper[axis] - 0.5 * box.lower[axis]);
@@ -121,7 +121,7 @@ base::Sphere<Dim> stand_in(const base::Box<Dim>& box) {
 }
 
 template <int Dim>
-bool valid(const base::Sphere<Dim>& sphere) {
+bool valid(const exact::Sphere<Dim>& sphere) {
   constexpr double largest = std::numeric_limits<double>::max();
   bool finite = sphere.radius >= 0.0 && sphere.radius <= largest;
   for (const double x : sphere.center) finite = finite && std::fabs(x) <= largest;
@@ -175,7 +175,7 @@ class Gatherer {
     std::size_t k = first;
     if (columns_) k += pack(first, last - first, bounds);
     for (; k < last; ++k) {
-      const base::Sphere<Dim> sphere = sphere_at<Dim>(elements_, k);
+      const exact::Sphere<Dim> sphere = sphere_at<Dim>(elements_, k);
       if (!valid(sphere)) reject(k, sphere);
       bounds.include_center(sphere);
       bounds.include_radius(sphere.radius);
@@ -185,7 +185,7 @@ class Gatherer {
 
   void read_boxes(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
     for (std::size_t k = first; k < last; ++k) {
-      const base::Box<Dim> box = box_at<Dim>(elements_, k);
+      const exact::Box<Dim> box = box_at<Dim>(elements_, k);
       if (!valid(box)) reject(k, box);
       boxes_[k] = box;
       spheres_[k] = stand_in(box);
@@ -198,14 +198,14 @@ class Gatherer {
     kernels::ElementColumns columns = *columns_;
     for (int axis = 0; axis < Dim; ++axis) columns.center[axis] += first;
     columns.radius += first;
-    return engine::widen(bounds, [&](kernels::ElementBounds& packed) {
+    return grid::widen(bounds, [&](kernels::ElementBounds& packed) {
       return kernels_.pack(columns, count, Dim, spheres_[first].center, packed);
     });
   }
 
   const ElementView& elements_;
-  std::span<base::Sphere<Dim>> spheres_;
-  std::span<base::Box<Dim>> boxes_;
+  std::span<exact::Sphere<Dim>> spheres_;
+  std::span<exact::Box<Dim>> boxes_;
   std::optional<kernels::ElementColumns> columns_;
   kernels::ElementKernels kernels_;
 };
@@ -240,13 +240,13 @@ void gather(const ElementView& elements, const GatherSettings& settings,
 }
 
 template <int Dim>
-base::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number) {
+exact::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number) {
   return elements.precision() == Precision::float32 ? read_sphere<Dim, float>(elements, number)
                                                     : read_sphere<Dim, double>(elements, number);
 }
 
 template <int Dim>
-base::Box<Dim> box_at(const ElementView& elements, std::size_t number) {
+exact::Box<Dim> box_at(const ElementView& elements, std::size_t number) {
   return elements.precision() == Precision::float32 ? read_box<Dim, float>(elements, number)
                                                     : read_box<Dim, double>(elements, number);
 }
@@ -255,9 +255,9 @@ template void gather(const ElementView&, const GatherSettings&, GatheredElements
                      base::DetectionContext&);
 template void gather(const ElementView&, const GatherSettings&, GatheredElements<3>&,
                      base::DetectionContext&);
-template base::Sphere<2> sphere_at(const ElementView&, std::size_t);
-template base::Sphere<3> sphere_at(const ElementView&, std::size_t);
-template base::Box<2> box_at(const ElementView&, std::size_t);
-template base::Box<3> box_at(const ElementView&, std::size_t);
+template exact::Sphere<2> sphere_at(const ElementView&, std::size_t);
+template exact::Sphere<3> sphere_at(const ElementView&, std::size_t);
+template exact::Box<2> box_at(const ElementView&, std::size_t);
+template exact::Box<3> box_at(const ElementView&, std::size_t);
 
-}  // namespace abut::api
+}  // namespace abut::elements

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace abut::api {
+namespace abut::elements {
 
 struct GatherSettings {
   std::size_t workers = 1;
@@ -23,13 +23,13 @@ struct GatherSettings {
 template <int Dim>
 struct GatheredElements {
   explicit GatheredElements(base::MemoryMeter& memory)
-      : spheres(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
-        boxes(base::make_array_for_overwrite<base::Box<Dim>>(memory, 0)) {}
+      : spheres(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)),
+        boxes(base::make_array_for_overwrite<exact::Box<Dim>>(memory, 0)) {}
 
-  [[nodiscard]] base::Elements<Dim> elements() const noexcept { return {spheres, boxes}; }
+  [[nodiscard]] exact::Elements<Dim> elements() const noexcept { return {spheres, boxes}; }
 
-  base::Array<base::Sphere<Dim>> spheres;
-  base::Array<base::Box<Dim>> boxes;  ///< none where the elements are spheres
+  base::Array<exact::Sphere<Dim>> spheres;
+  base::Array<exact::Box<Dim>> boxes;  ///< none where the elements are spheres
   grid::Bounds<Dim> bounds;
   std::vector<grid::Bounds<Dim>> parts;  ///< bounds of what each worker read
 };
@@ -42,10 +42,10 @@ void gather(const ElementView& elements, const GatherSettings& settings,
 
 /// One sphere, unchecked.
 template <int Dim>
-[[nodiscard]] base::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number);
+[[nodiscard]] exact::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number);
 
 /// One box, unchecked.
 template <int Dim>
-[[nodiscard]] base::Box<Dim> box_at(const ElementView& elements, std::size_t number);
+[[nodiscard]] exact::Box<Dim> box_at(const ElementView& elements, std::size_t number);
 
-}  // namespace abut::api
+}  // namespace abut::elements

@@ -10,7 +10,7 @@
 namespace abut {
 
 GroupTable::GroupTable(std::uint32_t groups) : groups_(groups) {
-  api::reporting_lack_of_memory([&] {
+  base::reporting_lack_of_memory([&] {
     if (groups > most_groups) {
       throw Error(ErrorCode::limit_exceeded,
                   "a table of " + std::to_string(groups) + " groups; it holds at most " +
@@ -21,12 +21,12 @@ GroupTable::GroupTable(std::uint32_t groups) : groups_(groups) {
 }
 
 GroupTable& GroupTable::allow(std::uint32_t a, std::uint32_t b) {
-  api::reporting_lack_of_memory([&] { set(a, b, 1); });
+  base::reporting_lack_of_memory([&] { set(a, b, 1); });
   return *this;
 }
 
 GroupTable& GroupTable::deny(std::uint32_t a, std::uint32_t b) {
-  api::reporting_lack_of_memory([&] { set(a, b, 0); });
+  base::reporting_lack_of_memory([&] { set(a, b, 0); });
   return *this;
 }
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <string>
 
-namespace abut::api {
+namespace abut::elements {
 namespace {
 
 /// A set so many times larger than the other is looked at in cells; to cover these for more costs
@@ -20,7 +20,7 @@ template <int Dim>
 void gather_set(const char* which, const ElementView& elements, const GatherSettings& settings,
                 GatheredElements<Dim>& gathered, base::DetectionContext& context) {
   try {
-    api::gather<Dim>(elements, settings, gathered, context);
+    gather<Dim>(elements, settings, gathered, context);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_input) throw;
     throw Error(error.code(), std::string("in the ") + which + " set, " + error.what());
@@ -30,7 +30,7 @@ void gather_set(const char* which, const ElementView& elements, const GatherSett
 }  // namespace
 
 template <int Dim>
-void JoinedSets<Dim>::keep_all(Set& set, std::size_t workers) {
+void JoinedSets<Dim>::keep_all(JoinedSet& set, std::size_t workers) {
   set.counts.resize(workers);
   for (std::size_t worker = 0; worker < workers; ++worker) {
     const auto [first, last] = base::share_of(worker, workers, set.size());
@@ -41,11 +41,11 @@ void JoinedSets<Dim>::keep_all(Set& set, std::size_t workers) {
 
 /// Those that the mask does not rule out.
 template <int Dim>
-void JoinedSets<Dim>::keep_some(Set& set, std::size_t workers, base::WorkCounter& work) {
+void JoinedSets<Dim>::keep_some(JoinedSet& set, std::size_t workers, base::WorkCounter& work) {
   base::make_room(set.kept, set.size());
   base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(share, workers, set.size());
-    const base::Sphere<Dim>* const spheres = set.elements.spheres.data();
+    const exact::Sphere<Dim>* const spheres = set.elements.spheres.data();
     std::size_t next = first;
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
@@ -60,7 +60,7 @@ void JoinedSets<Dim>::keep_some(Set& set, std::size_t workers, base::WorkCounter
 
 template <int Dim>
 void JoinedSets<Dim>::leave_out(const Search& search, base::WorkCounter& work) {
-  const auto leave_out_far = [&](Set& set, const Set& other) {
+  const auto leave_out_far = [&](JoinedSet& set, const JoinedSet& other) {
     const auto& bounds = set.elements.bounds;
     mask_.cover_box(other.elements.bounds, bounds.largest_radius, search.margin);
     if (set.size() / times_larger >= other.size()) {
@@ -74,7 +74,7 @@ void JoinedSets<Dim>::leave_out(const Search& search, base::WorkCounter& work) {
 }
 
 template <int Dim>
-void JoinedSets<Dim>::place(const Set& set, std::size_t worker, std::size_t begin,
+void JoinedSets<Dim>::place(const JoinedSet& set, std::size_t worker, std::size_t begin,
                             GatheredElements<Dim>& joined, base::WorkCounter& work) {
   const std::size_t workers = set.counts.size();
   const std::size_t first = base::share_of(worker, workers, set.size()).first;
@@ -82,7 +82,7 @@ void JoinedSets<Dim>::place(const Set& set, std::size_t worker, std::size_t begi
   std::size_t to = std::accumulate(set.counts.begin(),
                                    set.counts.begin() + static_cast<std::ptrdiff_t>(worker), begin);
   const bool all = set.count == set.size();
-  const base::Sphere<Dim>* const spheres = set.elements.spheres.data();
+  const exact::Sphere<Dim>* const spheres = set.elements.spheres.data();
   const bool boxes = !set.elements.boxes.empty();
   grid::Bounds<Dim>& bounds = joined.parts[worker];
   const auto place_one = [&](std::size_t k) {
@@ -137,4 +137,4 @@ void JoinedSets<Dim>::gather(const ElementView& first, const ElementView& second
 template class JoinedSets<2>;
 template class JoinedSets<3>;
 
-}  // namespace abut::api
+}  // namespace abut::elements

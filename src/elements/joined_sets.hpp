@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::elements {
 
 /// Two sets of elements as one system: those of the first set, then those of the second; without
 /// such as cannot be within reach of any of the other set. It keeps its memory.
@@ -40,10 +40,10 @@ class JoinedSets {
   [[nodiscard]] std::size_t first_count() const noexcept { return first_.count; }
 
   /// All elements of the sets, also those left out.
-  [[nodiscard]] std::span<const base::Sphere<Dim>> first() const noexcept {
+  [[nodiscard]] std::span<const exact::Sphere<Dim>> first() const noexcept {
     return first_.elements.spheres;
   }
-  [[nodiscard]] std::span<const base::Sphere<Dim>> second() const noexcept {
+  [[nodiscard]] std::span<const exact::Sphere<Dim>> second() const noexcept {
     return second_.elements.spheres;
   }
 
@@ -54,8 +54,8 @@ class JoinedSets {
 
  private:
   /// One set, and which of its elements are joined.
-  struct Set {
-    explicit Set(base::MemoryMeter& memory)
+  struct JoinedSet {
+    explicit JoinedSet(base::MemoryMeter& memory)
         : elements(memory), kept(base::make_array_for_overwrite<ElementIndex>(memory, 0)) {}
 
     [[nodiscard]] std::size_t size() const noexcept { return elements.spheres.size(); }
@@ -67,17 +67,17 @@ class JoinedSets {
   };
 
   void leave_out(const Search& search, base::WorkCounter& work);
-  void keep_all(Set& set, std::size_t workers);
-  void keep_some(Set& set, std::size_t workers, base::WorkCounter& work);
+  void keep_all(JoinedSet& set, std::size_t workers);
+  void keep_some(JoinedSet& set, std::size_t workers, base::WorkCounter& work);
   void join(std::size_t workers, GatheredElements<Dim>& joined, base::WorkCounter& work);
-  void place(const Set& set, std::size_t worker, std::size_t begin, GatheredElements<Dim>& joined,
-             base::WorkCounter& work);
+  void place(const JoinedSet& set, std::size_t worker, std::size_t begin,
+             GatheredElements<Dim>& joined, base::WorkCounter& work);
 
-  Set first_;
-  Set second_;
-  grid::ReachMask<Dim> mask_;
+  JoinedSet first_;
+  JoinedSet second_;
+  lattice::ReachMask<Dim> mask_;
   bool all_there_ = true;
   base::Array<ElementIndex> numbers_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::elements

@@ -6,11 +6,11 @@
 
 #include <array>
 
-namespace abut::api {
+namespace abut::elements {
 
 /// The domain as the layers below take it.
-[[nodiscard]] inline base::Lattice lattice_of(const Domain& domain) {
-  base::Lattice lattice;
+[[nodiscard]] inline exact::Lattice lattice_of(const Domain& domain) {
+  exact::Lattice lattice;
   for (int axis = 0; axis < 3; ++axis) {
     lattice.vectors[static_cast<std::size_t>(axis)] = domain.vector(axis);
     lattice.periodic[static_cast<std::size_t>(axis)] = domain.is_periodic(axis);
@@ -18,4 +18,4 @@ namespace abut::api {
   return lattice;
 }
 
-}  // namespace abut::api
+}  // namespace abut::elements

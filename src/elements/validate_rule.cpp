@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace abut::api {
+namespace abut::elements {
 namespace {
 
 /// One set's traits, and what they are called in errors.
@@ -88,4 +88,4 @@ void validate_rule(const PairRule& rule, const ElementView& first, const Element
   if (rule.exclusions != nullptr) require_fit(*rule.exclusions, first, second);
 }
 
-}  // namespace abut::api
+}  // namespace abut::elements

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/progress_reporter.hpp"
-#include "engine/bench.hpp"
-#include "engine/group.hpp"
+#include "engine/search_set.hpp"
 #include "engine/tiles.hpp"
+#include "engine/worker_scratch.hpp"
 #include "exact/elements.hpp"
 #include "kernels/element_kernels.hpp"
 
@@ -11,27 +11,29 @@
 
 namespace abut::engine {
 
-/// Divides a group by size at `cut`. What remains to be searched, each pair in one of them:
+/// Divides a search set by size at `cut`. What remains to be searched, each pair in one of them:
 ///
-///   large    natives and foreigns of that size; the group's visitors
-///   small    the others; the group's visitors and all large ones as visitors
-///   across   small foreigns as natives, visited by large natives
+///   large    locals and halo elements of that size; the search set's coarse elements
+///   small    the others; the search set's coarse elements and all large ones as coarse elements
+///   across   small halo elements as locals, visited by large locals
 template <int Dim>
-void divide_by_size(const base::Elements<Dim>& elements, const Group<Dim>& group, double cut,
-                    Floor<Dim>& floor, base::WorkCounter& work);
+void divide_by_size(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set, double cut,
+                    RecursionLevel<Dim>& level, base::WorkCounter& work);
 
-/// Own elements of a tile as natives, copies within a cell of their box as foreigns, visitors that
-/// reach the box. The group's lists are those of `members`.
+/// Own elements of a tile as locals, copies within a cell of their box as halo elements, coarse
+/// elements that reach the box. The search set's lists are those of `members`.
 template <int Dim>
-[[nodiscard]] Group<Dim> collect_tile(const base::Elements<Dim>& elements, const Tiles<Dim>& tiles,
-                                      std::size_t tile, double cell_size, double margin,
-                                      const kernels::ElementKernels& kernels, Members& members,
-                                      base::WorkCounter& work);
+[[nodiscard]] SearchSet<Dim> collect_tile(const exact::Elements<Dim>& elements,
+                                          const Tiles<Dim>& tiles, std::size_t tile,
+                                          double cell_size, double margin,
+                                          const kernels::ElementKernels& kernels, Members& members,
+                                          base::WorkCounter& work);
 
-/// The group of some members, with its bounds.
+/// The search set of some members, with its bounds.
 template <int Dim>
-[[nodiscard]] Group<Dim> group_of(const base::Elements<Dim>& elements, const Members& members,
-                                  Wanted wanted, const kernels::ElementKernels& kernels,
-                                  base::WorkCounter& work);
+[[nodiscard]] SearchSet<Dim> search_set_of(const exact::Elements<Dim>& elements,
+                                           const Members& members, Wanted wanted,
+                                           const kernels::ElementKernels& kernels,
+                                           base::WorkCounter& work);
 
 }  // namespace abut::engine

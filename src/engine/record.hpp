@@ -36,7 +36,7 @@ class Recorder {
     return static_cast<float>(length * unit_);
   }
 
-  [[nodiscard]] Record<Dim> record(const base::Sphere<Dim>& sphere, std::uint32_t number,
+  [[nodiscard]] Record<Dim> record(const exact::Sphere<Dim>& sphere, std::uint32_t number,
                                    const std::array<double, Dim>& tile) const noexcept {
     Record<Dim> record;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -47,11 +47,11 @@ class Recorder {
     return record;
   }
 
-  /// Of a foreign. Beyond the upper end of the box it is beyond its last tile, which may be a hair
-  /// wider than a flat box.
-  [[nodiscard]] Record<Dim> record_of_foreign(const base::Sphere<Dim>& sphere, std::uint32_t number,
-                                              const std::array<double, Dim>& tile,
-                                              const grid::Bounds<Dim>& box) const noexcept {
+  /// Of a halo element. Beyond the upper end of the box it is beyond its last tile, which may be a
+  /// hair wider than a flat box.
+  [[nodiscard]] Record<Dim> record_of_halo(const exact::Sphere<Dim>& sphere, std::uint32_t number,
+                                           const std::array<double, Dim>& tile,
+                                           const grid::Bounds<Dim>& box) const noexcept {
     Record<Dim> result = record(sphere, number, tile);
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       if (sphere.center[axis] <= box.upper[axis]) continue;
@@ -60,7 +60,7 @@ class Recorder {
     return result;
   }
 
-  /// The same, of natives in their own tiles, for the vector kernels.
+  /// The same, of locals in their own tiles, for the vector kernels.
   [[nodiscard]] kernels::RecordMap map() const noexcept {
     kernels::RecordMap map{grid_.place_map(), {}};
     std::copy(size_.begin(), size_.end(), map.scale);

@@ -1,6 +1,6 @@
 #include "engine/rows.hpp"
 
-#include "engine/group_search.hpp"
+#include "engine/set_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,32 +26,32 @@ double largest_number(const grid::Bounds<Dim>& bounds, double margin) {
 template <int Dim>
 class ScaledElements {
  public:
-  ScaledElements(const base::Elements<Dim>& elements, base::MemoryMeter& memory)
-      : spheres_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, elements.size())),
-        boxes_(base::make_array_for_overwrite<base::Box<Dim>>(memory, elements.boxes.size())) {
+  ScaledElements(const exact::Elements<Dim>& elements, base::MemoryMeter& memory)
+      : spheres_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, elements.size())),
+        boxes_(base::make_array_for_overwrite<exact::Box<Dim>>(memory, elements.boxes.size())) {
     std::transform(elements.spheres.begin(), elements.spheres.end(), spheres_.begin(),
-                   [](base::Sphere<Dim> sphere) {
+                   [](exact::Sphere<Dim> sphere) {
                      for (double& x : sphere.center) x *= scale_down;
                      sphere.radius *= scale_down;
                      return sphere;
                    });
     std::transform(elements.boxes.begin(), elements.boxes.end(), boxes_.begin(),
-                   [](base::Box<Dim> box) {
+                   [](exact::Box<Dim> box) {
                      for (double& x : box.lower) x *= scale_down;
                      for (double& x : box.upper) x *= scale_down;
                      return box;
                    });
   }
 
-  [[nodiscard]] base::Elements<Dim> elements() const noexcept { return {spheres_, boxes_}; }
+  [[nodiscard]] exact::Elements<Dim> elements() const noexcept { return {spheres_, boxes_}; }
 
  private:
-  base::Array<base::Sphere<Dim>> spheres_;
-  base::Array<base::Box<Dim>> boxes_;
+  base::Array<exact::Sphere<Dim>> spheres_;
+  base::Array<exact::Box<Dim>> boxes_;
 };
 
 template <int Dim>
-grid::Bounds<Dim> bounds_of(const base::Elements<Dim>& elements) {
+grid::Bounds<Dim> bounds_of(const exact::Elements<Dim>& elements) {
   grid::Bounds<Dim> bounds;
   for (std::size_t k = 0; k < elements.size(); ++k) {
     bounds.include_center(elements[k]);
@@ -62,44 +62,44 @@ grid::Bounds<Dim> bounds_of(const base::Elements<Dim>& elements) {
 }
 
 template <int Dim>
-void search(const Task<Dim>& task, const grid::Bounds<Dim>& bounds, std::size_t workers,
+void search(const SearchInput<Dim>& input, const grid::Bounds<Dim>& bounds, std::size_t workers,
             Workspace<Dim>& workspace, base::DetectionContext& context) {
-  Group<Dim> all;
-  all.natives = Numbers(task.elements.size());
+  SearchSet<Dim> all;
+  all.locals = Numbers(input.elements.size());
   all.bounds = bounds;
-  GroupSearch<Dim>(task, workspace, workers, context).search(all);
+  SetSearch<Dim>(input, workspace, workers, context).search(all);
 }
 
 }  // namespace
 
 template <int Dim>
-void rows(const base::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
+void rows(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
           const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
           base::DetectionContext& context) {
   sink.expect_workers(settings.workers);
   const kernels::TileKernels kernels = kernels::tile_kernels(settings.simd);
   const kernels::ElementKernels element_kernels = kernels::element_kernels(settings.simd);
-  const OpenArbiter<Dim> arbiter(elements, settings.margin, kernels::tie_kernels(settings.simd));
+  const OpenDecider<Dim> decider(elements, settings.margin, kernels::tie_kernels(settings.simd));
   if (largest_number(bounds, settings.margin) <= largest_unscaled) {
-    const Task<Dim> task{elements,        arbiter, settings.margin, 0.0, kernels,
-                         element_kernels, sink,    context.progress};
-    return search(task, bounds, settings.workers, workspace, context);
+    const SearchInput<Dim> input{elements,        decider, settings.margin, 0.0, kernels,
+                                 element_kernels, sink,    context.progress};
+    return search(input, bounds, settings.workers, workspace, context);
   }
   const ScaledElements<Dim> smaller(elements, context.memory);
-  const Task<Dim> task{smaller.elements(),
-                       arbiter,
-                       settings.margin * scale_down,
-                       0.0,
-                       kernels,
-                       element_kernels,
-                       sink,
-                       context.progress};
-  search(task, bounds_of<Dim>(smaller.elements()), settings.workers, workspace, context);
+  const SearchInput<Dim> input{smaller.elements(),
+                               decider,
+                               settings.margin * scale_down,
+                               0.0,
+                               kernels,
+                               element_kernels,
+                               sink,
+                               context.progress};
+  search(input, bounds_of<Dim>(smaller.elements()), settings.workers, workspace, context);
 }
 
-template void rows(const base::Elements<2>&, const grid::Bounds<2>&, const RowsSettings&,
+template void rows(const exact::Elements<2>&, const grid::Bounds<2>&, const RowsSettings&,
                    Workspace<2>&, base::PairSink&, base::DetectionContext&);
-template void rows(const base::Elements<3>&, const grid::Bounds<3>&, const RowsSettings&,
+template void rows(const exact::Elements<3>&, const grid::Bounds<3>&, const RowsSettings&,
                    Workspace<3>&, base::PairSink&, base::DetectionContext&);
 
 }  // namespace abut::engine

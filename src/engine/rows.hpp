@@ -22,7 +22,7 @@ struct RowsSettings {
 /// The production algorithm: Munjiza's rows, contiguous and in tiles (docs/algorithms/rows.md).
 /// Delivers every contact pair once to `sink`.
 template <int Dim>
-void rows(const base::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
+void rows(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
           const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
           base::DetectionContext& context);
 

@@ -1,6 +1,6 @@
 #include "engine/size_cut.hpp"
 
-#include "exact/numbers/roots.hpp"
+#include "exact/numbers/cube_root.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 namespace abut::engine {
 namespace {
 
-/// In candidate tests: bringing an element into cells, an element into the groups of a division, a
-/// visitor into a tile, and a visitor to a row of cells.
+/// In candidate tests: bringing an element into cells, an element into the search sets of a
+/// division, a coarse element into a tile, and a coarse element to a row of cells.
 constexpr double cost_of_element = 120.0;
 constexpr double cost_of_division = 60.0;
-constexpr double cost_of_visit = 250.0;
+constexpr double cost_of_cross_level = 250.0;
 constexpr double cost_of_row = 15.0;
 
 /// A cut must promise more than the error of the estimate.
@@ -63,18 +63,18 @@ class Estimate {
   }
 
   /// Elements from class `cut` on visit those below it.
-  [[nodiscard]] double visits(std::size_t cut) const {
+  [[nodiscard]] double cross_level(std::size_t cut) const {
     const double small_count = count_of(0, cut);
     const double small_radius = classes_[cut - 1].radius;
     const double cell =
-        std::max(2.0 * small_radius + margin_, base::root<Dim>(volume_ / small_count));
+        std::max(2.0 * small_radius + margin_, exact::root<Dim>(volume_ / small_count));
     double sum = 0.0;
     for (std::size_t k = cut; k < classes_.size(); ++k) {
       const double reached = 2.0 * (classes_[k].radius + small_radius + margin_);
-      const double wide = std::min(reached / cell, base::root<Dim>(small_count)) + 1.0;
+      const double wide = std::min(reached / cell, exact::root<Dim>(small_count)) + 1.0;
       const double rows = Dim == 2 ? wide : wide * wide;
       const double tests = std::min(small_count * power<Dim>(reached) / volume_, small_count);
-      sum += classes_[k].count * (cost_of_visit + cost_of_row * rows + tests);
+      sum += classes_[k].count * (cost_of_cross_level + cost_of_row * rows + tests);
     }
     return sum;
   }
@@ -95,10 +95,11 @@ class Estimate {
   double volume_;
 };
 
-SizeClasses occupied_classes(const RadiusHistogram& histogram, const Crowd& crowd, double cell) {
+SizeClasses occupied_classes(const RadiusHistogram& histogram, const SizeDistribution& sizes,
+                             double cell) {
   constexpr std::size_t most = most_classes - 1;
-  const std::size_t first = RadiusHistogram::class_of(crowd.smallest_radius);
-  const std::size_t last = RadiusHistogram::class_of(crowd.largest_radius);
+  const std::size_t first = RadiusHistogram::class_of(sizes.smallest_radius);
+  const std::size_t last = RadiusHistogram::class_of(sizes.largest_radius);
   const std::size_t width = (last - first) / most + 1;
   SizeClasses classes;
   for (std::size_t k = first; k <= last; k += width) {
@@ -107,7 +108,7 @@ SizeClasses occupied_classes(const RadiusHistogram& histogram, const Crowd& crow
     if (count == 0.0) continue;
     const std::size_t end = std::min(k + width - 1, last);
     const double upper_end = RadiusHistogram::upper_end(end);
-    classes.push_back({count, std::min(upper_end, crowd.largest_radius) / cell, upper_end});
+    classes.push_back({count, std::min(upper_end, sizes.largest_radius) / cell, upper_end});
   }
   return classes;
 }
@@ -115,16 +116,17 @@ SizeClasses occupied_classes(const RadiusHistogram& histogram, const Crowd& crow
 }  // namespace
 
 template <int Dim>
-std::optional<double> choose_size_cut(const RadiusHistogram& histogram, const Crowd& crowd) {
-  const double cell = 2.0 * crowd.largest_radius + crowd.margin;
-  const Estimate<Dim> estimate(occupied_classes(histogram, crowd, cell), crowd.margin / cell,
-                               crowd.volume);
+std::optional<double> choose_size_cut(const RadiusHistogram& histogram,
+                                      const SizeDistribution& sizes) {
+  const double cell = 2.0 * sizes.largest_radius + sizes.margin;
+  const Estimate<Dim> estimate(occupied_classes(histogram, sizes, cell), sizes.margin / cell,
+                               sizes.volume);
   const double division = cost_of_division * estimate.count();
   double least = least_gain * estimate.alone(0, estimate.size());
   std::optional<double> cut;
   for (std::size_t k = 1; k < estimate.size(); ++k) {
-    const double cost =
-        division + estimate.alone(0, k) + estimate.visits(k) + estimate.alone(k, estimate.size());
+    const double cost = division + estimate.alone(0, k) + estimate.cross_level(k) +
+                        estimate.alone(k, estimate.size());
     if (cost >= least) continue;
     least = cost;
     cut = estimate.cut_above(k - 1);
@@ -132,7 +134,7 @@ std::optional<double> choose_size_cut(const RadiusHistogram& histogram, const Cr
   return cut;
 }
 
-template std::optional<double> choose_size_cut<2>(const RadiusHistogram&, const Crowd&);
-template std::optional<double> choose_size_cut<3>(const RadiusHistogram&, const Crowd&);
+template std::optional<double> choose_size_cut<2>(const RadiusHistogram&, const SizeDistribution&);
+template std::optional<double> choose_size_cut<3>(const RadiusHistogram&, const SizeDistribution&);
 
 }  // namespace abut::engine

@@ -6,12 +6,12 @@
 
 namespace abut::engine {
 
-/// What is known of a group when its sizes are looked at.
-struct Crowd {
+/// What is known of a search set when its sizes are looked at.
+struct SizeDistribution {
   double largest_radius;
   double smallest_radius;
   double margin;
-  double volume;  ///< that a group of even density would fill, in cells of the largest reach
+  double volume;  ///< that a search set of even density would fill, in cells of the largest reach
 };
 
 /// The radius below which elements should be searched in smaller cells, without those above it,
@@ -21,6 +21,6 @@ struct Crowd {
 /// is not a test (sorting, a visit's rows) costs some tests' worth for each element.
 template <int Dim>
 [[nodiscard]] std::optional<double> choose_size_cut(const RadiusHistogram& histogram,
-                                                    const Crowd& crowd);
+                                                    const SizeDistribution& sizes);
 
 }  // namespace abut::engine

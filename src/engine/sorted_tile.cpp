@@ -8,7 +8,7 @@ namespace abut::engine {
 namespace {
 
 /// Cell of a position along one axis, counted from 0 where copies lie: 1 makes the argument
-/// positive, so that truncation is the floor.
+/// positive, so that truncation is floor.
 float framed(float center, float per_unit) {
   return center * per_unit + 1.0f;
 }
@@ -139,15 +139,15 @@ void SortedTile<Dim>::count(std::span<const Record<Dim>> records, std::size_t ow
   for (std::size_t row = 1; row <= row_count_; ++row) {
     inhabitants[row * row_length_ - 1] = kernels::row_padding;
   }
-  std::uint64_t company = 0;  // pairs that share a cell
+  std::uint64_t shared_cells = 0;  // pairs that share a cell
   work.in_pieces(0, records.size(), [&](std::size_t begin, std::size_t end) {
     std::uint64_t in_piece = 0;
     for (const std::uint32_t cell : std::span(cell_of_).subspan(begin, end - begin)) {
       in_piece += inhabitants[cell]++;
     }
-    company += in_piece;
+    shared_cells += in_piece;
   });
-  crowding_ = 2 * company + records.size();
+  squared_occupancy_ = 2 * shared_cells + records.size();
   size_ = records.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     view_.cells[axis] = axis < Dim ? cells.count[axis] : 1;

@@ -32,7 +32,7 @@ class SortedTile {
              const kernels::ElementKernels& kernels, base::WorkCounter& work);
 
   /// Sum of the squared numbers of elements in each cell: how crowded they are.
-  [[nodiscard]] std::uint64_t crowding() const noexcept { return crowding_; }
+  [[nodiscard]] std::uint64_t squared_occupancy() const noexcept { return squared_occupancy_; }
 
   /// Second half, of the same records, with what says how large they are.
   void sort(std::span<const Record<Dim>> records, const RecordSizes& sizes,
@@ -73,7 +73,7 @@ class SortedTile {
   base::Array<std::uint32_t> cells_;    ///< of the sorted elements
   base::Array<std::uint32_t> cell_of_;  ///< of the records
   base::Array<std::uint32_t> cell_begin_;
-  std::uint64_t crowding_ = 0;
+  std::uint64_t squared_occupancy_ = 0;
   std::size_t size_ = 0;
   std::size_t row_length_ = 1;
   std::size_t row_count_ = 0;

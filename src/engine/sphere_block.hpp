@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/group.hpp"
+#include "engine/search_set.hpp"
 #include "exact/sphere.hpp"
 
 #include <algorithm>
@@ -19,9 +19,9 @@ class SphereBlock {
   static constexpr std::size_t size = 256;
 
   /// The elements numbers[begin] .. numbers[end - 1], at most `size`; valid until the next call.
-  [[nodiscard]] std::span<const base::Sphere<Dim>> of(std::span<const base::Sphere<Dim>> spheres,
-                                                      const Numbers& numbers, std::size_t begin,
-                                                      std::size_t end) {
+  [[nodiscard]] std::span<const exact::Sphere<Dim>> of(std::span<const exact::Sphere<Dim>> spheres,
+                                                       const Numbers& numbers, std::size_t begin,
+                                                       std::size_t end) {
     if (numbers.are_the_first()) return spheres.subspan(begin, end - begin);
     for (std::size_t k = begin; k < end; ++k) {
       if (k + fetched_ahead < numbers.size()) {
@@ -42,7 +42,7 @@ class SphereBlock {
   /// Elements of a list lie anywhere in memory.
   static constexpr std::size_t fetched_ahead = 16;
 
-  std::array<base::Sphere<Dim>, size> copies_;
+  std::array<exact::Sphere<Dim>, size> copies_;
 };
 
 }  // namespace abut::engine

@@ -11,8 +11,8 @@
 namespace abut::engine {
 
 /// Positions are known to a small part of this, in cells: those moved in a periodic domain are off
-/// by up to 2^-24 (docs/derivations/tile_filter.md, section 3). Visitors are looked for so much
-/// farther out.
+/// by up to 2^-24 (docs/derivations/tile_filter.md, section 3). CoarseElements are looked for so
+/// much farther out.
 inline constexpr double position_slack = 0x1p-20;
 
 /// Cuts a box into equal tiles and says which tile an element belongs to and which others must see
@@ -20,8 +20,8 @@ inline constexpr double position_slack = 0x1p-20;
 ///
 ///   tile number = (t_z + 1) * stride_z + (t_y + 1) * stride_y + (t_x + 1)
 ///
-/// with one empty tile all around, where foreigns may lie. Of two or more tiles along an axis none
-/// is narrower than a cell, so that only adjacent tiles are within reach of each other.
+/// with one empty tile all around, where halo elements may lie. Of two or more tiles along an axis
+/// none is narrower than a cell, so that only adjacent tiles are within reach of each other.
 template <int Dim>
 struct TileGrid {
   std::array<double, Dim> lower{};
@@ -51,13 +51,13 @@ struct TileGrid {
     return tile;
   }
 
-  struct Place {
+  struct TilePlace {
     std::uint32_t tile;
     std::uint32_t near_faces;  ///< bit 2 a: near the lower face of axis a; bit 2 a + 1: the upper
   };
 
-  /// Of a native, which lies in the box.
-  [[nodiscard]] Place place(const base::Sphere<Dim>& sphere) const noexcept {
+  /// Of a local element, which lies in the box.
+  [[nodiscard]] TilePlace place(const exact::Sphere<Dim>& sphere) const noexcept {
     std::int32_t tile = 0;
     std::uint32_t near_faces = 0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -71,10 +71,10 @@ struct TileGrid {
     return {static_cast<std::uint32_t>(tile), near_faces};
   }
 
-  /// Of a foreign, which lies at most a cell outside the box on every axis, and outside on one.
-  /// Tiles of the empty frame are those before the first and behind the last.
-  [[nodiscard]] Place place_of_foreign(const base::Sphere<Dim>& sphere,
-                                       const grid::Bounds<Dim>& box) const noexcept {
+  /// Of a halo element, which lies at most a cell outside the box on every axis, and outside on
+  /// one. Tiles of the empty frame are those before the first and behind the last.
+  [[nodiscard]] TilePlace place_of_halo(const exact::Sphere<Dim>& sphere,
+                                        const grid::Bounds<Dim>& box) const noexcept {
     std::int32_t tile = 0;
     std::uint32_t near_faces = 0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {

@@ -33,7 +33,7 @@ struct NearNeighbors {
   std::uint8_t count = 0;
 };
 
-/// For each set of near faces (TileGrid::Place).
+/// For each set of near faces (TileGrid::TilePlace).
 template <int Dim>
 [[gnu::visibility("hidden")]] inline constexpr auto near_neighbors = [] {
   std::array<NearNeighbors<Dim>, std::size_t{1} << (2 * Dim)> result{};
@@ -56,10 +56,10 @@ template <int Dim>
 
 /// Which neighbouring tiles must see a copy of an element that lies near some faces of its own.
 ///
-/// A native is copied to the neighbours on the *lower* side only (the contact mask of the book,
-/// with tiles for cells): of two neighbouring tiles exactly one sees the other's elements, so that
-/// a pair across the face is found once. A foreign is found by no tile but those that get a copy,
-/// and goes to every neighbour that it lies near.
+/// A local element is copied to the neighbours on the *lower* side only (the contact mask of the
+/// book, with tiles for cells): of two neighbouring tiles exactly one sees the other's elements, so
+/// that a pair across the face is found once. A halo element is found by no tile but those that get
+/// a copy, and goes to every neighbour that it lies near.
 template <int Dim>
 class TileNeighbors {
  public:
@@ -71,11 +71,11 @@ class TileNeighbors {
     }
   }
 
-  [[nodiscard]] static std::span<const std::uint8_t> of_native(std::uint32_t near_faces) noexcept {
+  [[nodiscard]] static std::span<const std::uint8_t> of_local(std::uint32_t near_faces) noexcept {
     const NearNeighbors<Dim>& near = near_neighbors<Dim>[near_faces];
     return std::span(near.numbers).first(near.lower_count);
   }
-  [[nodiscard]] static std::span<const std::uint8_t> of_foreign(std::uint32_t near_faces) noexcept {
+  [[nodiscard]] static std::span<const std::uint8_t> of_halo(std::uint32_t near_faces) noexcept {
     const NearNeighbors<Dim>& near = near_neighbors<Dim>[near_faces];
     return std::span(near.numbers).first(near.count);
   }

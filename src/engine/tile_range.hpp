@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/catchment.hpp"
+#include "engine/query_box.hpp"
 #include "engine/tile_grid.hpp"
 
 #include <algorithm>
@@ -10,19 +10,19 @@
 
 namespace abut::engine {
 
-/// The tiles that a visitor may reach.
+/// The tiles that a coarse element may reach.
 template <int Dim>
 class TileRange {
  public:
-  TileRange(const TileGrid<Dim>& grid, const Catchment<Dim>& catchment)
-      : grid_(grid), inverse_reach_(catchment.inverse_radius) {
+  TileRange(const TileGrid<Dim>& grid, const QueryBox<Dim>& query_box)
+      : grid_(grid), inverse_reach_(query_box.inverse_radius) {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      center_[axis] = catchment.center[axis] - grid.lower[axis];
-      first_[axis] = tile_at(catchment.lower[axis], -slack, axis);
-      last_[axis] = tile_at(catchment.upper[axis], slack, axis);
+      center_[axis] = query_box.center[axis] - grid.lower[axis];
+      first_[axis] = tile_at(query_box.lower[axis], -slack, axis);
+      last_[axis] = tile_at(query_box.upper[axis], slack, axis);
       reaches_box_ =
-          reaches_box_ && catchment.upper[axis] - grid.lower[axis] >= -grid.size[axis] &&
-          catchment.lower[axis] - grid.lower[axis] <= grid.size[axis] * (grid.count[axis] + 1);
+          reaches_box_ && query_box.upper[axis] - grid.lower[axis] >= -grid.size[axis] &&
+          query_box.lower[axis] - grid.lower[axis] <= grid.size[axis] * (grid.count[axis] + 1);
     }
   }
 

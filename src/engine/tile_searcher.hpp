@@ -2,8 +2,8 @@
 
 #include "base/pair_sink.hpp"
 #include "base/progress_reporter.hpp"
-#include "engine/arbiter.hpp"
-#include "engine/bench.hpp"
+#include "engine/exact_decider.hpp"
+#include "engine/worker_scratch.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/tile_search.hpp"
 
@@ -14,19 +14,19 @@ namespace abut::engine {
 
 /// What all workers of a search share.
 template <int Dim>
-struct Task {
-  base::Elements<Dim> elements;  ///< as the engine maps them
-  const Arbiter& arbiter;        ///< of what single precision leaves open
-  double margin;                 ///< in the scale of `elements`
-  double least_cell;             ///< positions are not known well enough for smaller
+struct SearchInput {
+  exact::Elements<Dim> elements;  ///< as the engine maps them
+  const ExactDecider& decider;    ///< of what single precision leaves open
+  double margin;                  ///< in the scale of `elements`
+  double least_cell;              ///< positions are not known well enough for smaller
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
   base::PairSink& sink;
   base::ProgressReporter& progress;
 };
 
-/// One worker: sorts tiles on its bench, runs the kernels, decides what they leave undecided, hands
-/// on pairs.
+/// One worker: sorts tiles on its scratch, runs the kernels, decides what they leave undecided,
+/// hands on pairs.
 template <int Dim>
 class TileSearcher {
  public:
@@ -36,28 +36,28 @@ class TileSearcher {
   TileSearcher& operator=(const TileSearcher&) = delete;
   ~TileSearcher() = default;
 
-  /// A new search; `task` must outlive it.
-  void start(const Task<Dim>& task);
+  /// A new search; `input` must outlive it.
+  void start(const SearchInput<Dim>& input);
 
   /// Pairs found from here on belong to this unit of the search.
   void begin_unit(std::uint64_t unit);
   /// Hands on the pairs found so far.
   void finish_unit();
 
-  [[nodiscard]] Bench<Dim>& bench() noexcept { return bench_; }
+  [[nodiscard]] WorkerScratch<Dim>& scratch() noexcept { return scratch_; }
 
   /// What it did is told to the caller's hook.
   [[nodiscard]] base::WorkCounter& work() noexcept { return work_; }
 
-  /// Pairs among the elements of the bench's tile.
+  /// Pairs among the elements of the scratch's tile.
   void search(double unit);
 
   /// Those of some layers of a tile, which may be another worker's. All layers one after the other
   /// give the pairs of the tile in the order of search().
   void search(const SortedTile<Dim>& tile, const kernels::Layers& layers, double unit);
 
-  /// Pairs of the tile's own elements with the visitors.
-  void visit(const TileFrame<Dim>& frame, std::span<const std::uint32_t> visitors);
+  /// Pairs of the tile's own elements with the coarse elements.
+  void test_coarse(const TileFrame<Dim>& frame, std::span<const std::uint32_t> coarse_elements);
 
   [[nodiscard]] std::uint64_t candidate_tests() const noexcept {
     return job_.candidate_tests + far_tests_;
@@ -72,13 +72,13 @@ class TileSearcher {
   void flush();
   bool decide(std::uint32_t first, std::uint32_t second);
   void tell();
-  void meet_far_visitor(std::span<const kernels::Run> runs, std::uint32_t visitor);
+  void test_far_coarse(std::span<const kernels::Run> runs, std::uint32_t coarse);
 
-  const Task<Dim>* task_ = nullptr;
-  Bench<Dim> bench_;
+  const SearchInput<Dim>* input_ = nullptr;
+  WorkerScratch<Dim> scratch_;
   base::Origin origin_;
   kernels::SearchJob job_{};
-  kernels::Findings findings_;
+  kernels::HitBuffer hits_;
   std::span<ContactPair> pairs_;  ///< the sink's room, and how much of it is filled
   std::size_t filled_ = 0;
   std::uint64_t far_tests_ = 0;

@@ -2,8 +2,8 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
-#include "engine/group.hpp"
 #include "engine/record.hpp"
+#include "engine/search_set.hpp"
 #include "engine/tile_grid.hpp"
 #include "exact/elements.hpp"
 #include "kernels/tile_view.hpp"
@@ -15,21 +15,21 @@
 
 namespace abut::engine {
 
-/// The elements of a group sorted by tile, in each tile first its own, then the copies of others.
-/// It keeps its memory from group to group.
+/// The elements of a search set sorted by tile, in each tile first its own, then the copies of
+/// others. It keeps its memory from search set to search set.
 ///
 ///   records  | own of tile 0 | copies | own of tile 1 | copies | ...
 ///   begin[t] ^               ^ begin[t] + own[t]
 ///
-///   visitors | of tile 0 | of tile 1 | ...          numbers of elements
-///            ^ visitor_begin[t]
+///   coarse elements | of tile 0 | of tile 1 | ...          numbers of elements
+///            ^ coarse_begin[t]
 template <int Dim>
 class Tiles {
  public:
   explicit Tiles(base::MemoryMeter& memory);
 
-  /// Counts, then scatters: two passes over natives and foreigns, each shared by the workers.
-  void partition(const base::Elements<Dim>& elements, const Group<Dim>& group,
+  /// Counts, then scatters: two passes over locals and halo elements, each shared by the workers.
+  void partition(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
                  const TileGrid<Dim>& grid, double margin, const kernels::ElementKernels& kernels,
                  std::size_t workers, base::WorkCounter& work);
 
@@ -43,10 +43,10 @@ class Tiles {
                                      (begin_[tile + 1] - begin_[tile]) * size_columns_);
   }
   [[nodiscard]] std::size_t own_count(std::size_t tile) const noexcept { return own_[tile]; }
-  [[nodiscard]] std::span<const std::uint32_t> visitors(std::size_t tile) const noexcept {
-    if (!has_visitors_) return {};
-    return std::span(visitors_).subspan(visitor_begin_[tile],
-                                        visitor_begin_[tile + 1] - visitor_begin_[tile]);
+  [[nodiscard]] std::span<const std::uint32_t> coarse_elements(std::size_t tile) const noexcept {
+    if (!has_coarse_) return {};
+    return std::span(coarse_).subspan(coarse_begin_[tile],
+                                      coarse_begin_[tile + 1] - coarse_begin_[tile]);
   }
   /// Recorder::unit.
   [[nodiscard]] double unit() const noexcept { return unit_; }
@@ -62,8 +62,8 @@ class Tiles {
   /// Of one worker, each by tile.
   struct Cursors {
     std::uint64_t* own;
-    std::uint64_t* copies;
-    std::uint64_t* foreigns;
+    std::uint64_t* halo_of_tiles;
+    std::uint64_t* halo;
   };
 
   [[nodiscard]] Cursors cursors_of(std::size_t worker, std::size_t tile_count) noexcept {
@@ -71,49 +71,48 @@ class Tiles {
     return {own, own + tile_count, own + 2 * tile_count};
   }
 
-  void count(const base::Elements<Dim>& elements, const Group<Dim>& group,
+  void count(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
              const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels, std::size_t workers,
              base::WorkCounter& work);
-  void count_natives(const base::Elements<Dim>& elements, const Group<Dim>& group,
-                     const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
-                     const Share& share);
-  void count_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
-                      const TileGrid<Dim>& grid, const Share& share);
-  void place(const base::Elements<Dim>& elements, const Group<Dim>& group,
+  void count_locals(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                    const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+                    const Share& share);
+  void count_halo(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                  const TileGrid<Dim>& grid, const Share& share);
+  void place(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
              const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels, std::size_t first,
              std::size_t last, base::WorkCounter& work);
   void lay_out(std::size_t tile_count, std::size_t workers);
-  void scatter(const base::Elements<Dim>& elements, const Group<Dim>& group,
+  void scatter(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
                const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                std::size_t workers, base::WorkCounter& work);
-  void scatter_natives(const base::Elements<Dim>& elements, const Group<Dim>& group,
-                       const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
-                       const kernels::ElementKernels& kernels, const Share& share);
-  void record_one_tile(const base::Elements<Dim>& elements, const Group<Dim>& group,
+  void scatter_locals(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                      const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
+                      const kernels::ElementKernels& kernels, const Share& share);
+  void record_one_tile(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
                        const Recorder<Dim>& recorder, const kernels::ElementKernels& kernels,
                        std::size_t first, std::size_t last, std::uint64_t own,
                        base::WorkCounter& work);
-  void note_sizes(const base::Elements<Dim>& elements, std::uint32_t number,
-                  const base::Sphere<Dim>& sphere, const Recorder<Dim>& recorder,
+  void note_sizes(const exact::Elements<Dim>& elements, std::uint32_t number,
+                  const exact::Sphere<Dim>& sphere, const Recorder<Dim>& recorder,
                   std::uint64_t record);
-  void scatter_foreigns(const base::Elements<Dim>& elements, const Group<Dim>& group,
-                        const TileGrid<Dim>& grid, const Recorder<Dim>& recorder,
-                        const Share& share);
-  void list_visitors(const base::Elements<Dim>& elements, const Group<Dim>& group,
-                     const TileGrid<Dim>& grid, double margin, base::WorkCounter& work);
+  void scatter_halo(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                    const TileGrid<Dim>& grid, const Recorder<Dim>& recorder, const Share& share);
+  void list_coarse(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                   const TileGrid<Dim>& grid, double margin, base::WorkCounter& work);
 
-  base::Array<std::uint32_t> places_;  ///< of the natives, then of the foreigns
-  /// For each worker and tile: how many own elements, copies of natives, and copies of foreigns it
-  /// finds; then where it writes the next one.
+  base::Array<std::uint32_t> places_;  ///< of the locals, then of the halo elements
+  /// For each worker and tile: how many own elements, copies of locals, and copies of halo elements
+  /// it finds; then where it writes the next one.
   base::Array<std::uint64_t> cursors_;
   base::Array<std::uint32_t> own_;
   base::Array<std::uint64_t> begin_;                  ///< tile_count + 1
   base::Array<std::array<double, Dim>> coordinates_;  ///< of the tiles, along the axes
   base::Array<Record<Dim>> records_;
-  base::Array<float> sizes_;                  ///< of the records
-  base::Array<std::uint64_t> visitor_begin_;  ///< tile_count + 1
-  base::Array<std::uint32_t> visitors_;
-  bool has_visitors_ = false;
+  base::Array<float> sizes_;                 ///< of the records
+  base::Array<std::uint64_t> coarse_begin_;  ///< tile_count + 1
+  base::Array<std::uint32_t> coarse_;
+  bool has_coarse_ = false;
   bool one_tile_ = false;
   kernels::TileShape shape_ = kernels::TileShape::equal_spheres;
   std::size_t size_columns_ = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/memory_meter.hpp"
-#include "engine/bench.hpp"
 #include "engine/tile_searcher.hpp"
+#include "engine/worker_scratch.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -14,7 +14,7 @@ namespace abut::engine {
 /// allocations.
 template <int Dim>
 struct Workspace {
-  explicit Workspace(base::MemoryMeter& meter) : memory(meter), floors(meter) {}
+  explicit Workspace(base::MemoryMeter& meter) : memory(meter), levels(meter) {}
 
   void expect_workers(std::size_t count) {
     while (workers.size() < count) {
@@ -23,10 +23,11 @@ struct Workspace {
   }
 
   base::MemoryMeter& memory;
-  Floors<Dim> floors;  ///< for groups that all workers search together
+  RecursionLevels<Dim> levels;  ///< for search sets that all workers search together
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;
-  std::vector<std::unique_ptr<Members>> deferred;  ///< large groups that wait until all are free
+  std::vector<std::unique_ptr<Members>>
+      deferred;  ///< large search sets that wait until all are free
 };
 
 }  // namespace abut::engine

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// The part that rounding took away, from the operand of larger magnitude (T. J. Dekker, A
 /// Floating-Point Technique for Extending the Available Precision, Numer. Math. 18, 1971, p. 224,
@@ -32,4 +32,4 @@ double gap(const Box<Dim>& a, const Box<Dim>& b) noexcept {
 template double gap(const Box<2>&, const Box<2>&) noexcept;
 template double gap(const Box<3>&, const Box<3>&) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

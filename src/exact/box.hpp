@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// A closed axis-aligned box as the library works with it: finite numbers, lower <= upper.
 template <int Dim>
@@ -46,4 +46,4 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] double gap(const Box<Dim>& a, const Box<Dim>& b) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

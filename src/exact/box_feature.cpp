@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace abut::base {
+namespace abut::exact {
 namespace {
 
 template <int Dim>
@@ -97,4 +97,4 @@ template std::optional<BoxSides<3>> sides_within_reach<3>(const Sphere<3>&, cons
                                                           const ImageShift&, const Lattice&, double,
                                                           std::uint64_t&) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// For each axis: the point lies on the lower bound (-1), on the upper one (1) or between them (0).
 template <int Dim>
@@ -45,4 +45,4 @@ template <int Dim>
     const Sphere<Dim>& sphere, const Box<Dim>& box, const ImageShift& shift, const Lattice& lattice,
     double margin, std::uint64_t& exact_decisions) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

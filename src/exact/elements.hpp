@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// The elements of a detection as the algorithms see them. A box has a sphere that stands for it
 /// wherever elements are mapped to cells: its center is the lower corner, its radius half of the
@@ -28,8 +28,8 @@ struct Elements {
   /// The contract, by whatever the elements are.
   [[nodiscard]] bool within_reach(std::size_t a, std::size_t b, double margin,
                                   std::uint64_t& exact_decisions) const noexcept {
-    return are_boxes() ? base::within_reach(boxes[a], boxes[b], margin, exact_decisions)
-                       : base::within_reach(spheres[a], spheres[b], margin, exact_decisions);
+    return are_boxes() ? exact::within_reach(boxes[a], boxes[b], margin, exact_decisions)
+                       : exact::within_reach(spheres[a], spheres[b], margin, exact_decisions);
   }
 
   /// The contract with a lattice, of a and the image of b that `shift` names.
@@ -37,10 +37,10 @@ struct Elements {
                                   const Lattice& lattice, double margin,
                                   std::uint64_t& exact_decisions) const noexcept {
     return are_boxes()
-               ? base::within_reach(boxes[a], boxes[b], shift, lattice, margin, exact_decisions)
-               : base::within_reach(spheres[a], spheres[b], shift, lattice, margin,
-                                    exact_decisions);
+               ? exact::within_reach(boxes[a], boxes[b], shift, lattice, margin, exact_decisions)
+               : exact::within_reach(spheres[a], spheres[b], shift, lattice, margin,
+                                     exact_decisions);
   }
 };
 
-}  // namespace abut::base
+}  // namespace abut::exact

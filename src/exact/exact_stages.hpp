@@ -7,7 +7,7 @@
 
 /// The stages of within_reach_exactly, cheapest first, each with a name of its own so that tests
 /// can enter it. A stage that cannot tell returns nothing; the last always decides.
-namespace abut::base {
+namespace abut::exact {
 
 /// A number with none of these bits has at most 26 significant ones, and its square at most 52.
 inline constexpr std::uint64_t bits_that_squares_lose = (std::uint64_t{1} << 27) - 1;
@@ -16,9 +16,9 @@ inline constexpr double smallest_exact_root = 0x1p-480;
 
 /// Reaches whose squares doubled precision knows, and differences by which it decides, in units of
 /// the squared reach: see THE ERROR in sphere_predicate.cpp.
-inline constexpr double smallest_doubled_reach = 0x1p-400;
-inline constexpr double largest_doubled_reach = 0x1p400;
-inline constexpr double doubled_band = 0x1p-95;
+inline constexpr double smallest_double_double_reach = 0x1p-400;
+inline constexpr double largest_double_double_reach = 0x1p400;
+inline constexpr double double_double_band = 0x1p-95;
 
 /// The filter's own operations, if none of them rounds.
 template <int Dim>
@@ -28,8 +28,9 @@ template <int Dim>
 
 /// Pairs of doubles, unless distance and reach are equal to some 28 digits.
 template <int Dim>
-[[nodiscard]] std::optional<bool> decide_doubled(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                                 double margin) noexcept;
+[[nodiscard]] std::optional<bool> decide_in_double_double(const Sphere<Dim>& a,
+                                                          const Sphere<Dim>& b,
+                                                          double margin) noexcept;
 
 /// 128-bit integers, if all numbers fit into 61 bits over a common power of two.
 template <int Dim>
@@ -41,4 +42,4 @@ template <int Dim>
 [[nodiscard]] bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                       double margin) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -17,7 +17,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace abut::base {
+namespace abut::exact {
 namespace {
 
 __extension__ using Int128 = __int128;
@@ -52,27 +52,29 @@ class SmallInteger {
 };
 
 template <class Integer>
-struct Vector {
+struct IntegerVector {
   Integer x, y, z;
 
-  Vector(const double (&point)[3], int exponent) noexcept
+  IntegerVector(const double (&point)[3], int exponent) noexcept
       : x(point[0], exponent), y(point[1], exponent), z(point[2], exponent) {}
-  Vector(const Integer& x_given, const Integer& y_given, const Integer& z_given) noexcept
+  IntegerVector(const Integer& x_given, const Integer& y_given, const Integer& z_given) noexcept
       : x(x_given), y(y_given), z(z_given) {}
 };
 
 template <class Integer>
-Vector<Integer> operator-(const Vector<Integer>& a, const Vector<Integer>& b) noexcept {
+IntegerVector<Integer> operator-(const IntegerVector<Integer>& a,
+                                 const IntegerVector<Integer>& b) noexcept {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 template <class Integer>
-Integer dot(const Vector<Integer>& a, const Vector<Integer>& b) noexcept {
+Integer dot(const IntegerVector<Integer>& a, const IntegerVector<Integer>& b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template <class Integer>
-Vector<Integer> cross(const Vector<Integer>& a, const Vector<Integer>& b) noexcept {
+IntegerVector<Integer> cross(const IntegerVector<Integer>& a,
+                             const IntegerVector<Integer>& b) noexcept {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
@@ -80,10 +82,10 @@ Vector<Integer> cross(const Vector<Integer>& a, const Vector<Integer>& b) noexce
 template <class Integer>
 class ExactSigns {
  public:
-  ExactSigns(const Vector<Integer>& center, const Triangle& triangle, int exponent) noexcept
-      : corners_{Vector<Integer>(triangle.corner[0], exponent) - center,
-                 Vector<Integer>(triangle.corner[1], exponent) - center,
-                 Vector<Integer>(triangle.corner[2], exponent) - center},
+  ExactSigns(const IntegerVector<Integer>& center, const Triangle& triangle, int exponent) noexcept
+      : corners_{IntegerVector<Integer>(triangle.corner[0], exponent) - center,
+                 IntegerVector<Integer>(triangle.corner[1], exponent) - center,
+                 IntegerVector<Integer>(triangle.corner[2], exponent) - center},
         normal_(cross(corners_[1] - corners_[0], corners_[2] - corners_[0])) {}
 
   [[nodiscard]] int along(std::size_t from, std::size_t to) const noexcept {
@@ -101,23 +103,23 @@ class ExactSigns {
       return height * height <= reach_squared * dot(normal_, normal_);
     }
     if (nearest <= TrianglePart::corner_2) {
-      const Vector<Integer>& corner = corners_[static_cast<std::size_t>(nearest)];
+      const IntegerVector<Integer>& corner = corners_[static_cast<std::size_t>(nearest)];
       return dot(corner, corner) <= reach_squared;
     }
     const auto [from, to] = ends_of(nearest);
-    const Vector<Integer> edge = corners_[to] - corners_[from];
-    const Vector<Integer> moment = cross(corners_[from], edge);
+    const IntegerVector<Integer> edge = corners_[to] - corners_[from];
+    const IntegerVector<Integer> moment = cross(corners_[from], edge);
     return dot(moment, moment) <= reach_squared * dot(edge, edge);
   }
 
  private:
-  Vector<Integer> corners_[3];
-  Vector<Integer> normal_;
+  IntegerVector<Integer> corners_[3];
+  IntegerVector<Integer> normal_;
 };
 
 /// The radius and the margin are those of the sphere; where it is, `center` says.
 template <class Integer>
-std::optional<TrianglePart> decide(const Vector<Integer>& center, const Sphere<3>& sphere,
+std::optional<TrianglePart> decide(const IntegerVector<Integer>& center, const Sphere<3>& sphere,
                                    const Triangle& triangle, double margin, int exponent) noexcept {
   const ExactSigns<Integer> signs(center, triangle, exponent);
   const auto nearest = nearest_part(signs);
@@ -151,14 +153,14 @@ std::optional<Sphere<3>> moved_back(const Sphere<3>& sphere,
   return moved;
 }
 
-Vector<BigInteger> moved_back(const Sphere<3>& sphere, const LatticeSteps<3>& steps,
-                              int exponent) noexcept {
-  Vector<BigInteger> center(sphere.center, exponent);
+IntegerVector<BigInteger> moved_back(const Sphere<3>& sphere, const LatticeSteps<3>& steps,
+                                     int exponent) noexcept {
+  IntegerVector<BigInteger> center(sphere.center, exponent);
   for (const auto& step : steps) {
     const auto product = [&](int axis) {
       return BigInteger(step.number, 0) * BigInteger(step.vector[axis], exponent);
     };
-    center = center - Vector<BigInteger>(product(0), product(1), product(2));
+    center = center - IntegerVector<BigInteger>(product(0), product(1), product(2));
   }
   return center;
 }
@@ -171,10 +173,11 @@ std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
   const BitRange range = range_of(sphere, triangle, margin);
   const int exponent = range.lowest();
   if (range.bits() <= SmallInteger::most_bits) {
-    return decide(Vector<SmallInteger>(sphere.center, exponent), sphere, triangle, margin,
+    return decide(IntegerVector<SmallInteger>(sphere.center, exponent), sphere, triangle, margin,
                   exponent);
   }
-  return decide(Vector<BigInteger>(sphere.center, exponent), sphere, triangle, margin, exponent);
+  return decide(IntegerVector<BigInteger>(sphere.center, exponent), sphere, triangle, margin,
+                exponent);
 }
 
 /// Where it is three doubles from which the triangle is seen: the question without a lattice.
@@ -193,4 +196,4 @@ std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
   return decide(moved_back(sphere, steps, exponent), sphere, triangle, margin, exponent);
 }
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "exact/lattice.hpp"
-#include "exact/numbers/doubled.hpp"
+#include "exact/numbers/double_double.hpp"
 #include "exact/sphere.hpp"
 
-namespace abut::base {
+namespace abut::exact {
 
 /// One component of x_a - x_b - n A, each number times a power of two `scale`. Exchanging a and b
 /// and negating n negates it, to the bit. Products of an integer and a double lose nothing by
@@ -22,4 +22,4 @@ template <int Dim>
   return difference;
 }
 
-}  // namespace abut::base
+}  // namespace abut::exact

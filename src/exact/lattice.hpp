@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// Lattice vectors a, b, c as the rows, as given by the caller; those of axes that are not periodic
 /// mean nothing. In two dimensions a and b count, and of them the first two components.
@@ -14,8 +14,6 @@ struct Lattice {
   std::array<std::array<double, 3>, 3> vectors{};
   std::array<bool, 3> periodic{};
 };
-
-using ImageShift = abut::ImageShift;
 
 /// The three numbers of a shift, for loops over axes.
 [[nodiscard]] constexpr std::array<std::int32_t, 3> numbers(const ImageShift& shift) noexcept {
@@ -48,4 +46,4 @@ class LatticeSteps {
   std::size_t count_ = 0;
 };
 
-}  // namespace abut::base
+}  // namespace abut::exact

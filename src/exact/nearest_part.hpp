@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// The corners at the ends of a side.
 struct SideEnds {
@@ -56,4 +56,4 @@ template <class Signs>
   return TrianglePart::face;
 }
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -3,7 +3,7 @@
 
 #include "exact/periodic_box.hpp"
 
-#include "exact/numbers/doubled.hpp"
+#include "exact/numbers/double_double.hpp"
 #include "exact/numbers/exact_accumulator.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace abut::base {
+namespace abut::exact {
 namespace {
 
 /// Which box of a pair is moved.
@@ -117,4 +117,4 @@ template bool within_reach_exactly(const Box<3>&, const Box<3>&, const LatticeSt
 template double gap(const Box<2>&, const Box<2>&, const ImageShift&, const Lattice&) noexcept;
 template double gap(const Box<3>&, const Box<3>&, const ImageShift&, const Lattice&) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

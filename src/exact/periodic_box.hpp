@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// The slow path: the contract for boxes in real arithmetic, for every finite double and every
 /// shift n of a lattice A.
@@ -73,4 +73,4 @@ template <int Dim>
 [[nodiscard]] double gap(const Box<Dim>& a, const Box<Dim>& b, const ImageShift& shift,
                          const Lattice& lattice) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace abut::base {
+namespace abut::exact {
 namespace {
 
 /// Numbers whose sums or products by a shift might overflow, or lose bits in Dekker's splitting,
@@ -66,4 +66,4 @@ double gap(const Sphere<Dim>& a, const Sphere<Dim>& b, const ImageShift& shift,
 template double gap(const Sphere<2>&, const Sphere<2>&, const ImageShift&, const Lattice&) noexcept;
 template double gap(const Sphere<3>&, const Sphere<3>&, const ImageShift&, const Lattice&) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

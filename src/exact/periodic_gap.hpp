@@ -3,7 +3,7 @@
 #include "exact/lattice.hpp"
 #include "exact/sphere.hpp"
 
-namespace abut::base {
+namespace abut::exact {
 
 /// |x_a - (x_b + n A)| - (r_a + r_b) by one fixed sequence of operations, with the sign that the
 /// exact predicate gives: <= 0 exactly if the spheres touch. Never overflows to infinity. Without a
@@ -12,4 +12,4 @@ template <int Dim>
 [[nodiscard]] double gap(const Sphere<Dim>& a, const Sphere<Dim>& b, const ImageShift& shift,
                          const Lattice& lattice) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace abut::base {
+namespace abut::exact {
 
 template <int Dim>
 std::optional<bool> decide_if_difference_is_exact(const Sphere<Dim>& a, const Sphere<Dim>& b,
@@ -52,22 +52,23 @@ double magnitude_of(const Sphere<Dim>& a, const Sphere<Dim>& b, const LatticeSte
 // below 2^-1060. A difference larger than the tolerance 2^-95 m (t + 2^-90 m) >= 2^-985 is thus
 // real.
 template <int Dim>
-std::optional<bool> decide_doubled(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                   const LatticeSteps<Dim>& steps, double margin) noexcept {
+std::optional<bool> decide_in_double_double(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                            const LatticeSteps<Dim>& steps,
+                                            double margin) noexcept {
   const double magnitude = magnitude_of(a, b, steps, margin);
   if (!(magnitude >= 0x1p-400 && magnitude <= 0x1p400)) return std::nullopt;
-  const Doubled radii = two_sum(a.radius, b.radius);
-  const Doubled with_margin = two_sum(radii.high, margin);
-  const Doubled reach = two_sum(with_margin.high, with_margin.low + radii.low);
-  const Doubled reach_squared = square(reach);
+  const DoubleDouble radii = two_sum(a.radius, b.radius);
+  const DoubleDouble with_margin = two_sum(radii.high, margin);
+  const DoubleDouble reach = two_sum(with_margin.high, with_margin.low + radii.low);
+  const DoubleDouble reach_squared = square(reach);
   double high = -reach_squared.high;
   double low = -reach_squared.low;
   double together = reach.high;
   for (int axis = 0; axis < Dim; ++axis) {
-    const Doubled difference = image_difference(a, b, steps, axis).value();
+    const DoubleDouble difference = image_difference(a, b, steps, axis).value();
     together += std::fabs(difference.high);
-    const Doubled term = square(difference);
-    const Doubled sum = two_sum(high, term.high);
+    const DoubleDouble term = square(difference);
+    const DoubleDouble sum = two_sum(high, term.high);
     high = sum.high;
     low += sum.low + term.low;
   }
@@ -127,7 +128,7 @@ template <int Dim>
 bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b,
                           const LatticeSteps<Dim>& steps, double margin) noexcept {
   if (const auto decided = decide_if_difference_is_exact(a, b, steps, margin)) return *decided;
-  if (const auto decided = decide_doubled(a, b, steps, margin)) return *decided;
+  if (const auto decided = decide_in_double_double(a, b, steps, margin)) return *decided;
   return decide_accumulated(a, b, steps, margin);
 }
 
@@ -135,10 +136,10 @@ template std::optional<bool> decide_if_difference_is_exact(const Sphere<2>&, con
                                                            const LatticeSteps<2>&, double) noexcept;
 template std::optional<bool> decide_if_difference_is_exact(const Sphere<3>&, const Sphere<3>&,
                                                            const LatticeSteps<3>&, double) noexcept;
-template std::optional<bool> decide_doubled(const Sphere<2>&, const Sphere<2>&,
-                                            const LatticeSteps<2>&, double) noexcept;
-template std::optional<bool> decide_doubled(const Sphere<3>&, const Sphere<3>&,
-                                            const LatticeSteps<3>&, double) noexcept;
+template std::optional<bool> decide_in_double_double(const Sphere<2>&, const Sphere<2>&,
+                                                     const LatticeSteps<2>&, double) noexcept;
+template std::optional<bool> decide_in_double_double(const Sphere<3>&, const Sphere<3>&,
+                                                     const LatticeSteps<3>&, double) noexcept;
 template bool decide_accumulated(const Sphere<2>&, const Sphere<2>&, const LatticeSteps<2>&,
                                  double) noexcept;
 template bool decide_accumulated(const Sphere<3>&, const Sphere<3>&, const LatticeSteps<3>&,
@@ -148,4 +149,4 @@ template bool within_reach_exactly(const Sphere<2>&, const Sphere<2>&, const Lat
 template bool within_reach_exactly(const Sphere<3>&, const Sphere<3>&, const LatticeSteps<3>&,
                                    double) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

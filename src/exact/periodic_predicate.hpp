@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// The slow path: whether |x_a - (x_b + n A)|^2 <= (r_a + r_b + margin)^2 in real arithmetic, for
 /// every finite double and every shift n of a lattice A.
@@ -61,4 +61,4 @@ template <int Dim>
   return within_reach_exactly(a, b, steps, margin);
 }
 
-}  // namespace abut::base
+}  // namespace abut::exact

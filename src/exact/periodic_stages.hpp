@@ -6,7 +6,7 @@
 
 /// The stages of within_reach_exactly with a lattice, cheapest first, each with a name of its own
 /// so that tests can enter it. A stage that cannot tell returns nothing; the last always decides.
-namespace abut::base {
+namespace abut::exact {
 
 /// If x_a - x_b - n A is a double on every axis, and no step towards it rounds: the question of
 /// open space, with a at this difference and b at the origin.
@@ -18,13 +18,14 @@ template <int Dim>
 
 /// Pairs of doubles, unless distance and reach are equal to some 28 digits of the largest number.
 template <int Dim>
-[[nodiscard]] std::optional<bool> decide_doubled(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                                 const LatticeSteps<Dim>& steps,
-                                                 double margin) noexcept;
+[[nodiscard]] std::optional<bool> decide_in_double_double(const Sphere<Dim>& a,
+                                                          const Sphere<Dim>& b,
+                                                          const LatticeSteps<Dim>& steps,
+                                                          double margin) noexcept;
 
 /// The long accumulator.
 template <int Dim>
 [[nodiscard]] bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                       const LatticeSteps<Dim>& steps, double margin) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

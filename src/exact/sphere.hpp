@@ -1,6 +1,6 @@
 #pragma once
 
-namespace abut::base {
+namespace abut::exact {
 
 /// A sphere (Dim = 3) or disc (Dim = 2) as the library works with it: finite numbers, radius >= 0.
 template <int Dim>
@@ -9,4 +9,4 @@ struct Sphere {
   double radius;
 };
 
-}  // namespace abut::base
+}  // namespace abut::exact

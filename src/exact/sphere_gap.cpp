@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace abut::base {
+namespace abut::exact {
 namespace {
 
 /// A power of two that brings the larger of distance and sum of radii near one where squares would
@@ -48,4 +48,4 @@ double gap(const Sphere<Dim>& a, const Sphere<Dim>& b) noexcept {
 template double gap(const Sphere<2>&, const Sphere<2>&) noexcept;
 template double gap(const Sphere<3>&, const Sphere<3>&) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

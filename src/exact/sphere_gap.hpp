@@ -2,11 +2,11 @@
 
 #include "exact/sphere.hpp"
 
-namespace abut::base {
+namespace abut::exact {
 
 /// distance - (r_a + r_b) by one fixed sequence of operations, with the sign that the exact
 /// predicate gives: <= 0 exactly if the spheres touch. Never overflows to infinity.
 template <int Dim>
 [[nodiscard]] double gap(const Sphere<Dim>& a, const Sphere<Dim>& b) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -3,7 +3,8 @@
 // 1. Nothing rounded. On touching lattices with short coordinates (a = 1, r = 1/2) every operation
 //    of the filter happens to be exact, and then so is its comparison. Proof of that costs a few
 //    nanoseconds: error terms that are zero, factors of at most 26 bits.
-// 2. Doubled precision. Sums and products as pairs of doubles, about thirty digits: decides all
+// 2. DoubleDouble precision. Sums and products as pairs of doubles, about thirty digits: decides
+// all
 //    pairs that do not touch exactly but are closer to it than the filter can see, such as those of
 //    a lattice whose radius is the smallest double that touches.
 // 3. Scaled integers. When all numbers, written over a common power of two, fit into 61 bits, the
@@ -16,14 +17,14 @@
 #include "exact/exact_stages.hpp"
 #include "exact/numbers/bit_range.hpp"
 #include "exact/numbers/bits.hpp"
-#include "exact/numbers/doubled.hpp"
+#include "exact/numbers/double_double.hpp"
 #include "exact/numbers/exact_accumulator.hpp"
 
 #include <bit>
 #include <cmath>
 #include <optional>
 
-namespace abut::base {
+namespace abut::exact {
 namespace {
 
 /// Follows a computation and remembers whether any step rounded.
@@ -83,29 +84,29 @@ std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere
 // low parts are below 2^-51 each and their sum errs by less than 2^-98. Together below 2^-97. What
 // underflows is below 2^-1000, far less, for S >= 2^-400.
 template <int Dim>
-std::optional<bool> decide_doubled(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                   double margin) noexcept {
-  Doubled reach = two_sum(a.radius, b.radius);
+std::optional<bool> decide_in_double_double(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                            double margin) noexcept {
+  DoubleDouble reach = two_sum(a.radius, b.radius);
   if (margin != 0.0) {
-    const Doubled sum = two_sum(reach.high, margin);
+    const DoubleDouble sum = two_sum(reach.high, margin);
     reach = two_sum(sum.high, sum.low + reach.low);
   }
-  if (!(reach.high >= smallest_doubled_reach && reach.high <= largest_doubled_reach)) {
+  if (!(reach.high >= smallest_double_double_reach && reach.high <= largest_double_double_reach)) {
     return std::nullopt;
   }
-  const Doubled reach_squared = square(reach);
+  const DoubleDouble reach_squared = square(reach);
   double high = -reach_squared.high;
   double low = -reach_squared.low;
   for (int axis = 0; axis < Dim; ++axis) {
-    const Doubled difference = two_sum(a.center[axis], -b.center[axis]);
+    const DoubleDouble difference = two_sum(a.center[axis], -b.center[axis]);
     if (!(std::fabs(difference.high) <= 2.0 * reach.high)) return std::nullopt;
-    const Doubled term = square(difference);
-    const Doubled sum = two_sum(high, term.high);
+    const DoubleDouble term = square(difference);
+    const DoubleDouble sum = two_sum(high, term.high);
     high = sum.high;
     low += sum.low + term.low;
   }
   const double excess = high + low;
-  if (!(std::fabs(excess) > doubled_band * reach_squared.high)) return std::nullopt;
+  if (!(std::fabs(excess) > double_double_band * reach_squared.high)) return std::nullopt;
   return excess < 0.0;
 }
 
@@ -187,7 +188,7 @@ namespace {
 template <int Dim>
 [[gnu::noinline]] bool decide_in_long_integers(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                                double margin) noexcept {
-  if (const std::optional<bool> decided = decide_doubled(a, b, margin)) return *decided;
+  if (const std::optional<bool> decided = decide_in_double_double(a, b, margin)) return *decided;
   if (const std::optional<bool> decided = decide_scaled(a, b, margin)) return *decided;
   return decide_accumulated(a, b, margin);
 }
@@ -204,8 +205,10 @@ template std::optional<bool> decide_if_nothing_rounded(const Sphere<2>&, const S
                                                        double) noexcept;
 template std::optional<bool> decide_if_nothing_rounded(const Sphere<3>&, const Sphere<3>&,
                                                        double) noexcept;
-template std::optional<bool> decide_doubled(const Sphere<2>&, const Sphere<2>&, double) noexcept;
-template std::optional<bool> decide_doubled(const Sphere<3>&, const Sphere<3>&, double) noexcept;
+template std::optional<bool> decide_in_double_double(const Sphere<2>&, const Sphere<2>&,
+                                                     double) noexcept;
+template std::optional<bool> decide_in_double_double(const Sphere<3>&, const Sphere<3>&,
+                                                     double) noexcept;
 template std::optional<bool> decide_scaled(const Sphere<2>&, const Sphere<2>&, double) noexcept;
 template std::optional<bool> decide_scaled(const Sphere<3>&, const Sphere<3>&, double) noexcept;
 template bool decide_accumulated(const Sphere<2>&, const Sphere<2>&, double) noexcept;
@@ -213,4 +216,4 @@ template bool decide_accumulated(const Sphere<3>&, const Sphere<3>&, double) noe
 template bool within_reach_exactly<2>(const Sphere<2>&, const Sphere<2>&, double) noexcept;
 template bool within_reach_exactly<3>(const Sphere<3>&, const Sphere<3>&, double) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

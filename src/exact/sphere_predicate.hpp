@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// The slow path: whether |a - b|^2 <= (r_a + r_b + margin)^2 in real arithmetic, for every finite
 /// double. Needs the default floating-point environment, as the whole library does.
@@ -49,4 +49,4 @@ template <int Dim>
   return within_reach_exactly(a, b, margin);
 }
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace abut::base {
+namespace abut::exact {
 namespace {
 
 struct Vector {
@@ -226,4 +226,4 @@ std::optional<TrianglePart> part_within_reach(const Sphere<3>& sphere, const Tri
       });
 }
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// Finite numbers. Corners may coincide or lie on a line.
 struct Triangle {
@@ -46,4 +46,4 @@ enum class TrianglePart : std::uint8_t {
                                                                     const LatticeSteps<3>& steps,
                                                                     double margin) noexcept;
 
-}  // namespace abut::base
+}  // namespace abut::exact

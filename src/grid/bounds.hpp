@@ -18,7 +18,7 @@ struct Bounds {
   double largest_radius = 0.0;
   double second_largest_radius = 0.0;
 
-  void include_center(const base::Sphere<Dim>& sphere) noexcept {
+  void include_center(const exact::Sphere<Dim>& sphere) noexcept {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       lower[axis] = std::min(lower[axis], sphere.center[axis]);
       upper[axis] = std::max(upper[axis], sphere.center[axis]);

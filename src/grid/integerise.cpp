@@ -79,7 +79,7 @@ void require_cell_fits(double cell) {
 
 /// One segment a cluster: coordinates sorted, split where the gap exceeds a cell.
 template <int Dim>
-base::Array<Segment> collapse_gaps(std::span<const base::Sphere<Dim>> spheres, std::size_t axis,
+base::Array<Segment> collapse_gaps(std::span<const exact::Sphere<Dim>> spheres, std::size_t axis,
                                    double scale, double cell_size,
                                    base::DetectionContext& context) {
   auto sorted = base::make_array_for_overwrite<double>(context.memory, spheres.size());
@@ -113,7 +113,7 @@ std::array<AxisMap, Dim> maps_of_axes(MapOf map_of) {
 
 /// Axis after axis, in blocks that stay in the nearest cache.
 template <int Dim>
-void map_all(std::span<const base::Sphere<Dim>> spheres, const std::array<AxisMap, Dim>& maps,
+void map_all(std::span<const exact::Sphere<Dim>> spheres, const std::array<AxisMap, Dim>& maps,
              CellCoordinates<Dim>& cells, base::WorkCounter& work) {
   constexpr std::size_t block_size = 512;
   for (std::size_t begin = 0; begin < spheres.size(); begin += block_size) {
@@ -130,7 +130,7 @@ void map_all(std::span<const base::Sphere<Dim>> spheres, const std::array<AxisMa
 }  // namespace
 
 template <int Dim>
-CellCoordinates<Dim> integerise(std::span<const base::Sphere<Dim>> spheres,
+CellCoordinates<Dim> integerise(std::span<const exact::Sphere<Dim>> spheres,
                                 const Bounds<Dim>& bounds, double margin,
                                 base::DetectionContext& context) {
   CellCoordinates<Dim> cells(spheres.size(), context.memory);
@@ -154,9 +154,9 @@ CellCoordinates<Dim> integerise(std::span<const base::Sphere<Dim>> spheres,
   return cells;
 }
 
-template CellCoordinates<2> integerise(std::span<const base::Sphere<2>>, const Bounds<2>&, double,
+template CellCoordinates<2> integerise(std::span<const exact::Sphere<2>>, const Bounds<2>&, double,
                                        base::DetectionContext&);
-template CellCoordinates<3> integerise(std::span<const base::Sphere<3>>, const Bounds<3>&, double,
+template CellCoordinates<3> integerise(std::span<const exact::Sphere<3>>, const Bounds<3>&, double,
                                        base::DetectionContext&);
 
 }  // namespace abut::grid

@@ -15,7 +15,7 @@ namespace abut::grid {
 ///
 /// Throws Error{limit_exceeded} when a cell number would not fit 31 bits.
 template <int Dim>
-[[nodiscard]] CellCoordinates<Dim> integerise(std::span<const base::Sphere<Dim>> spheres,
+[[nodiscard]] CellCoordinates<Dim> integerise(std::span<const exact::Sphere<Dim>> spheres,
                                               const Bounds<Dim>& bounds, double margin,
                                               base::DetectionContext& context);
 

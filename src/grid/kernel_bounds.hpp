@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace abut::engine {
+namespace abut::grid {
 
 /// Has `kernel(ElementBounds&)` widen the bounds; returns what it does, how many elements it
 /// treated.
 template <int Dim, class Kernel>
-std::size_t widen(grid::Bounds<Dim>& bounds, Kernel&& kernel) {
+std::size_t widen(Bounds<Dim>& bounds, Kernel&& kernel) {
   kernels::ElementBounds packed{};
   std::copy(bounds.lower.begin(), bounds.lower.end(), packed.lower);
   std::copy(bounds.upper.begin(), bounds.upper.end(), packed.upper);
@@ -27,4 +27,4 @@ std::size_t widen(grid::Bounds<Dim>& bounds, Kernel&& kernel) {
   return treated;
 }
 
-}  // namespace abut::engine
+}  // namespace abut::grid

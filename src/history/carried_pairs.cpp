@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace abut::api {
+namespace abut::history {
 namespace {
 
 /// x_i − (x_j + n A) stays what it is when x_i is moved by w_i A and x_j by w_j A: n grows by w_i −
@@ -40,7 +40,8 @@ void CarriedPairs::renumber(std::span<const ContactPair> pairs, std::span<const 
   entries_.clear();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     ContactPair pair{numbers[pairs[k].first], numbers[pairs[k].second]};
-    if (pair.first == ElementIds::none || pair.second == ElementIds::none) continue;
+    if (pair.first == elements::ElementIds::none || pair.second == elements::ElementIds::none)
+      continue;
     ImageShift shift = shifts.empty() ? ImageShift{} : shifts[k];
     if (jumps.any()) shift = carried(shift, jumps.of(pair.first), jumps.of(pair.second));
     const bool flipped = pair.first > pair.second;
@@ -66,4 +67,4 @@ void CarriedPairs::renumber(std::span<const ContactPair> pairs, std::span<const 
   shifts_ = own_shifts_;
 }
 
-}  // namespace abut::api
+}  // namespace abut::history

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::history {
 
 /// The pairs of a step as they would be called in the next one, ascending: by the numbers and at
 /// the places that their elements have now.
@@ -53,4 +53,4 @@ class CarriedPairs {
   ShiftArray own_shifts_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::history

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace abut::api {
+namespace abut::history {
 namespace {
 
 template <class T>
@@ -20,7 +20,7 @@ double read(const ElementView::Numbers& numbers, std::size_t k) {
 
 /// Square of a distance within which the nearest lattice vector is 0.
 template <int Dim>
-double square_of_near(const LatticeFrame<Dim>& frame) {
+double square_of_near(const lattice::LatticeFrame<Dim>& frame) {
   double largest = 0.0;
   for (std::size_t k = 0; k < Dim; ++k) largest = std::max(largest, frame.reduced_dual_length(k));
   const double near = 0.49 / largest;
@@ -32,7 +32,7 @@ double square_of_near(const LatticeFrame<Dim>& frame) {
 template <int Dim, class T>
 void CellJumps::find_in(const ElementView& elements, const Domain& domain,
                         std::span<const std::uint32_t> before) {
-  const LatticeFrame<Dim> frame(lattice_of(domain));
+  const lattice::LatticeFrame<Dim> frame(elements::lattice_of(domain));
   const double near = square_of_near(frame);
   const std::size_t count = elements.size();
   now_.resize(count);
@@ -50,9 +50,9 @@ void CellJumps::find_in(const ElementView& elements, const Domain& domain,
       difference[axis] = position[axis] - positions_[old][axis];
       square += difference[axis] * difference[axis];
     }
-    CellNumbers cells{};
+    lattice::CellNumbers cells{};
     if (square < near || !frame.nearest(difference.data(), cells)) continue;
-    if (cells == CellNumbers{}) continue;
+    if (cells == lattice::CellNumbers{}) continue;
     if (!any_) jumps_.assign(count, {});
     any_ = true;
     jumps_[k] = {cells[0], cells[1], cells[2]};
@@ -78,4 +78,4 @@ void CellJumps::accept() noexcept {
   positions_.swap(now_);
 }
 
-}  // namespace abut::api
+}  // namespace abut::history

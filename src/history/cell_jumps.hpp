@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::history {
 
 /// Where elements were a step ago, and by which lattice vectors they have been moved since, beside
 /// their own small motion.
@@ -43,4 +43,4 @@ class CellJumps {
   std::vector<Position> now_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::history

@@ -28,7 +28,7 @@ template <bool WithShifts>
 class Merge {
  public:
   Merge(std::span<const ContactPair> now, std::span<const ImageShift> now_shifts,
-        const api::CarriedPairs& before)
+        const history::CarriedPairs& before)
       : now_(now),
         now_shifts_(now_shifts),
         before_(before.pairs()),
@@ -74,18 +74,18 @@ struct ContactMatcher::State {
   // As accepted last.
   PairArray pairs;
   ShiftArray shifts;  ///< empty where all are 0
-  api::ElementIds ids;
-  api::CellJumps jumps;
+  elements::ElementIds ids;
+  history::CellJumps jumps;
 
   // As matched last.
   PairArray next_pairs;
   ShiftArray next_shifts;
-  api::ElementIds next_ids;
+  elements::ElementIds next_ids;
   bool ids_change = false;
   bool pairs_change = false;
   std::vector<std::uint32_t> number_before;
   std::vector<std::uint32_t> number_now;
-  api::CarriedPairs carried;
+  history::CarriedPairs carried;
   std::vector<Run> runs;
   std::vector<PairCount> born;
   std::vector<PairCount> flipped;
@@ -174,8 +174,8 @@ void ContactMatcher::State::merge(const Merge<WithShifts>& lists, std::size_t el
 
 void ContactMatcher::State::lose_those_without_elements() {
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (number_now[pairs[k].first] == api::ElementIds::none ||
-        number_now[pairs[k].second] == api::ElementIds::none) {
+    if (number_now[pairs[k].first] == elements::ElementIds::none ||
+        number_now[pairs[k].second] == elements::ElementIds::none) {
       lose(k);
     }
   }
@@ -190,7 +190,7 @@ void ContactMatcher::State::keep(const PairList& list, bool with_shifts) {
 
 void ContactMatcher::State::match(const PairList& list, const ElementView& elements,
                                   const Domain& domain, std::span<const std::uint64_t> given) {
-  api::require_dimensions(elements, domain);
+  detect::require_dimensions(elements, domain);
   const bool with_shifts = domain.is_periodic();
   if (with_shifts && list.shifts().size() != list.size()) {
     refuse("pairs of a periodic domain without their image shifts; set Options::shifts to stored");
@@ -212,7 +212,7 @@ void ContactMatcher::State::match(const PairList& list, const ElementView& eleme
 }
 
 ContactMatcher::ContactMatcher()
-    : state_(api::reporting_lack_of_memory([] { return std::make_unique<State>(); })) {}
+    : state_(base::reporting_lack_of_memory([] { return std::make_unique<State>(); })) {}
 ContactMatcher::~ContactMatcher() = default;
 ContactMatcher::ContactMatcher(ContactMatcher&&) noexcept = default;
 ContactMatcher& ContactMatcher::operator=(ContactMatcher&&) noexcept = default;
@@ -220,11 +220,11 @@ ContactMatcher& ContactMatcher::operator=(ContactMatcher&&) noexcept = default;
 void ContactMatcher::match(const PairList& list, const ElementView& elements, const Domain& domain,
                            std::span<const std::uint64_t> ids) {
   const base::FloatEnvironment environment;
-  api::reporting_lack_of_memory([&] { state_->match(list, elements, domain, ids); });
+  base::reporting_lack_of_memory([&] { state_->match(list, elements, domain, ids); });
 }
 
 void ContactMatcher::lack_memory() {
-  api::report_lack_of_memory();
+  base::report_lack_of_memory();
 }
 
 void ContactMatcher::accept() noexcept {

@@ -33,7 +33,7 @@ struct CandidateWords {
 /// What a filter says of a word of candidates: a bit for each.
 struct CandidateVerdict {
   std::uint64_t together;
-  std::uint64_t in_doubt;
+  std::uint64_t left_undecided;
 };
 
 /// A distance, and a reach, may be off by so many quanta, all errors of both together.

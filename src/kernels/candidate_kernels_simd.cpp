@@ -51,11 +51,11 @@ HWY_INLINE Wholes load(std::size_t k, Sphere&& sphere) {
 }
 
 /// Numbers one by one, of a candidate in each lane, as floats.
-struct Columns {
+struct CandidateLanes {
   Singles x, y, z, reach;
 };
 
-HWY_INLINE Columns transposed(Wholes a, Wholes b, Wholes c, Wholes d) {
+HWY_INLINE CandidateLanes transposed(Wholes a, Wholes b, Wholes c, Wholes d) {
   const hn::RepartitionToWide<WholeTag> wide;
   const auto lower = [&](Wholes p, Wholes q) {
     return hn::ConvertTo(
@@ -89,7 +89,7 @@ HWY_INLINE CandidateVerdict sift_word(Difference&& difference) {
   const Singles below = hn::Set(singles, 1.0f - square_band);
   CandidateVerdict verdict{0, 0};
   for (std::size_t k = 0; k < 64; k += lanes) {
-    const Columns d =
+    const CandidateLanes d =
         transposed(difference(k), difference(k + 1), difference(k + 2), difference(k + 3));
     const Singles square =
         hn::Add(hn::Add(hn::Mul(d.x, d.x), hn::Mul(d.y, d.y)), hn::Mul(d.z, d.z));
@@ -98,7 +98,7 @@ HWY_INLINE CandidateVerdict sift_word(Difference&& difference) {
     const std::uint64_t together = bits_of(hn::Lt(square, hn::Mul(hn::Mul(inner, inner), below)));
     const std::uint64_t near = bits_of(hn::Le(square, hn::Mul(hn::Mul(outer, outer), above)));
     verdict.together |= together << k;
-    verdict.in_doubt |= (near & ~together) << k;
+    verdict.left_undecided |= (near & ~together) << k;
   }
   return verdict;
 }

@@ -22,7 +22,8 @@ struct ElementBounds {
   double second_largest_radius;
 };
 
-/// TileGrid as far as the place of a native is concerned; whole numbers as doubles, which is exact.
+/// TileGrid as far as the place of a local element is concerned; whole numbers as doubles, which is
+/// exact.
 struct PlaceMap {
   double lower[3];
   double inverse_size[3];

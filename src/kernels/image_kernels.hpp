@@ -8,21 +8,21 @@
 
 namespace abut::kernels {
 
-/// grid::Brick and the vectors of its sides.
-struct BrickMap {
+/// lattice::OrthogonalCell and the vectors of its sides.
+struct OrthogonalCellMap {
   std::size_t sides;
   double coefficients[3][3];  ///< of side, by axis
   double offset[3][3];
   double vectors[3][3];  ///< of side, by axis
   bool along[3];         ///< whether to wrap along this side
-  bool pack;             ///< cells moved to words, engine::MovedCells, else to triples
+  bool pack;             ///< cells moved to words, periodic::MovedCells, else to triples
   double outer_below[3];
   double outer_from_radius;
 };
 
-/// grid::Brick::coordinate, of one element and by the operations of the vector kernels.
+/// lattice::OrthogonalCell::coordinate, of one element and by the operations of the vector kernels.
 template <int Dim>
-[[nodiscard]] inline double coordinate(const BrickMap& map, std::size_t side,
+[[nodiscard]] inline double coordinate(const OrthogonalCellMap& map, std::size_t side,
                                        const double* center) {
   double sum = map.coefficients[side][0] * center[0];
   for (std::size_t axis = 1; axis < Dim; ++axis) sum += map.coefficients[side][axis] * center[axis];
@@ -31,7 +31,7 @@ template <int Dim>
 
 /// Whether a coordinate is at most outer_below, or the radius at least outer_from_radius.
 template <int Dim>
-[[nodiscard]] inline bool is_outer(const BrickMap& map, const double* record) {
+[[nodiscard]] inline bool is_outer(const OrthogonalCellMap& map, const double* record) {
   bool outer = record[Dim] >= map.outer_from_radius;
   for (std::size_t k = 0; k < map.sides; ++k) {
     outer = outer || coordinate<Dim>(map, k, record) <= map.outer_below[k];
@@ -60,14 +60,15 @@ struct CenterBounds {
 /// front and returns how many elements it treated; what is left is the caller's, who has the same
 /// in plain C++ (so the level `scalar` treats none).
 struct ImageKernels {
-  /// natives[k] = record k moved into the brick, and by how many vectors: one word or three of
-  /// `cells`. Widens the bounds, and lists those that are outer then. Presupposes less than 2^31
-  /// cells.
-  std::size_t (*wrap)(const double* records, std::size_t count, int dimensions, const BrickMap& map,
-                      double* natives, void* cells, CenterBounds& bounds, BlockList& outer);
+  /// locals[k] = record k moved into the orthogonal cell, and by how many vectors: one word or
+  /// three of `cells`. Widens the bounds, and lists those that are outer then. Presupposes less
+  /// than 2^31 cells.
+  std::size_t (*wrap)(const double* records, std::size_t count, int dimensions,
+                      const OrthogonalCellMap& map, double* locals, void* cells,
+                      CenterBounds& bounds, BlockList& outer);
 
   std::size_t (*list_outer)(const double* records, std::size_t count, int dimensions,
-                            const BrickMap& map, BlockList& outer);
+                            const OrthogonalCellMap& map, BlockList& outer);
 
   /// Lists the pairs of a block whose second number is at least the limit. Of no pair the first
   /// number is larger.

@@ -32,7 +32,7 @@ HWY_INLINE void load(const double* records, Doubles* center, Doubles& radius) {
   }
 }
 
-/// grid::Brick::coordinate.
+/// lattice::OrthogonalCell::coordinate.
 template <int Dim>
 HWY_INLINE Doubles coordinate(const double* coefficients, const Doubles* center) {
   Doubles sum = hn::Mul(hn::Set(doubles, coefficients[0]), center[0]);
@@ -59,7 +59,7 @@ HWY_INLINE std::uint32_t* list_lanes(D d, hn::Mask<D> mask, std::size_t first, s
 
 /// The outer ones of a vector of records.
 template <int Dim, std::size_t Sides>
-HWY_INLINE Mask outer_lanes(const BrickMap& map, const Doubles* center, Doubles radius) {
+HWY_INLINE Mask outer_lanes(const OrthogonalCellMap& map, const Doubles* center, Doubles radius) {
   Mask outer = hn::Ge(radius, hn::Set(doubles, map.outer_from_radius));
   for (std::size_t k = 0; k < Sides; ++k) {
     outer = hn::Or(outer, hn::Le(coordinate<Dim>(map.coefficients[k], center),
@@ -69,9 +69,9 @@ HWY_INLINE Mask outer_lanes(const BrickMap& map, const Doubles* center, Doubles 
 }
 
 template <int Dim, std::size_t Sides>
-std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& given,
-                    double* natives, void* cells_moved, CenterBounds& bounds, BlockList& outer) {
-  const BrickMap map = given;  // a copy that nothing can change
+std::size_t wrap_in(const double* records, std::size_t count, const OrthogonalCellMap& given,
+                    double* locals, void* cells_moved, CenterBounds& bounds, BlockList& outer) {
+  const OrthogonalCellMap map = given;  // a copy that nothing can change
   std::uint32_t* end_of_outer = outer.number + outer.count;
   const hn::Rebind<std::int32_t, DoubleTag> integers;
   auto* const out = static_cast<std::int32_t*>(cells_moved);
@@ -106,9 +106,9 @@ std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& gi
     end_of_outer =
         list_lanes(doubles, outer_lanes<Dim, Sides>(map, center, radius), i, end_of_outer);
     if constexpr (Dim == 2) {
-      hn::StoreInterleaved3(center[0], center[1], radius, doubles, natives + i * 3);
+      hn::StoreInterleaved3(center[0], center[1], radius, doubles, locals + i * 3);
     } else {
-      hn::StoreInterleaved4(center[0], center[1], center[2], radius, doubles, natives + i * 4);
+      hn::StoreInterleaved4(center[0], center[1], center[2], radius, doubles, locals + i * 4);
     }
     if (map.pack) {
       const Doubles zero = hn::Set(doubles, 512.0);
@@ -131,9 +131,9 @@ std::size_t wrap_in(const double* records, std::size_t count, const BrickMap& gi
 }
 
 template <int Dim, std::size_t Sides>
-std::size_t list_outer_in(const double* records, std::size_t count, const BrickMap& given,
+std::size_t list_outer_in(const double* records, std::size_t count, const OrthogonalCellMap& given,
                           BlockList& outer) {
-  const BrickMap map = given;  // a copy that nothing can change
+  const OrthogonalCellMap map = given;  // a copy that nothing can change
   std::uint32_t* end = outer.number + outer.count;
   std::size_t i = 0;
   for (; i + lanes <= count; i += lanes) {
@@ -146,10 +146,11 @@ std::size_t list_outer_in(const double* records, std::size_t count, const BrickM
   return i;
 }
 
-std::size_t wrap(const double* records, std::size_t count, int dimensions, const BrickMap& map,
-                 double* natives, void* cells, CenterBounds& bounds, BlockList& outer) {
+std::size_t wrap(const double* records, std::size_t count, int dimensions,
+                 const OrthogonalCellMap& map, double* locals, void* cells, CenterBounds& bounds,
+                 BlockList& outer) {
   const auto run = [&](auto wrapped) {
-    return wrapped(records, count, map, natives, cells, bounds, outer);
+    return wrapped(records, count, map, locals, cells, bounds, outer);
   };
   if (dimensions == 2) return map.sides == 1 ? run(wrap_in<2, 1>) : run(wrap_in<2, 2>);
   if (map.sides == 3) return run(wrap_in<3, 3>);
@@ -157,7 +158,7 @@ std::size_t wrap(const double* records, std::size_t count, int dimensions, const
 }
 
 std::size_t list_outer(const double* records, std::size_t count, int dimensions,
-                       const BrickMap& map, BlockList& outer) {
+                       const OrthogonalCellMap& map, BlockList& outer) {
   const auto run = [&](auto listed) { return listed(records, count, map, outer); };
   if (dimensions == 2) return map.sides == 1 ? run(list_outer_in<2, 1>) : run(list_outer_in<2, 2>);
   if (map.sides == 3) return run(list_outer_in<3, 3>);

@@ -64,7 +64,7 @@ constexpr auto level_list = [] {
   return result;
 }();
 
-const Level& row_of(Simd simd) {
+const Level& entry_of(Simd simd) {
   return *std::find_if(levels.begin(), levels.end(),
                        [&](const Level& level) { return level.simd == simd; });
 }
@@ -77,15 +77,15 @@ std::span<const Simd> simd_levels() {
 
 bool available(Simd level) {
   if (level == Simd::automatic || level == Simd::scalar) return true;
-  return (row_of(level).target & runnable_targets()) != 0;
+  return (entry_of(level).target & runnable_targets()) != 0;
 }
 
 std::string_view name_of(Simd level) {
-  return level == Simd::automatic ? "auto" : row_of(level).name;
+  return level == Simd::automatic ? "auto" : entry_of(level).name;
 }
 
 Simd simd_named(std::string_view name) {
-  return api::reporting_lack_of_memory([&] {
+  return base::reporting_lack_of_memory([&] {
     if (name == "auto") return Simd::automatic;
     std::string known = "auto";
     for (const Level& level : levels) {
@@ -126,7 +126,7 @@ Simd level_to_run(Simd asked) {
 
 TileKernels tile_kernels(Simd level) {
 #if defined(ABUT_HAVE_HIGHWAY)
-  if (level != Simd::scalar) return simd_tile_kernels(row_of(level).target);
+  if (level != Simd::scalar) return simd_tile_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
   return scalar_tile_kernels();
@@ -134,7 +134,7 @@ TileKernels tile_kernels(Simd level) {
 
 ElementKernels element_kernels(Simd level) {
 #if defined(ABUT_HAVE_HIGHWAY)
-  if (level != Simd::scalar) return simd_element_kernels(row_of(level).target);
+  if (level != Simd::scalar) return simd_element_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
   // Plain C++ is the caller's.
@@ -155,19 +155,21 @@ ElementKernels element_kernels(Simd level) {
 
 ImageKernels image_kernels(Simd level) {
 #if defined(ABUT_HAVE_HIGHWAY)
-  if (level != Simd::scalar) return simd_image_kernels(row_of(level).target);
+  if (level != Simd::scalar) return simd_image_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
   return {
-      [](const double*, std::size_t, int, const BrickMap&, double*, void*, CenterBounds&,
+      [](const double*, std::size_t, int, const OrthogonalCellMap&, double*, void*, CenterBounds&,
          BlockList&) { return std::size_t{0}; },
-      [](const double*, std::size_t, int, const BrickMap&, BlockList&) { return std::size_t{0}; },
+      [](const double*, std::size_t, int, const OrthogonalCellMap&, BlockList&) {
+        return std::size_t{0};
+      },
       [](const ContactPair*, std::size_t, std::uint32_t, BlockList&) { return std::size_t{0}; }};
 }
 
 CandidateKernels candidate_kernels(Simd level) {
 #if defined(ABUT_HAVE_HIGHWAY)
-  if (level != Simd::scalar) return simd_candidate_kernels(row_of(level).target);
+  if (level != Simd::scalar) return simd_candidate_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
   return {[](const CandidateWords&, CandidateVerdict*) { return std::size_t{0}; },
@@ -176,10 +178,10 @@ CandidateKernels candidate_kernels(Simd level) {
 
 TieKernels tie_kernels(Simd level) {
 #if defined(ABUT_HAVE_HIGHWAY)
-  if (level != Simd::scalar) return simd_tie_kernels(row_of(level).target);
+  if (level != Simd::scalar) return simd_tie_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
-  return {[](const double*, int, double, Findings&, std::uint64_t&) { return std::size_t{0}; }};
+  return {[](const double*, int, double, HitBuffer&, std::uint64_t&) { return std::size_t{0}; }};
 }
 
 }  // namespace kernels

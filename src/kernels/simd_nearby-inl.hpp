@@ -1,4 +1,4 @@
-// Which cells elements lie near, in vectors, included like simd_meeting-inl.hpp.
+// Which cells elements lie near, in vectors, included like simd_pair_tester-inl.hpp.
 
 /// Elements of a row, a batch of them, by the runs that may hold partners:
 ///
@@ -39,18 +39,18 @@ class SimdNearby {
     }
     const Numbers cell =
         hn::Sub(hn::LoadU(numbers, tile_.cell + p), hn::Set(numbers, row.first_cell));
-    const Sides x = sides(0, p, reach, hn::ConvertTo(floats, hn::BitCast(integers, cell)));
+    const SideMasks x = sides(0, p, reach, hn::ConvertTo(floats, hn::BitCast(integers, cell)));
     const Numbers one = hn::Set(numbers, 1);
     hn::StoreU(hn::IfThenElseZero(hn::RebindMask(numbers, x.below), one), numbers,
                before_ + (p - first_));
     hn::StoreU(hn::IfThenElseZero(hn::RebindMask(numbers, x.above), one), numbers,
                after_ + (p - first_));
 
-    const Sides y = sides(1, p, reach, hn::Set(floats, row.index[1]));
+    const SideMasks y = sides(1, p, reach, hn::Set(floats, row.index[1]));
     const Bits y_above = bits_of(y.above) & within;
     append(1, p, y_above);
     if constexpr (Dim == 3) {
-      const Sides z = sides(2, p, reach, hn::Set(floats, row.index[2]));
+      const SideMasks z = sides(2, p, reach, hn::Set(floats, row.index[2]));
       const Bits z_above = bits_of(z.above) & within;
       append(2, p, z_above & bits_of(y.below));
       append(3, p, z_above);
@@ -60,12 +60,12 @@ class SimdNearby {
 
   /// Faces of the cell within reach, on an axis. Those of a flat tile, where numbers are infinite
   /// or none, are.
-  struct Sides {
+  struct SideMasks {
     Mask below;
     Mask above;
   };
 
-  HWY_INLINE Sides sides(int axis, std::uint32_t p, Floats reach, Floats index) const {
+  HWY_INLINE SideMasks sides(int axis, std::uint32_t p, Floats reach, Floats index) const {
     const Floats per_unit = hn::Set(floats, tile_.per_unit[axis]);
     const Floats one = hn::Set(floats, 1.0f);
     const Floats q = hn::Add(hn::Mul(hn::LoadU(floats, tile_.center[axis] + p), per_unit), one);

@@ -1,4 +1,5 @@
-// An element in all lanes beside eight candidates at a time, included like simd_meeting-inl.hpp.
+// An element in all lanes beside eight candidates at a time, included like
+// simd_pair_tester-inl.hpp.
 
 /// Where candidates stand.
 struct Columns {
@@ -36,10 +37,10 @@ class SimdProbe {
     return result;
   }
 
-  HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, const Visitor& visitor) {
-    for (int axis = 0; axis < Dim; ++axis) center_[axis] = hn::Set(floats, visitor.center[axis]);
-    set_reach(tile, job, visitor.size[0], visitor.slack);
-    number_ = hn::Set(numbers, visitor.number);
+  HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, const CoarseElement& coarse) {
+    for (int axis = 0; axis < Dim; ++axis) center_[axis] = hn::Set(floats, coarse.center[axis]);
+    set_reach(tile, job, coarse.size[0], coarse.slack);
+    number_ = hn::Set(numbers, coarse.number);
   }
 
   [[nodiscard]] HWY_INLINE Numbers number() const { return number_; }
@@ -96,12 +97,12 @@ class SimdProbe<Dim, TileShape::boxes> {
     number_ = hn::Set(numbers, tile.number[p]);
   }
 
-  HWY_INLINE SimdProbe(const TileView&, const SearchJob& job, const Visitor& visitor) {
+  HWY_INLINE SimdProbe(const TileView&, const SearchJob& job, const CoarseElement& coarse) {
     for (int axis = 0; axis < Dim; ++axis) {
-      set_axis(axis, visitor.center[axis], visitor.size[axis], job.margin, visitor.slack);
+      set_axis(axis, coarse.center[axis], coarse.size[axis], job.margin, coarse.slack);
     }
-    set_reach(job.margin, visitor.slack);
-    number_ = hn::Set(numbers, visitor.number);
+    set_reach(job.margin, coarse.slack);
+    number_ = hn::Set(numbers, coarse.number);
   }
 
   [[nodiscard]] HWY_INLINE Numbers number() const { return number_; }

@@ -1,17 +1,18 @@
-// What an element meets, in vectors, while it is being found; included like simd_meeting-inl.hpp.
+// What an element meets, in vectors, while it is being found; included like
+// simd_pair_tester-inl.hpp.
 
 /// The partners of an element while they are being found.
 template <class Probe>
 class SimdRow {
  public:
   HWY_INLINE explicit SimdRow(std::uint32_t* begin)
-      : end_(begin), doubtful_(hn::MaskFromVec(hn::Zero(floats))) {}
+      : end_(begin), undecided_(hn::MaskFromVec(hn::Zero(floats))) {}
 
   /// The wanted candidates in the vector from q on. Without a branch: nothing to guess.
   HWY_INLINE void write_all(const Probe& probe, const Columns& columns, std::size_t q,
                             Bits wanted) {
     const Filtered filtered = probe.filter(columns, q);
-    doubtful_ = hn::Or(doubtful_, hn::AndNot(filtered.sure, filtered.hit));
+    undecided_ = hn::Or(undecided_, hn::AndNot(filtered.sure, filtered.hit));
     const Bits hits = bits_of(filtered.hit) & wanted;
     hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, end_);
     end_ += std::popcount(hits);
@@ -26,9 +27,9 @@ class SimdRow {
   }
 
   [[nodiscard]] HWY_INLINE std::uint32_t* end() const { return end_; }
-  [[nodiscard]] HWY_INLINE bool is_decided() const { return hn::AllFalse(floats, doubtful_); }
+  [[nodiscard]] HWY_INLINE bool is_decided() const { return hn::AllFalse(floats, undecided_); }
 
  private:
   std::uint32_t* end_;
-  Mask doubtful_;
+  Mask undecided_;
 };

@@ -11,12 +11,12 @@ namespace abut::kernels {
 
 /// Decisions about spheres in vectors of pairs.
 struct TieKernels {
-  /// Decides the doubtful pairs of the findings by the first three stages of base::within_reach,
+  /// Decides the undecided pairs of the hits by the first three stages of exact::within_reach,
   /// which are the filter, the filter's operations where nothing rounds, and doubled precision.
-  /// `spheres` are base::Sphere; adds to `exact_decisions` what the filter leaves. Treats whole
+  /// `spheres` are exact::Sphere; adds to `exact_decisions` what the filter leaves. Treats whole
   /// vectors from the front and returns how many pairs; the rest, and those that stay
   /// Verdict::open, are the caller's.
-  std::size_t (*decide)(const double* spheres, int dimensions, double margin, Findings& findings,
+  std::size_t (*decide)(const double* spheres, int dimensions, double margin, HitBuffer& hits,
                         std::uint64_t& exact_decisions);
 };
 

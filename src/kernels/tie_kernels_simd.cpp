@@ -103,19 +103,19 @@ HWY_INLINE Decision decide_by_filter(const Spheres<Dim>& a, const Spheres<Dim>& 
   }
   const Doubles reach = hn::Add(hn::Add(a.radius, b.radius), hn::Set(doubles, margin));
   const Doubles reach_squared = hn::Mul(reach, reach);
-  const Mask safe = hn::And(hn::Ge(reach_squared, hn::Set(doubles, base::smallest_safe_square)),
-                            hn::Le(reach_squared, hn::Set(doubles, base::largest_safe_square)));
+  const Mask safe = hn::And(hn::Ge(reach_squared, hn::Set(doubles, exact::smallest_safe_square)),
+                            hn::Le(reach_squared, hn::Set(doubles, exact::largest_safe_square)));
   const Mask apart =
-      hn::Gt(distance_squared, hn::Mul(reach_squared, hn::Set(doubles, 1.0 + base::band)));
+      hn::Gt(distance_squared, hn::Mul(reach_squared, hn::Set(doubles, 1.0 + exact::band)));
   const Mask within =
-      hn::Lt(distance_squared, hn::Mul(reach_squared, hn::Set(doubles, 1.0 - base::band)));
+      hn::Lt(distance_squared, hn::Mul(reach_squared, hn::Set(doubles, 1.0 - exact::band)));
   return {hn::And(safe, hn::Or(apart, within)), within};
 }
 
-/// base's, in vectors.
-class RoundingWitness {
+/// `RoundingWitness` of src/exact/sphere_predicate.cpp, in vectors.
+class RoundingWitnessLanes {
  public:
-  HWY_INLINE RoundingWitness()
+  HWY_INLINE RoundingWitnessLanes()
       : remainders_(hn::Zero(doubles)), tiny_(hn::MaskFromVec(hn::Zero(doubles))) {}
 
   HWY_INLINE Doubles add(Doubles a, Doubles b) {
@@ -126,9 +126,9 @@ class RoundingWitness {
   }
 
   HWY_INLINE Doubles square(Doubles value) {
-    const auto lost = hn::BitCast(doubles, hn::Set(words, base::bits_that_squares_lose));
+    const auto lost = hn::BitCast(doubles, hn::Set(words, exact::bits_that_squares_lose));
     remainders_ = hn::Or(remainders_, hn::And(value, lost));
-    const Mask small = hn::Lt(hn::Abs(value), hn::Set(doubles, base::smallest_exact_root));
+    const Mask small = hn::Lt(hn::Abs(value), hn::Set(doubles, exact::smallest_exact_root));
     tiny_ = hn::Or(tiny_, hn::And(small, hn::Ne(value, hn::Zero(doubles))));
     return hn::Mul(value, value);
   }
@@ -146,7 +146,7 @@ class RoundingWitness {
 template <int Dim>
 HWY_INLINE Decision decide_if_nothing_rounded(const Spheres<Dim>& a, const Spheres<Dim>& b,
                                               double margin) {
-  RoundingWitness witness;
+  RoundingWitnessLanes witness;
   Doubles reach = witness.add(a.radius, b.radius);
   if (margin != 0.0) reach = witness.add(reach, hn::Set(doubles, margin));
   const Doubles reach_squared = witness.square(reach);
@@ -158,20 +158,20 @@ HWY_INLINE Decision decide_if_nothing_rounded(const Spheres<Dim>& a, const Spher
   return {witness.nothing_rounded(), hn::Le(distance_squared, reach_squared)};
 }
 
-/// high + low, exactly: base::Doubled.
-struct Doubled {
+/// high + low, exactly: exact::DoubleDouble.
+struct DoubleDoubleLanes {
   Doubles high;
   Doubles low;
 };
 
-HWY_INLINE Doubled two_sum(Doubles a, Doubles b) {
+HWY_INLINE DoubleDoubleLanes two_sum(Doubles a, Doubles b) {
   const Doubles sum = hn::Add(a, b);
   const Doubles b_seen = hn::Sub(sum, a);
   return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, b_seen)), hn::Sub(b, b_seen))};
 }
 
-/// base::square and the base::two_square in it.
-HWY_INLINE Doubled square(const Doubled& value) {
+/// exact::square and the exact::two_square in it.
+HWY_INLINE DoubleDoubleLanes square(const DoubleDoubleLanes& value) {
   const Doubles scaled = hn::Mul(hn::Set(doubles, 134217729.0), value.high);
   const Doubles upper = hn::Sub(scaled, hn::Sub(scaled, value.high));
   const Doubles lower = hn::Sub(value.high, upper);
@@ -183,28 +183,29 @@ HWY_INLINE Doubled square(const Doubled& value) {
 }
 
 template <int Dim>
-HWY_INLINE Decision decide_doubled(const Spheres<Dim>& a, const Spheres<Dim>& b, double margin) {
-  Doubled reach = two_sum(a.radius, b.radius);
+HWY_INLINE Decision decide_in_double_double(const Spheres<Dim>& a, const Spheres<Dim>& b,
+                                            double margin) {
+  DoubleDoubleLanes reach = two_sum(a.radius, b.radius);
   if (margin != 0.0) {
-    const Doubled sum = two_sum(reach.high, hn::Set(doubles, margin));
+    const DoubleDoubleLanes sum = two_sum(reach.high, hn::Set(doubles, margin));
     reach = two_sum(sum.high, hn::Add(sum.low, reach.low));
   }
-  Mask known = hn::And(hn::Ge(reach.high, hn::Set(doubles, base::smallest_doubled_reach)),
-                       hn::Le(reach.high, hn::Set(doubles, base::largest_doubled_reach)));
+  Mask known = hn::And(hn::Ge(reach.high, hn::Set(doubles, exact::smallest_double_double_reach)),
+                       hn::Le(reach.high, hn::Set(doubles, exact::largest_double_double_reach)));
   const Doubles longest = hn::Add(reach.high, reach.high);
-  const Doubled reach_squared = square(reach);
+  const DoubleDoubleLanes reach_squared = square(reach);
   Doubles high = hn::Neg(reach_squared.high);
   Doubles low = hn::Neg(reach_squared.low);
   for (int axis = 0; axis < Dim; ++axis) {
-    const Doubled difference = two_sum(a.center[axis], hn::Neg(b.center[axis]));
+    const DoubleDoubleLanes difference = two_sum(a.center[axis], hn::Neg(b.center[axis]));
     known = hn::And(known, hn::Le(hn::Abs(difference.high), longest));
-    const Doubled term = square(difference);
-    const Doubled sum = two_sum(high, term.high);
+    const DoubleDoubleLanes term = square(difference);
+    const DoubleDoubleLanes sum = two_sum(high, term.high);
     high = sum.high;
     low = hn::Add(low, hn::Add(sum.low, term.low));
   }
   const Doubles excess = hn::Add(high, low);
-  const Doubles error = hn::Mul(hn::Set(doubles, base::doubled_band), reach_squared.high);
+  const Doubles error = hn::Mul(hn::Set(doubles, exact::double_double_band), reach_squared.high);
   known = hn::And(known, hn::Gt(hn::Abs(excess), error));
   return {known, hn::Lt(excess, hn::Zero(doubles))};
 }
@@ -224,25 +225,25 @@ HWY_INLINE void write(const Decision& decision, Verdict* verdict) {
 }
 
 template <int Dim>
-std::size_t decide_in(const double* spheres, double margin, Findings& findings,
+std::size_t decide_in(const double* spheres, double margin, HitBuffer& hits,
                       std::uint64_t& exact_decisions) {
   const auto at = [&](const std::uint32_t* side, std::size_t k) {
-    return spheres + std::size_t{side[findings.doubtful[k]]} * (Dim + 1);
+    return spheres + std::size_t{side[hits.undecided[k]]} * (Dim + 1);
   };
   const auto fetch = [&](std::size_t k) {
-    if (k >= findings.doubts) return;
-    __builtin_prefetch(at(findings.element, k));
-    __builtin_prefetch(at(findings.partner, k));
+    if (k >= hits.undecided_count) return;
+    __builtin_prefetch(at(hits.element, k));
+    __builtin_prefetch(at(hits.partner, k));
   };
   for (std::size_t k = 0; k < fetched_ahead; ++k) fetch(k);
   std::size_t k = 0;
-  for (; k + lanes <= findings.doubts; k += lanes) {
+  for (; k + lanes <= hits.undecided_count; k += lanes) {
     const double* elements[lanes];
     const double* partners[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       fetch(k + fetched_ahead + lane);
-      elements[lane] = at(findings.element, k + lane);
-      partners[lane] = at(findings.partner, k + lane);
+      elements[lane] = at(hits.element, k + lane);
+      partners[lane] = at(hits.partner, k + lane);
     }
     const Spheres<Dim> a = load<Dim>(elements);
     const Spheres<Dim> b = load<Dim>(partners);
@@ -250,17 +251,17 @@ std::size_t decide_in(const double* spheres, double margin, Findings& findings,
     if (!decision.complete()) {
       exact_decisions += lanes - hn::CountTrue(doubles, decision.known);
       decision.complete_by(decide_if_nothing_rounded(a, b, margin));
-      if (!decision.complete()) decision.complete_by(decide_doubled(a, b, margin));
+      if (!decision.complete()) decision.complete_by(decide_in_double_double(a, b, margin));
     }
-    write(decision, findings.verdict + k);
+    write(decision, hits.verdict + k);
   }
   return k;
 }
 
-std::size_t decide(const double* spheres, int dimensions, double margin, Findings& findings,
+std::size_t decide(const double* spheres, int dimensions, double margin, HitBuffer& hits,
                    std::uint64_t& exact_decisions) {
-  return dimensions == 2 ? decide_in<2>(spheres, margin, findings, exact_decisions)
-                         : decide_in<3>(spheres, margin, findings, exact_decisions);
+  return dimensions == 2 ? decide_in<2>(spheres, margin, hits, exact_decisions)
+                         : decide_in<3>(spheres, margin, hits, exact_decisions);
 }
 
 }  // namespace abut::kernels::HWY_NAMESPACE

@@ -17,17 +17,17 @@
 
 /// Rows with more elements in a cell, on average, are searched in blocks: fewer cells gather more
 /// often, more test more. docs/adr/0010 has the measurements.
-constexpr std::uint32_t crowd_of_row = 2;
+constexpr std::uint32_t crowded_row = 2;
 constexpr std::int32_t cells_per_block = 3;
 
 /// Rows with more than that have blocks of one cell.
-constexpr std::uint32_t crowd_of_cell = 5;
+constexpr std::uint32_t crowded_cell = 5;
 
 /// The part of the runs beyond its own row that an element lies near, on average, up to which it
 /// pays to ask which: from 0.4 on it costs more than it saves.
 constexpr float few_runs = 0.25f;
 
-template <int Dim, class Meeting>
+template <int Dim, class PairTester>
 class TileSearch {
  public:
   TileSearch(const TileView& tile, SearchJob& job)
@@ -35,7 +35,7 @@ class TileSearch {
         row_length_(tile.row_length()),
         layer_length_(tile.layer_length()),
         is_wide_(has_wide_cells(tile, job)),
-        meeting_(tile, job) {}
+        tester_(tile, job) {}
 
   void search(const Layers& layers) {
     for (std::int32_t layer = layers.begin; layer < layers.end; ++layer) {
@@ -45,7 +45,7 @@ class TileSearch {
         for (std::int32_t y = 0; y <= tile_.cells[1] + 1; ++y) search_row(y, layer);
       }
     }
-    meeting_.finish();
+    tester_.finish();
   }
 
  private:
@@ -126,41 +126,41 @@ class TileSearch {
   };
 
   void search_row(std::int32_t y, std::int32_t z) {
-    const std::uint32_t* row = row_of(y, z);
+    const std::uint32_t* row = entry_of(y, z);
     const std::int32_t last = tile_.cells[0] + 1;
     if (row[0] == row[last + 1]) return;
     const RowsAhead ahead = rows_ahead(y, z);
-    if (ahead.row[0] == nullptr) return meet_from_copies(row, 0, last, ahead);
-    meet_from_copies(row, 0, 0, ahead);
-    if (const std::uint32_t most = most_in_row_ahead(row); is_crowded(most, crowd_of_row)) {
-      meet_in_blocks(row, is_crowded(most, crowd_of_cell) ? 1 : cells_per_block);
+    if (ahead.row[0] == nullptr) return test_from_halo(row, 0, last, ahead);
+    test_from_halo(row, 0, 0, ahead);
+    if (const std::uint32_t most = most_in_row_ahead(row); is_crowded(most, crowded_row)) {
+      test_in_blocks(row, is_crowded(most, crowded_cell) ? 1 : cells_per_block);
     } else if (is_wide_) {
-      meet_nearby(row, y, z);
+      test_nearby(row, y, z);
     } else {
-      meet_directly(row);
+      test_directly(row);
     }
-    meet_from_copies(row, last, last, ahead);
-    meeting_.take_now_and_then();
+    test_from_halo(row, last, last, ahead);
+    tester_.take_now_and_then();
   }
 
   /// All own elements of the row in one loop: cells have few, and how many cannot be foreseen.
-  void meet_directly(const std::uint32_t* row) {
-    meeting_.meet_all(row[1], row[tile_.cells[0] + 1],
-                      [cell = tile_.cell, begin = tile_.cell_begin, to_row = row_length_,
-                       to_layer = layer_length_](std::uint32_t p) {
-                        return Ahead(p, begin + cell[p], to_row, to_layer);
-                      });
+  void test_directly(const std::uint32_t* row) {
+    tester_.test_all(row[1], row[tile_.cells[0] + 1],
+                     [cell = tile_.cell, begin = tile_.cell_begin, to_row = row_length_,
+                      to_layer = layer_length_](std::uint32_t p) {
+                       return Ahead(p, begin + cell[p], to_row, to_layer);
+                     });
   }
 
   /// All own elements of the row, each with the cells that it lies near.
-  void meet_nearby(const std::uint32_t* row, std::int32_t y, std::int32_t z) {
+  void test_nearby(const std::uint32_t* row, std::int32_t y, std::int32_t z) {
     RowOfCells<run_count> place{row, static_cast<std::uint32_t>(row - tile_.cell_begin), {}, {}};
     for (std::size_t k = 0; k < run_count; ++k) {
       place.step[k] = step_to(k, row_length_, layer_length_);
     }
     place.index[1] = static_cast<float>(y);
     place.index[2] = static_cast<float>(z);
-    meeting_.meet_nearby(row[1], row[tile_.cells[0] + 1], place);
+    tester_.test_nearby(row[1], row[tile_.cells[0] + 1], place);
   }
 
   /// Elements in the fullest of the rows that the row's elements meet.
@@ -178,7 +178,7 @@ class TileSearch {
     return elements > limit * static_cast<std::uint32_t>(tile_.cells[0] + 2);
   }
 
-  void meet_in_blocks(const std::uint32_t* row, std::int32_t width) {
+  void test_in_blocks(const std::uint32_t* row, std::int32_t width) {
     const std::int32_t last = tile_.cells[0] + 1;
     for (std::int32_t x = 1; x < last; x += width) {
       const std::int32_t end = x + width < last ? x + width : last;
@@ -188,16 +188,16 @@ class TileSearch {
         const std::uint32_t* const ahead = row + step_to(k, row_length_, layer_length_);
         runs[k] = {ahead[x - 1], ahead[end + 1]};
       }
-      meeting_.meet_block(row[end] - row[x], runs);
+      tester_.test_block(row[end] - row[x], runs);
     }
   }
 
   /// Copies in the cells [first, last] of a row.
-  void meet_from_copies(const std::uint32_t* row, std::int32_t first, std::int32_t last,
-                        const RowsAhead& ahead) {
+  void test_from_halo(const std::uint32_t* row, std::int32_t first, std::int32_t last,
+                      const RowsAhead& ahead) {
     if (row[first] == row[last + 1]) return;
     if (std::none_of(ahead.row, ahead.row + run_count, [](auto* other) { return other; })) return;
-    meeting_.meet_all(
+    tester_.test_all(
         row[first], row[last + 1],
         [&ahead, cell = tile_.cell, last_own = tile_.cells[0],
          first_of_row = static_cast<std::int32_t>(row - tile_.cell_begin)](std::uint32_t p) {
@@ -215,7 +215,7 @@ class TileSearch {
   }
 
   [[nodiscard]] const std::uint32_t* own_row(std::int32_t y, std::int32_t z) const {
-    return is_own(y, 1) && is_own(z, 2) ? row_of(y, z) : nullptr;
+    return is_own(y, 1) && is_own(z, 2) ? entry_of(y, z) : nullptr;
   }
 
   /// In 2D the only layer is 0.
@@ -224,7 +224,7 @@ class TileSearch {
     return index >= 1 && index <= tile_.cells[axis];
   }
 
-  [[nodiscard]] const std::uint32_t* row_of(std::int32_t y, std::int32_t z) const {
+  [[nodiscard]] const std::uint32_t* entry_of(std::int32_t y, std::int32_t z) const {
     return tile_.cell_begin + (z * (tile_.cells[1] + 2) + y) * row_length_;
   }
 
@@ -232,13 +232,13 @@ class TileSearch {
   std::ptrdiff_t row_length_;
   std::ptrdiff_t layer_length_;
   bool is_wide_;
-  Meeting meeting_;
+  PairTester tester_;
 };
 
-template <class Meeting>
-void visit(const TileView& tile, SearchJob& job, const Visitor& visitor,
-           std::span<const Run> runs) {
-  Meeting meeting(tile, job);
-  meeting.meet(visitor, runs);
-  meeting.finish();
+template <class PairTester>
+void test_coarse(const TileView& tile, SearchJob& job, const CoarseElement& coarse,
+                 std::span<const Run> runs) {
+  PairTester tester(tile, job);
+  tester.test(coarse, runs);
+  tester.finish();
 }

@@ -17,9 +17,9 @@ struct TileKernels {
   /// the other give the pairs of all of them, in the same order.
   void (*search)(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions);
 
-  /// Tests a visitor against the elements of the runs.
-  void (*visit)(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,
-                std::span<const Run> runs);
+  /// Tests a coarse element against the elements of the runs.
+  void (*test_coarse)(const TileView& tile, SearchJob& job, int dimensions,
+                      const CoarseElement& coarse, std::span<const Run> runs);
 
   /// pairs[k] = element[k] and partner[k], the smaller number first.
   void (*pair_up)(const std::uint32_t* element, const std::uint32_t* partner, std::size_t count,

@@ -12,7 +12,7 @@
 namespace abut::kernels {
 namespace {
 
-enum class Finding { none, doubtful, sure };
+enum class Hit { none, undecided, sure };
 
 /// An element beside its candidates: equal spheres, or spheres.
 template <int Dim, TileShape Shape>
@@ -24,15 +24,15 @@ class Probe {
     set_reach(job, equal ? tile.common_radius : tile.size[0][p], job.slack);
   }
 
-  Probe(const TileView& tile, const SearchJob& job, const Visitor& visitor)
-      : tile_(tile), number_(visitor.number) {
-    std::copy_n(visitor.center, Dim, center_);
-    set_reach(job, visitor.size[0], visitor.slack);
+  Probe(const TileView& tile, const SearchJob& job, const CoarseElement& coarse)
+      : tile_(tile), number_(coarse.number) {
+    std::copy_n(coarse.center, Dim, center_);
+    set_reach(job, coarse.size[0], coarse.slack);
   }
 
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  [[nodiscard]] Finding meet(std::uint32_t q) const {
+  [[nodiscard]] Hit test(std::uint32_t q) const {
     float difference = center_[0] - tile_.center[0][q];
     float distance_squared = difference * difference;
     for (int axis = 1; axis < Dim; ++axis) {
@@ -41,9 +41,9 @@ class Probe {
     }
     const float radius = equal ? 0.0f : tile_.size[0][q];
     const float farthest = outer_ + radius;
-    if (!(distance_squared <= farthest * farthest)) return Finding::none;
+    if (!(distance_squared <= farthest * farthest)) return Hit::none;
     const float nearest = std::max(inner_ + radius, 0.0f);
-    return distance_squared < nearest * nearest ? Finding::sure : Finding::doubtful;
+    return distance_squared < nearest * nearest ? Hit::sure : Hit::undecided;
   }
 
  private:
@@ -77,26 +77,26 @@ class Probe<Dim, TileShape::boxes> {
     }
   }
 
-  Probe(const TileView& tile, const SearchJob& job, const Visitor& visitor)
+  Probe(const TileView& tile, const SearchJob& job, const CoarseElement& coarse)
       : tile_(tile),
-        outer_(job.margin + visitor.slack),
-        inner_(job.margin - visitor.slack),
-        number_(visitor.number) {
-    std::copy_n(visitor.center, Dim, lower_);
-    std::copy_n(visitor.size, Dim, width_);
+        outer_(job.margin + coarse.slack),
+        inner_(job.margin - coarse.slack),
+        number_(coarse.number) {
+    std::copy_n(coarse.center, Dim, lower_);
+    std::copy_n(coarse.size, Dim, width_);
   }
 
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  [[nodiscard]] Finding meet(std::uint32_t q) const {
+  [[nodiscard]] Hit test(std::uint32_t q) const {
     bool sure = true;
     for (int axis = 0; axis < Dim; ++axis) {
       const float behind = lower_[axis] - tile_.center[axis][q];
       const float width = tile_.size[axis][q];
-      if (!(behind <= width + outer_ && -behind <= width_[axis] + outer_)) return Finding::none;
+      if (!(behind <= width + outer_ && -behind <= width_[axis] + outer_)) return Hit::none;
       sure = sure && behind < width + inner_ && -behind < width_[axis] + inner_;
     }
-    return sure ? Finding::sure : Finding::doubtful;
+    return sure ? Hit::sure : Hit::undecided;
   }
 
  private:
@@ -110,16 +110,16 @@ class Probe<Dim, TileShape::boxes> {
 
 /// Tests an element against runs of candidates.
 template <int Dim, TileShape Shape>
-class ScalarMeeting {
+class ScalarPairTester {
  public:
-  ScalarMeeting(const TileView& tile, SearchJob& job) : tile_(tile), job_(job) {}
+  ScalarPairTester(const TileView& tile, SearchJob& job) : tile_(tile), job_(job) {}
 
   template <class RunsOf>
-  void meet_all(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
+  void test_all(std::uint32_t first, std::uint32_t last, RunsOf runs_of) {
     for (std::uint32_t p = first; p < last; ++p) {
       const Element element(tile_, job_, p);
       const auto runs = runs_of(p);
-      for (std::size_t k = 0; k < runs.size(); ++k) meet(element, runs[k]);
+      for (std::size_t k = 0; k < runs.size(); ++k) test(element, runs[k]);
       take_now_and_then();
     }
   }
@@ -127,31 +127,31 @@ class ScalarMeeting {
   /// Elements [first, last) of a row, each with those of the cells that it lies near: run by run,
   /// of a batch of elements at a time.
   template <std::size_t Runs>
-  void meet_nearby(std::uint32_t first, std::uint32_t last, const RowOfCells<Runs>& row) {
+  void test_nearby(std::uint32_t first, std::uint32_t last, const RowOfCells<Runs>& row) {
     constexpr std::uint32_t batch_size = 64;
     for (; first < last; first += batch_size) {
       for (std::size_t k = 0; k < Runs; ++k) {
         for (std::uint32_t p = first; p < std::min(last, first + batch_size); ++p) {
-          meet_if_near(p, k, row);
+          test_if_near(p, k, row);
         }
       }
     }
   }
 
   /// The first `own` elements of the runs, each with all that follow it.
-  void meet_block(std::uint32_t own, std::span<const Run> runs) {
+  void test_block(std::uint32_t own, std::span<const Run> runs) {
     const std::uint32_t begin = runs[0].begin;
     for (std::uint32_t p = begin; p < begin + own; ++p) {
       const Element element(tile_, job_, p);
-      meet(element, {p + 1, runs[0].end});
-      for (const Run& run : runs.subspan(1)) meet(element, run);
+      test(element, {p + 1, runs[0].end});
+      for (const Run& run : runs.subspan(1)) test(element, run);
       take_now_and_then();
     }
   }
 
-  void meet(const Visitor& visitor, std::span<const Run> runs) {
-    const Element element(tile_, job_, visitor);
-    for (const Run& run : runs) meet(element, run);
+  void test(const CoarseElement& coarse, std::span<const Run> runs) {
+    const Element element(tile_, job_, coarse);
+    for (const Run& run : runs) test(element, run);
   }
 
   void finish() {}
@@ -165,12 +165,12 @@ class ScalarMeeting {
  private:
   using Element = Probe<Dim, Shape>;
 
-  void meet(const Element& element, const Run& run) {
+  void test(const Element& element, const Run& run) {
     job_.candidate_tests += run.end - run.begin;
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
-      const Finding finding = element.meet(q);
-      if (finding == Finding::none) continue;
-      push(element.number(), tile_.number[q], finding);
+      const Hit hit = element.test(q);
+      if (hit == Hit::none) continue;
+      push(element.number(), tile_.number[q], hit);
     }
   }
 
@@ -191,7 +191,7 @@ class ScalarMeeting {
 
   /// The runs are those of TileSearch: this row and the next; the last three are of the next layer.
   template <std::size_t Runs>
-  void meet_if_near(std::uint32_t p, std::size_t k, const RowOfCells<Runs>& row) {
+  void test_if_near(std::uint32_t p, std::size_t k, const RowOfCells<Runs>& row) {
     if (k > 0) {
       const Sides y = sides(p, 1, row.index[1]);
       if ((k == 1 || k == 4) && !y.above) return;
@@ -200,14 +200,14 @@ class ScalarMeeting {
     }
     const Sides x = sides(p, 0, static_cast<float>(tile_.cell[p] - row.first_cell));
     const std::uint32_t* const cell = tile_.cell_begin + tile_.cell[p] + row.step[k];
-    meet(Element(tile_, job_, p), {k == 0 ? p + 1 : cell[x.below ? -1 : 0], cell[x.above ? 2 : 1]});
+    test(Element(tile_, job_, p), {k == 0 ? p + 1 : cell[x.below ? -1 : 0], cell[x.above ? 2 : 1]});
   }
 
-  void push(std::uint32_t element, std::uint32_t partner, Finding finding) {
-    Findings& to = *job_.findings;
-    if (to.found == Findings::room) job_.take(job_);
-    if (finding == Finding::doubtful) {
-      to.doubtful[to.doubts++] = static_cast<std::uint32_t>(to.found);
+  void push(std::uint32_t element, std::uint32_t partner, Hit hit) {
+    HitBuffer& to = *job_.hits;
+    if (to.found == HitBuffer::size) job_.take(job_);
+    if (hit == Hit::undecided) {
+      to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found);
     }
     to.element[to.found] = element;
     to.partner[to.found++] = partner;
@@ -223,12 +223,12 @@ class ScalarMeeting {
 #include "kernels/tile_search_variants-inl.hpp"
 
 void search_tile(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
-  search_with<ScalarMeeting>(tile, layers, job, dimensions);
+  search_with<ScalarPairTester>(tile, layers, job, dimensions);
 }
 
-void visit_tile(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,
-                std::span<const Run> runs) {
-  visit_with<ScalarMeeting>(tile, job, dimensions, visitor, runs);
+void test_coarse_in_tile(const TileView& tile, SearchJob& job, int dimensions,
+                         const CoarseElement& coarse, std::span<const Run> runs) {
+  test_coarse_with<ScalarPairTester>(tile, job, dimensions, coarse, runs);
 }
 
 void pair_up(const std::uint32_t* element, const std::uint32_t* partner, std::size_t count,
@@ -241,7 +241,7 @@ void pair_up(const std::uint32_t* element, const std::uint32_t* partner, std::si
 }  // namespace
 
 TileKernels scalar_tile_kernels() {
-  return {search_tile, visit_tile, pair_up};
+  return {search_tile, test_coarse_in_tile, pair_up};
 }
 
 }  // namespace abut::kernels

@@ -66,19 +66,19 @@ constexpr std::size_t most_hits = 5 * short_run;
 
 #include "kernels/simd_row-inl.hpp"
 
-#include "kernels/simd_meeting-inl.hpp"
+#include "kernels/simd_pair_tester-inl.hpp"
 
 #include "kernels/tile_search-inl.hpp"
 
 #include "kernels/tile_search_variants-inl.hpp"
 
 void search_tile(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
-  search_with<SimdMeeting>(tile, layers, job, dimensions);
+  search_with<SimdPairTester>(tile, layers, job, dimensions);
 }
 
-void visit_tile(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,
-                std::span<const Run> runs) {
-  visit_with<SimdMeeting>(tile, job, dimensions, visitor, runs);
+void test_coarse_in_tile(const TileView& tile, SearchJob& job, int dimensions,
+                         const CoarseElement& coarse, std::span<const Run> runs) {
+  test_coarse_with<SimdPairTester>(tile, job, dimensions, coarse, runs);
 }
 
 void pair_up(const std::uint32_t* element, const std::uint32_t* partner, std::size_t count,
@@ -102,14 +102,14 @@ HWY_AFTER_NAMESPACE();
 namespace abut::kernels {
 
 HWY_EXPORT(search_tile);
-HWY_EXPORT(visit_tile);
+HWY_EXPORT(test_coarse_in_tile);
 HWY_EXPORT(pair_up);
 
 TileKernels simd_tile_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(search_tile)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(visit_tile)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(test_coarse_in_tile)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(pair_up)[chosen.GetIndex()]};
 }
 

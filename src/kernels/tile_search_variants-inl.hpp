@@ -1,4 +1,4 @@
-// The kernels of one instruction set, from its `TileSearch` and its `Meeting`. Included
+// The kernels of one instruction set, from its `TileSearch` and its `PairTester`. Included
 // like tile_search-inl.hpp.
 
 /// Calls body with the dimensions and the shape of a tile as constants.
@@ -21,17 +21,17 @@ void with_variant(const TileView& tile, int dimensions, Body body) {
   }
 }
 
-template <template <int, TileShape> class Meeting>
+template <template <int, TileShape> class PairTester>
 void search_with(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
   with_variant(tile, dimensions, [&](auto dimension, auto shape) {
-    TileSearch<dimension(), Meeting<dimension(), shape()>>(tile, job).search(layers);
+    TileSearch<dimension(), PairTester<dimension(), shape()>>(tile, job).search(layers);
   });
 }
 
-template <template <int, TileShape> class Meeting>
-void visit_with(const TileView& tile, SearchJob& job, int dimensions, const Visitor& visitor,
-                std::span<const Run> runs) {
+template <template <int, TileShape> class PairTester>
+void test_coarse_with(const TileView& tile, SearchJob& job, int dimensions,
+                      const CoarseElement& coarse, std::span<const Run> runs) {
   with_variant(tile, dimensions, [&](auto dimension, auto shape) {
-    visit<Meeting<dimension(), shape()>>(tile, job, visitor, runs);
+    test_coarse<PairTester<dimension(), shape()>>(tile, job, coarse, runs);
   });
 }

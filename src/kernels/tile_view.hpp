@@ -70,32 +70,32 @@ enum class Verdict : std::uint8_t { apart, within_reach, open };
 
 /// Pairs that a kernel found, in the order of its search. The pairs that single precision cannot
 /// decide are among them; their places are listed, ascending.
-struct Findings {
+struct HitBuffer {
   /// Few enough for the nearest cache.
-  static constexpr std::size_t room = 1024;
+  static constexpr std::size_t size = 1024;
 
-  std::uint32_t element[room + widest_vector];
-  std::uint32_t partner[room + widest_vector];
-  std::uint32_t doubtful[room];
-  Verdict verdict[room];  ///< of each doubtful pair, once it is decided
+  std::uint32_t element[size + widest_vector];
+  std::uint32_t partner[size + widest_vector];
+  std::uint32_t undecided[size];
+  Verdict verdict[size];  ///< of each undecided pair, once it is decided
   std::size_t found = 0;
-  std::size_t doubts = 0;
+  std::size_t undecided_count = 0;
 };
 
 /// What the kernels need of the rest.
 struct SearchJob {
   float margin;
   float slack;  ///< bounds the error of a computed distance, in the tile's unit
-  Findings* findings;
+  HitBuffer* hits;
   float* block[6];              ///< scratch for candidates: centers by axis, sizes
   std::uint32_t* block_number;  ///< each with room for the rows that a row meets + widest_vector
   std::uint64_t candidate_tests;
   void* owner;
-  /// Empties the findings, and tells how many tests were made. It may throw, to stop the search.
+  /// Empties the hits, and tells how many tests were made. It may throw, to stop the search.
   void (*take)(SearchJob& job);
 };
 
-/// After so many tests a kernel has its findings taken, though there may be none, but for a single
+/// After so many tests a kernel has its hits taken, though there may be none, but for a single
 /// element, or a row of cells with few in each, that it has begun.
 inline constexpr std::uint64_t tests_between_takes = std::uint64_t{1} << 16;
 
@@ -121,7 +121,7 @@ struct RowOfCells {
 inline constexpr float nearby_slack = 0x1p-9f;
 
 /// A larger element that meets elements of a tile without being sorted into its cells.
-struct Visitor {
+struct CoarseElement {
   float center[3];
   float size[3];  ///< as the shape of the tile says, but the radius of a sphere in any case
   float slack;

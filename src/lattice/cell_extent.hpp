@@ -2,7 +2,7 @@
 
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
-#include "lattice/brick.hpp"
+#include "lattice/orthogonal_cell.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,10 @@
 #include <limits>
 #include <span>
 
-namespace abut::grid {
+namespace abut::lattice {
 
-/// The coordinates along the sides of a brick that occur among some elements, and how far these lie
-/// from the origin.
+/// The coordinates along the sides of an orthogonal cell that occur among some elements, and how
+/// far these lie from the origin.
 template <int Dim>
 struct CellExtent {
   using Vector = std::array<double, Dim>;
@@ -40,12 +40,12 @@ struct CellExtent {
 };
 
 template <int Dim>
-[[nodiscard]] CellExtent<Dim> extent_of(std::span<const base::Sphere<Dim>> spheres,
-                                        const Brick<Dim>& brick) noexcept {
-  return with_count<Dim>(brick.count, [&](auto count) {
-    const Brick<Dim> map = brick;  // a copy that nothing can change
+[[nodiscard]] CellExtent<Dim> extent_of(std::span<const exact::Sphere<Dim>> spheres,
+                                        const OrthogonalCell<Dim>& orthogonal_cell) noexcept {
+  return with_count<Dim>(orthogonal_cell.count, [&](auto count) {
+    const OrthogonalCell<Dim> map = orthogonal_cell;  // a copy that nothing can change
     CellExtent<Dim> extent;
-    for (const base::Sphere<Dim>& sphere : spheres) {
+    for (const exact::Sphere<Dim>& sphere : spheres) {
       for (std::size_t k = 0; k < count(); ++k) {
         const double place = map.coordinate(k, sphere.center);
         extent.lower[k] = std::min(extent.lower[k], place);
@@ -61,12 +61,12 @@ template <int Dim>
 
 /// Where sides are aligned the box of the elements has their extent, in rounded numbers too.
 template <int Dim>
-[[nodiscard]] CellExtent<Dim> extent_of(const Bounds<Dim>& bounds,
-                                        const Brick<Dim>& brick) noexcept {
-  std::array<base::Sphere<Dim>, 2> corners{};
+[[nodiscard]] CellExtent<Dim> extent_of(const grid::Bounds<Dim>& bounds,
+                                        const OrthogonalCell<Dim>& orthogonal_cell) noexcept {
+  std::array<exact::Sphere<Dim>, 2> corners{};
   std::copy(bounds.lower.begin(), bounds.lower.end(), corners[0].center);
   std::copy(bounds.upper.begin(), bounds.upper.end(), corners[1].center);
-  return extent_of<Dim>(std::span<const base::Sphere<Dim>>(corners), brick);
+  return extent_of<Dim>(std::span<const exact::Sphere<Dim>>(corners), orthogonal_cell);
 }
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

@@ -1,6 +1,6 @@
 #include "lattice/check_lattice.hpp"
 
-#include "base/written.hpp"
+#include "base/shortest_text.hpp"
 #include "exact/numbers/exact_accumulator.hpp"
 
 #include <abut/error.hpp>
@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace abut::grid {
+namespace abut::lattice {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -23,14 +23,14 @@ void require_finite(const Vector& vector, std::size_t k, std::size_t dimensions)
     if (std::isfinite(vector[axis])) continue;
     throw Error(ErrorCode::invalid_input,
                 std::string("lattice vector ") + vector_names[k] + " has " + component_names[axis] +
-                    " = " + base::written(vector[axis]) +
+                    " = " + base::shortest_text(vector[axis]) +
                     "; lattice vectors must be finite: correct the domain");
   }
 }
 
 /// Whether p[i] q[j] differs from p[j] q[i].
 bool differs(const Vector& p, const Vector& q, std::size_t i, std::size_t j) {
-  base::ExactAccumulator<2> minor;
+  exact::ExactAccumulator<2> minor;
   minor.add_product(p[i], q[j], 1);
   minor.add_product(p[j], q[i], -1);
   return minor.sign() != 0;
@@ -41,7 +41,7 @@ bool independent(const Vector& p, const Vector& q) {
 }
 
 bool independent(const Vector& p, const Vector& q, const Vector& r) {
-  base::ExactAccumulator<3> determinant;
+  exact::ExactAccumulator<3> determinant;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
@@ -72,7 +72,7 @@ std::string listed(std::span<const Vector> vectors, std::span<const std::size_t>
     if (k > 0) text += k + 1 == vectors.size() ? " and " : ", ";
     text += vector_names[numbers[k]];
     for (std::size_t axis = 0; axis < dimensions; ++axis) {
-      text += (axis == 0 ? " = (" : ", ") + base::written(vectors[k][axis]);
+      text += (axis == 0 ? " = (" : ", ") + base::shortest_text(vectors[k][axis]);
     }
     text += ")";
   }
@@ -82,7 +82,7 @@ std::string listed(std::span<const Vector> vectors, std::span<const std::size_t>
 }  // namespace
 
 template <int Dim>
-void check_lattice(const base::Lattice& lattice) {
+void check_lattice(const exact::Lattice& lattice) {
   // Arrays, so that a detection allocates nothing for them.
   std::array<Vector, Dim> periodic{};
   std::array<std::size_t, Dim> numbers{};
@@ -105,7 +105,7 @@ void check_lattice(const base::Lattice& lattice) {
           " no cell; give independent vectors, or make the axis open");
 }
 
-template void check_lattice<2>(const base::Lattice&);
-template void check_lattice<3>(const base::Lattice&);
+template void check_lattice<2>(const exact::Lattice&);
+template void check_lattice<3>(const exact::Lattice&);
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

@@ -2,11 +2,11 @@
 
 #include "exact/lattice.hpp"
 
-namespace abut::grid {
+namespace abut::lattice {
 
 /// Throws Error{invalid_input} unless the periodic vectors are finite and linearly independent, in
 /// real arithmetic.
 template <int Dim>
-void check_lattice(const base::Lattice& lattice);
+void check_lattice(const exact::Lattice& lattice);
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

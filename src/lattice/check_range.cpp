@@ -1,7 +1,7 @@
 #include "lattice/check_range.hpp"
 
-#include "base/written.hpp"
-#include "lattice/brick.hpp"
+#include "base/shortest_text.hpp"
+#include "lattice/orthogonal_cell.hpp"
 #include "lattice/wrapper.hpp"
 
 #include <abut/error.hpp>
@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-namespace abut::grid {
+namespace abut::lattice {
 namespace {
 
 [[noreturn]] void refuse_reach(std::size_t number, double radius, Shape shape) {
@@ -19,8 +19,8 @@ namespace {
   const double side = std::min(2.0 * radius, std::numeric_limits<double>::max());
   throw Error(ErrorCode::invalid_input,
               "element " + std::to_string(number) +
-                  (box ? " has a side of " + base::written(side)
-                       : " has radius = " + base::written(radius)) +
+                  (box ? " has a side of " + base::shortest_text(side)
+                       : " has radius = " + base::shortest_text(radius)) +
                   "; it reaches over more than 2147483647 cells: make the lattice vectors longer, "
                   "or " +
                   (box ? "sides" : "radii") + " and margin smaller");
@@ -29,15 +29,15 @@ namespace {
 }  // namespace
 
 template <int Dim>
-void check_range(std::span<const base::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
+void check_range(std::span<const exact::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
                  double margin, Shape shape, double unit) {
   if (spheres.empty() || lattice.count == 0) return;
-  const Brick<Dim> brick(lattice, 1.0);
+  const OrthogonalCell<Dim> orthogonal_cell(lattice, 1.0);
   std::array<bool, Dim> along{};
   along.fill(true);
-  const Wrapper<Dim> wrapper(lattice, brick, along, shape, unit);
+  const Wrapper<Dim> wrapper(lattice, orthogonal_cell, along, shape, unit);
   for (std::size_t i = 0; i < spheres.size(); ++i) {
-    base::Sphere<Dim> moved = spheres[i];
+    exact::Sphere<Dim> moved = spheres[i];
     for (double& x : moved.center) x *= unit;
     static_cast<void>(wrapper.wrap(moved, i));
   }
@@ -46,8 +46,8 @@ void check_range(std::span<const base::Sphere<Dim>> spheres, const ReducedLattic
                        [](const auto& a, const auto& b) { return a.radius < b.radius; });
   const double reach =
       2.0 * (largest->radius * unit * lattice.scale) + margin * unit * lattice.scale;
-  for (std::size_t k = 0; k < brick.count; ++k) {
-    if (brick.dual_length[k] * reach <= most_cells_away) continue;
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
+    if (orthogonal_cell.dual_length[k] * reach <= most_cells_away) continue;
     refuse_reach(static_cast<std::size_t>(largest - spheres.begin()), largest->radius, shape);
   }
 }
@@ -59,9 +59,9 @@ void refuse_shift(std::size_t i, std::size_t j) {
                   " pair across more than 2147483647 lattice vectors; move them into one cell");
 }
 
-template void check_range(std::span<const base::Sphere<2>>, const ReducedLattice<2>&, double, Shape,
-                          double);
-template void check_range(std::span<const base::Sphere<3>>, const ReducedLattice<3>&, double, Shape,
-                          double);
+template void check_range(std::span<const exact::Sphere<2>>, const ReducedLattice<2>&, double,
+                          Shape, double);
+template void check_range(std::span<const exact::Sphere<3>>, const ReducedLattice<3>&, double,
+                          Shape, double);
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

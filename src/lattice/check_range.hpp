@@ -8,17 +8,17 @@
 #include <cstddef>
 #include <span>
 
-namespace abut::grid {
+namespace abut::lattice {
 
 /// Throws Error{invalid_input} naming the element when one lies more than 2^31 - 1 cells outside of
 /// the cell at the origin, or reaches over more cells than that. Image shifts of 32 bits would not
-/// do. Boxes are given by their stand-ins (base::Elements). The lattice is given times `unit`,
+/// do. Boxes are given by their stand-ins (exact::Elements). The lattice is given times `unit`,
 /// where that is not 1.
 template <int Dim>
-void check_range(std::span<const base::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
+void check_range(std::span<const exact::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
                  double margin, Shape shape, double unit = 1.0);
 
 /// Elements i and j pair, or may pair, with a shift beyond 2^31 - 1.
 [[noreturn]] void refuse_shift(std::size_t i, std::size_t j);
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace abut::grid {
+namespace abut::lattice {
 
 /// In the order of the axes, each product and sum rounded.
 template <int Dim>
@@ -14,4 +14,4 @@ template <int Dim>
   return sum;
 }
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

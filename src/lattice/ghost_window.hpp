@@ -1,8 +1,8 @@
 #pragma once
 
 #include "exact/sphere.hpp"
-#include "lattice/brick.hpp"
 #include "lattice/cell_extent.hpp"
+#include "lattice/orthogonal_cell.hpp"
 
 #include <abut/element_view.hpp>
 
@@ -12,9 +12,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::grid {
+namespace abut::lattice {
 
-/// What reaches are made of, in the unit of the natives.
+/// What reaches are made of, in the unit of the locals.
 struct Reaches {
   double largest_radius;
   double margin;
@@ -24,74 +24,74 @@ struct Reaches {
 /// Which images: of m and -m the one whose first number that is not 0 is positive, or both.
 enum class Shell { half, full };
 
-/// Says which images of an element may be within reach of some native: those whose coordinates
-/// along the brick are nowhere farther outside of the natives' than the reach. A little is added
-/// for all that is rounded (docs/derivations/periodic_images.md, 3 and 5).
+/// Says which images of an element may be within reach of some local element: those whose
+/// coordinates along the orthogonal cell are nowhere farther outside of the locals' than the reach.
+/// A little is added for all that is rounded (docs/derivations/periodic_images.md, 3 and 5).
 template <int Dim>
 class GhostWindow {
  public:
-  /// `extent` holds all natives, which are given times `unit`.
-  GhostWindow(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
+  /// `extent` holds all locals, which are given times `unit`.
+  GhostWindow(const ReducedLattice<Dim>& lattice, const OrthogonalCell<Dim>& orthogonal_cell,
               const CellExtent<Dim>& extent, const Reaches& reaches, double unit) noexcept
-      : brick_(brick), extent_(extent) {
+      : orthogonal_cell_(orthogonal_cell), extent_(extent) {
     const double scale = lattice.scale / unit;
     const Vector farthest_numbers = farthest_numbers_of(lattice, reaches, scale);
-    for (std::size_t k = 0; k < brick.count; ++k) {
+    for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
       double moved = 0.0;  // by images along earlier sides
-      double rounding = 0x1p-47 * brick.magnitude(k, extent.farthest) + 0x1p-40;
-      for (std::size_t l = 0; l < brick.count; ++l) {
-        rounding += 0x1p-60 * brick.weight[k][l];
+      double rounding = 0x1p-47 * orthogonal_cell.magnitude(k, extent.farthest) + 0x1p-40;
+      for (std::size_t l = 0; l < orthogonal_cell.count; ++l) {
+        rounding += 0x1p-60 * orthogonal_cell.weight[k][l];
         if (l < k) {
-          const double offset = std::fabs(brick.offset[l][k]) * most_cells_[l];
+          const double offset = std::fabs(orthogonal_cell.offset[l][k]) * most_cells_[l];
           moved += offset;
-          rounding += 0x1p-48 * offset + most_cells_[l] * brick.error[k][l];
-        } else if (l > k && brick.error[k][l] > 0.0) {
-          rounding += farthest_numbers[l] * brick.error[k][l];
+          rounding += 0x1p-48 * offset + most_cells_[l] * orthogonal_cell.error[k][l];
+        } else if (l > k && orthogonal_cell.error[k][l] > 0.0) {
+          rounding += farthest_numbers[l] * orthogonal_cell.error[k][l];
         }
       }
       set_widths(k, reaches, scale, rounding);
       // Images along the side itself: of its own error they take twice the part that they are.
       const double most = extent.upper[k] - extent.lower[k] + widest_[k] + moved;
-      rounding += 2.0 * brick.error[k][k] * most;
+      rounding += 2.0 * orthogonal_cell.error[k][k] * most;
       set_widths(k, reaches, scale, rounding);
       set_most_cells(k, moved, rounding);
     }
   }
 
-  [[nodiscard]] std::size_t sides() const noexcept { return brick_.count; }
+  [[nodiscard]] std::size_t sides() const noexcept { return orthogonal_cell_.count; }
 
-  /// How far outside of the natives an image may be along side k, in sides, with the largest
+  /// How far outside of the locals an image may be along side k, in sides, with the largest
   /// radius.
   [[nodiscard]] double widest(std::size_t k) const noexcept { return widest_[k]; }
 
   /// Numbers of images along the vector of side k are no larger, in magnitude.
   [[nodiscard]] double most_cells(std::size_t k) const noexcept { return most_cells_[k]; }
 
-  /// No native has more images in its window.
+  /// No local element has more images in its window.
   [[nodiscard]] double most_images() const noexcept {
     double images = 1.0;
-    for (std::size_t k = 0; k < brick_.count; ++k) {
+    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
       images *= extent_.upper[k] - extent_.lower[k] + 2.0 * widest_[k] + 1.0;
     }
     return images;
   }
 
-  /// A native may have ghosts only if its coordinate on some side is at most this: of a ghost's
-  /// numbers, the first that is not 0 is at least 1, and earlier ones do not move it along that
-  /// side.
+  /// A local element may have ghosts only if its coordinate on some side is at most this: of a
+  /// ghost's numbers, the first that is not 0 is at least 1, and earlier ones do not move it along
+  /// that side.
   [[nodiscard]] const std::array<double, Dim>& outer_below() const noexcept { return outer_below_; }
 
-  /// Calls visit(first, last, numbers) for rows of images of a native that may be within reach, by
-  /// their numbers along the sides, the last of which runs from first to last; no further where it
-  /// returns false.
+  /// Calls visit(first, last, numbers) for rows of images of a local element that may be within
+  /// reach, by their numbers along the sides, the last of which runs from first to last; no further
+  /// where it returns false.
   template <class Visit>
-  void for_each_row(const base::Sphere<Dim>& native, Shell shell, Visit&& visit) const {
+  void for_each_row(const exact::Sphere<Dim>& local, Shell shell, Visit&& visit) const {
     std::array<double, Dim> places{};
     Limits limits;
-    for (std::size_t k = 0; k < brick_.count; ++k) {
-      places[k] = brick_.coordinate(k, native.center);
-      limits.lower[k] = extent_.lower[k] - below_[k].at(native.radius);
-      limits.upper[k] = extent_.upper[k] + above_[k].at(native.radius);
+    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+      places[k] = orthogonal_cell_.coordinate(k, local.center);
+      limits.lower[k] = extent_.lower[k] - below_[k].at(local.radius);
+      limits.upper[k] = extent_.upper[k] + above_[k].at(local.radius);
     }
     ImageNumbers numbers{};
     if (shell == Shell::half) {
@@ -102,9 +102,9 @@ class GhostWindow {
   }
 
  private:
-  using Vector = typename Brick<Dim>::Vector;
+  using Vector = typename OrthogonalCell<Dim>::Vector;
 
-  /// How far outside of the natives images of a radius may be, in sides.
+  /// How far outside of the locals images of a radius may be, in sides.
   struct Width {
     double per_radius = 0.0;
     double least = 0.0;
@@ -123,51 +123,53 @@ class GhostWindow {
   Vector farthest_numbers_of(const ReducedLattice<Dim>& lattice, const Reaches& reaches,
                              double scale) const noexcept {
     const auto length = [&](std::size_t side) {
-      return lattice.length[brick_.vector_of[side]] * lattice.scale;
+      return lattice.length[orthogonal_cell_.vector_of[side]] * lattice.scale;
     };
     double distance = 4.0 * (reaches.largest_radius * scale) + 2.0 * (reaches.margin * scale);
-    for (std::size_t k = 0; k < brick_.count; ++k) {
+    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
       const double spread = extent_.upper[k] - extent_.lower[k];
-      distance += (spread + 0x1p-40 * brick_.magnitude(k, extent_.farthest)) * length(k);
+      distance += (spread + 0x1p-40 * orthogonal_cell_.magnitude(k, extent_.farthest)) * length(k);
     }
     Vector result{};
-    for (std::size_t k = 0; k < brick_.count; ++k) result[k] = 2.5 * (distance / length(k));
+    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k)
+      result[k] = 2.5 * (distance / length(k));
     return result;
   }
 
   void set_widths(std::size_t k, const Reaches& reaches, double scale, double rounding) noexcept {
     if (reaches.shape == Shape::sphere) {
-      const double dual_length = brick_.dual_length[k];
+      const double dual_length = orthogonal_cell_.dual_length[k];
       const double common = reaches.largest_radius * scale + reaches.margin * scale;
       above_[k] = {dual_length * scale * (1.0 + 0x1p-38),
                    dual_length * common * (1.0 + 0x1p-38) + rounding};
       below_[k] = above_[k];
     } else {
-      above_[k] = width_of_boxes(brick_.rise[k], brick_.fall[k], reaches, scale, rounding);
-      below_[k] = width_of_boxes(brick_.fall[k], brick_.rise[k], reaches, scale, rounding);
+      above_[k] = width_of_boxes(orthogonal_cell_.rise[k], orthogonal_cell_.fall[k], reaches, scale,
+                                 rounding);
+      below_[k] = width_of_boxes(orthogonal_cell_.fall[k], orthogonal_cell_.rise[k], reaches, scale,
+                                 rounding);
     }
     const double widest_above = above_[k].at(reaches.largest_radius);
     widest_[k] = std::max(widest_above, below_[k].at(reaches.largest_radius));
     outer_below_[k] = extent_.upper[k] + widest_above - 1.0;
   }
 
-  /// What `walk` computes, for the native that lies outermost: rounding is monotone. Images along
-  /// earlier sides bring roundings of their own.
+  /// What `walk` computes, for the local element that lies outermost: rounding is monotone. Images
+  /// along earlier sides bring roundings of their own.
   void set_most_cells(std::size_t k, double moved, double rounding) noexcept {
     const double most = std::max(extent_.upper[k] + widest_[k] - extent_.lower[k],
                                  extent_.upper[k] - (extent_.lower[k] - widest_[k]));
     most_cells_[k] = std::floor(moved > 0.0 ? (most + moved) * (1.0 + 0x1p-40) + rounding : most);
   }
 
-  /// Of boxes beyond the natives in a direction along which the axes of space ascend by `ahead`,
+  /// Of boxes beyond the locals in a direction along which the axes of space ascend by `ahead`,
   /// taken together, and descend by `back`. An image ahead on an axis is within reach as far as a
-  /// native is wide, one that lies back as far as it is wide itself.
+  /// local element is wide, one that lies back as far as it is wide itself.
   static Width width_of_boxes(double ahead, double back, const Reaches& reaches, double scale,
                               double rounding) noexcept {
-    const double natives = ahead * (2.0 * (reaches.largest_radius * scale));
+    const double locals = ahead * (2.0 * (reaches.largest_radius * scale));
     const double margin = (ahead + back) * (reaches.margin * scale);
-    return {2.0 * (back * scale) * (1.0 + 0x1p-38),
-            (natives + margin) * (1.0 + 0x1p-38) + rounding};
+    return {2.0 * (back * scale) * (1.0 + 0x1p-38), (locals + margin) * (1.0 + 0x1p-38) + rounding};
   }
 
   /// Returns whether to go on.
@@ -176,10 +178,10 @@ class GhostWindow {
             ImageNumbers& numbers, Visit& visit) const {
     const std::int64_t last = below(limits.upper[k] - places[k]);
     std::int64_t first = -below(places[k] - limits.lower[k]);
-    const bool is_last = k + 1 == brick_.count;
+    const bool is_last = k + 1 == orthogonal_cell_.count;
     if (all_zero && shell == Shell::half) first = 0;
     if (is_last) {
-      // The native itself is no image.
+      // The local element itself is no image.
       const std::int64_t last_before = std::min(last, std::int64_t{-1});
       if (all_zero && first <= last_before && !visit(first, last_before, numbers)) return false;
       if (all_zero) first = std::max(first, std::int64_t{1});
@@ -189,7 +191,7 @@ class GhostWindow {
       for (std::int64_t number = first; number <= last; ++number) {
         std::array<double, Dim> moved = places;
         for (std::size_t l = k + 1; l < Dim; ++l) {
-          moved[l] += static_cast<double>(number) * brick_.offset[k][l];
+          moved[l] += static_cast<double>(number) * orthogonal_cell_.offset[k][l];
         }
         numbers[k] = number;
         if (!walk<k + 1, shell>(moved, limits, all_zero && number == 0, numbers, visit)) {
@@ -207,7 +209,7 @@ class GhostWindow {
     return whole - static_cast<std::int64_t>(static_cast<double>(whole) > x);
   }
 
-  Brick<Dim> brick_;
+  OrthogonalCell<Dim> orthogonal_cell_;
   CellExtent<Dim> extent_;
   std::array<Width, Dim> above_{};
   std::array<Width, Dim> below_{};
@@ -216,4 +218,4 @@ class GhostWindow {
   std::array<double, Dim> most_cells_{};
 };
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace abut::api {
+namespace abut::lattice {
 namespace {
 
 constexpr double most_cells = 0x1p28;
@@ -24,7 +24,7 @@ double length_of(const double* vector) {
 
 /// Upper bound of how far the vector of an axis has moved.
 template <int Dim>
-double moved(const base::Lattice& then, const base::Lattice& now, std::size_t axis) {
+double moved(const exact::Lattice& then, const exact::Lattice& now, std::size_t axis) {
   if (!now.periodic[axis]) return 0.0;
   std::array<double, Dim> difference{};
   for (std::size_t k = 0; k < Dim; ++k) {
@@ -36,7 +36,7 @@ double moved(const base::Lattice& then, const base::Lattice& now, std::size_t ax
 }  // namespace
 
 template <int Dim>
-LatticeFrame<Dim>::LatticeFrame(const base::Lattice& lattice)
+LatticeFrame<Dim>::LatticeFrame(const exact::Lattice& lattice)
     : lattice_(lattice), reduced_(lattice) {
   derive_dual();
 }
@@ -146,4 +146,4 @@ template double image_motion(const LatticeFrame<2>&, const LatticeFrame<2>&,
 template double image_motion(const LatticeFrame<3>&, const LatticeFrame<3>&,
                              const std::array<double, 3>&, double);
 
-}  // namespace abut::api
+}  // namespace abut::lattice

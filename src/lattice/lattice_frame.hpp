@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::api {
+namespace abut::lattice {
 
 /// How many of the lattice vectors as given an element is away from where it is taken to be.
 using CellNumbers = std::array<std::int32_t, 3>;
@@ -20,9 +20,9 @@ class LatticeFrame {
   using Vector = std::array<double, Dim>;
 
   /// Throws as a detection in this domain does.
-  explicit LatticeFrame(const base::Lattice& lattice);
+  explicit LatticeFrame(const exact::Lattice& lattice);
 
-  [[nodiscard]] const base::Lattice& lattice() const noexcept { return lattice_; }
+  [[nodiscard]] const exact::Lattice& lattice() const noexcept { return lattice_; }
 
   /// Coordinate along the vector of an axis, in units of it; 0 where the axis is not periodic.
   [[nodiscard]] double fraction(std::size_t axis, const double* position) const noexcept {
@@ -54,8 +54,8 @@ class LatticeFrame {
  private:
   void derive_dual();
 
-  base::Lattice lattice_;
-  grid::ReducedLattice<Dim> reduced_;
+  exact::Lattice lattice_;
+  ReducedLattice<Dim> reduced_;
   std::array<Vector, Dim> dual_{};
   Vector dual_length_{};
   bool accurate_ = false;
@@ -70,4 +70,4 @@ template <int Dim>
                                   const typename LatticeFrame<Dim>::Vector& spread,
                                   double distance);
 
-}  // namespace abut::api
+}  // namespace abut::lattice

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstddef>
 
-namespace abut::grid {
+namespace abut::lattice {
 
 /// The largest position, radius or margin of a detection.
 template <int Dim>
-[[nodiscard]] double largest_number(const Bounds<Dim>& bounds, double margin) noexcept {
+[[nodiscard]] double largest_number(const grid::Bounds<Dim>& bounds, double margin) noexcept {
   double largest = std::max(bounds.largest_radius, margin);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
@@ -24,7 +24,7 @@ template <int Dim>
 /// largest position, might exceed the numbers. Nothing is rounded then. Where `largest`, the
 /// largest position or length, would exceed them instead it is 1.
 template <int Dim>
-[[nodiscard]] double unit_of(const base::Lattice& lattice, double largest) noexcept {
+[[nodiscard]] double unit_of(const exact::Lattice& lattice, double largest) noexcept {
   constexpr double short_vector = 0x1p-800;
   constexpr double enlargement = 0x1p200;
   constexpr double largest_enlarged = 0x1p720;
@@ -41,7 +41,7 @@ template <int Dim>
   return shortest < short_vector && largest <= largest_enlarged ? enlargement : 1.0;
 }
 
-[[nodiscard]] inline base::Lattice times(base::Lattice lattice, double unit) noexcept {
+[[nodiscard]] inline exact::Lattice times(exact::Lattice lattice, double unit) noexcept {
   for (std::size_t k = 0; k < 3; ++k) {
     if (!lattice.periodic[k]) continue;
     for (double& x : lattice.vectors[k]) x *= unit;
@@ -49,4 +49,4 @@ template <int Dim>
   return lattice;
 }
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace abut::grid {
+namespace abut::lattice {
 namespace {
 
 /// Beyond this, sums might overflow; such elements are covered by all of space.
@@ -35,7 +35,7 @@ double ReachMask<Dim>::reach_of(double radius) const noexcept {
 }
 
 template <int Dim>
-void ReachMask<Dim>::cover_box(const Bounds<Dim>& bounds, double others_radius,
+void ReachMask<Dim>::cover_box(const grid::Bounds<Dim>& bounds, double others_radius,
                                double margin) noexcept {
   others_radius_ = others_radius;
   margin_ = margin;
@@ -79,18 +79,18 @@ bool ReachMask<Dim>::divide() noexcept {
 }
 
 template <int Dim>
-void ReachMask<Dim>::cover_cells(std::span<const base::Sphere<Dim>> spheres) {
+void ReachMask<Dim>::cover_cells(std::span<const exact::Sphere<Dim>> spheres) {
   if (!in_range_ || !divide()) return;
   std::size_t words = words_of_row_;
   for (std::size_t axis = 1; axis < Dim; ++axis) words *= counts_[axis];
   base::make_room(bits_, words);
   std::fill_n(bits_.begin(), words, std::uint64_t{0});
-  for (const base::Sphere<Dim>& sphere : spheres) cover(sphere);
+  for (const exact::Sphere<Dim>& sphere : spheres) cover(sphere);
   has_cells_ = true;
 }
 
 template <int Dim>
-void ReachMask<Dim>::cover(const base::Sphere<Dim>& sphere) noexcept {
+void ReachMask<Dim>::cover(const exact::Sphere<Dim>& sphere) noexcept {
   const double reach = reach_of(sphere.radius);
   std::size_t first[3] = {};
   std::size_t last[3] = {};
@@ -122,4 +122,4 @@ void ReachMask<Dim>::cover_row(std::size_t row, std::size_t first, std::size_t l
 template class ReachMask<2>;
 template class ReachMask<3>;
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

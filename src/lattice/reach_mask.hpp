@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace abut::grid {
+namespace abut::lattice {
 
 /// Where, in open space, an element may lie that is within reach of any of some others: in their
 /// box widened by the reach, and there in coarse cells that the reach of one of them covers. Says
@@ -29,13 +29,13 @@ class ReachMask {
 
   /// The widened box alone. `others_radius` is the largest radius of those that will be asked
   /// about.
-  void cover_box(const Bounds<Dim>& bounds, double others_radius, double margin) noexcept;
+  void cover_box(const grid::Bounds<Dim>& bounds, double others_radius, double margin) noexcept;
 
   /// Cells too; after cover_box for the same elements.
-  void cover_cells(std::span<const base::Sphere<Dim>> spheres);
+  void cover_cells(std::span<const exact::Sphere<Dim>> spheres);
 
   /// Whether all of a box is covered, so that there is no need to ask about what lies in it.
-  [[nodiscard]] bool covers_all_of(const Bounds<Dim>& bounds) const noexcept {
+  [[nodiscard]] bool covers_all_of(const grid::Bounds<Dim>& bounds) const noexcept {
     bool inside = !has_cells_;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       inside = inside && lower_[axis] <= bounds.lower[axis] && bounds.upper[axis] <= upper_[axis];
@@ -43,7 +43,7 @@ class ReachMask {
     return inside;
   }
 
-  [[nodiscard]] bool may_be_within_reach(const base::Sphere<Dim>& sphere) const noexcept {
+  [[nodiscard]] bool may_be_within_reach(const exact::Sphere<Dim>& sphere) const noexcept {
     bool inside = true;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       inside = inside && lower_[axis] <= sphere.center[axis] && sphere.center[axis] <= upper_[axis];
@@ -57,7 +57,7 @@ class ReachMask {
     return static_cast<std::size_t>(std::clamp(cells, 0.0, last_cell_[axis]));
   }
 
-  [[nodiscard]] bool is_covered(const base::Sphere<Dim>& sphere) const noexcept {
+  [[nodiscard]] bool is_covered(const exact::Sphere<Dim>& sphere) const noexcept {
     std::size_t row = 0;
     for (std::size_t axis = Dim - 1; axis > 0; --axis) {
       row = row * counts_[axis] + cell(axis, sphere.center[axis]);
@@ -68,7 +68,7 @@ class ReachMask {
 
   [[nodiscard]] double reach_of(double radius) const noexcept;
   [[nodiscard]] bool divide() noexcept;
-  void cover(const base::Sphere<Dim>& sphere) noexcept;
+  void cover(const exact::Sphere<Dim>& sphere) noexcept;
   void cover_row(std::size_t row, std::size_t first, std::size_t last) noexcept;
 
   std::array<double, Dim> lower_{};
@@ -86,4 +86,4 @@ class ReachMask {
   base::Array<std::uint64_t> bits_;
 };
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

@@ -19,7 +19,7 @@
 #include <span>
 #include <utility>
 
-namespace abut::grid {
+namespace abut::lattice {
 namespace {
 
 /// A vector counts as shorter only if its square is by this factor: there are finitely many that
@@ -82,7 +82,7 @@ class Reduction {
   [[nodiscard]] Vector combined(const ImageNumbers& numbers, Vector* remainder = nullptr) const {
     Vector result{};
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      base::ExactAccumulator<1> sum;
+      exact::ExactAccumulator<1> sum;
       for (std::size_t l = 0; l < given_.size(); ++l) sum.add(given_[l][axis], numbers[l]);
       result[axis] = sum.rounded();
       if (remainder == nullptr) continue;
@@ -281,7 +281,7 @@ bool is_sound(const ReducedLattice<Dim>& lattice, int exponent) {
 }  // namespace
 
 template <int Dim>
-ReducedLattice<Dim>::ReducedLattice(const base::Lattice& given) {
+ReducedLattice<Dim>::ReducedLattice(const exact::Lattice& given) {
   check_lattice<Dim>(given);
   std::array<Vector, Dim> periodic{};
   for (std::size_t k = 0; k < Dim; ++k) {
@@ -320,7 +320,7 @@ void ReducedLattice<Dim>::turn(std::size_t k) noexcept {
 }
 
 template <int Dim>
-std::optional<base::ImageShift> ReducedLattice<Dim>::shift_of(
+std::optional<ImageShift> ReducedLattice<Dim>::shift_of(
     const ImageNumbers& numbers) const noexcept {
   constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
   std::array<std::int32_t, 3> shift{};
@@ -330,10 +330,10 @@ std::optional<base::ImageShift> ReducedLattice<Dim>::shift_of(
     if (sum > largest || sum < -Int128{largest}) return std::nullopt;
     shift[axis_of[l]] = static_cast<std::int32_t>(sum);
   }
-  return base::ImageShift{shift[0], shift[1], shift[2]};
+  return ImageShift{shift[0], shift[1], shift[2]};
 }
 
 template struct ReducedLattice<2>;
 template struct ReducedLattice<3>;
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

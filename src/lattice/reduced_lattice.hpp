@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace abut::grid {
+namespace abut::lattice {
 
 /// How often each vector of a basis is taken; of the periodic axes in their order.
 using ImageNumbers = std::array<std::int64_t, 3>;
@@ -26,7 +26,7 @@ struct ReducedLattice {
   /// Throws Error{invalid_input} when a periodic vector is not finite, when the vectors are
   /// linearly dependent (decided exactly), and when a number of 64 bits cannot hold how often one
   /// must be taken from another.
-  explicit ReducedLattice(const base::Lattice& given);
+  explicit ReducedLattice(const exact::Lattice& given);
 
   std::size_t count = 0;  ///< periodic axes
   std::array<std::size_t, Dim> axis_of{};
@@ -54,8 +54,7 @@ struct ReducedLattice {
 
   /// `numbers` of the b_k, each below 2^60, in terms of the lattice as given; nothing where one of
   /// these exceeds 2^31 - 1.
-  [[nodiscard]] std::optional<base::ImageShift> shift_of(
-      const ImageNumbers& numbers) const noexcept;
+  [[nodiscard]] std::optional<ImageShift> shift_of(const ImageNumbers& numbers) const noexcept;
 };
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

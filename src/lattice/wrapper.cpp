@@ -1,7 +1,7 @@
 #include "lattice/wrapper.hpp"
 
-#include "base/written.hpp"
-#include "exact/numbers/doubled.hpp"
+#include "base/shortest_text.hpp"
+#include "exact/numbers/double_double.hpp"
 
 #include <abut/error.hpp>
 
@@ -9,12 +9,12 @@
 #include <cmath>
 #include <string>
 
-namespace abut::grid {
+namespace abut::lattice {
 namespace {
 
 /// Names the coordinate that is farthest out.
 template <int Dim>
-[[noreturn]] void refuse(std::size_t number, const base::Sphere<Dim>& sphere, Shape shape,
+[[noreturn]] void refuse(std::size_t number, const exact::Sphere<Dim>& sphere, Shape shape,
                          double unit) {
   static constexpr const char* axis_names[] = {"x", "y", "z"};
   std::size_t farthest = 0;
@@ -24,7 +24,7 @@ template <int Dim>
   throw Error(ErrorCode::invalid_input,
               "element " + std::to_string(number) + " has " + axis_names[farthest] +
                   (shape == Shape::box ? "min = " : " = ") +
-                  base::written(sphere.center[farthest] / unit) +
+                  base::shortest_text(sphere.center[farthest] / unit) +
                   "; it lies more than 2147483647 cells outside of the periodic cell: move it into "
                   "the cell, or correct the lattice");
 }
@@ -32,11 +32,16 @@ template <int Dim>
 }  // namespace
 
 template <int Dim>
-Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
+Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice,
+                      const OrthogonalCell<Dim>& orthogonal_cell,
                       const std::array<bool, Dim>& along, Shape shape, double unit) noexcept
-    : brick_(brick), along_(along), shape_(shape), unit_(unit), scale_(lattice.scale) {
-  for (std::size_t k = 0; k < brick.count; ++k) {
-    const std::size_t v = brick.vector_of[k];
+    : orthogonal_cell_(orthogonal_cell),
+      along_(along),
+      shape_(shape),
+      unit_(unit),
+      scale_(lattice.scale) {
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
+    const std::size_t v = orthogonal_cell.vector_of[k];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       vectors_[k][axis] = lattice.vectors[v][axis] * scale_;
       is_led_along_[axis] = is_led_along_[axis] || vectors_[k][axis] != 0.0;
@@ -48,10 +53,10 @@ Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& bric
 template <int Dim>
 typename Wrapper<Dim>::Cells Wrapper<Dim>::cells_of(const double* position) const noexcept {
   Cells cells{};
-  for (std::size_t k = 0; k < brick_.count; ++k) {
+  for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
     if (!along_[k]) continue;
-    double place = brick_.coordinate(k, position);
-    for (std::size_t l = 0; l < k; ++l) place -= cells[l] * brick_.offset[l][k];
+    double place = orthogonal_cell_.coordinate(k, position);
+    for (std::size_t l = 0; l < k; ++l) place -= cells[l] * orthogonal_cell_.offset[l][k];
     cells[k] = std::floor(place);
   }
   return cells;
@@ -63,12 +68,12 @@ void Wrapper<Dim>::move(const double* from, const Cells& cells, double* to) cons
     // Where no vector leads nothing is added, and the coordinate may be too large for the scale.
     to[axis] = from[axis];
     if (!is_led_along_[axis]) continue;
-    base::CompensatedSum sum;
+    exact::CompensatedSum sum;
     sum.add(from[axis] * scale_);
-    for (std::size_t k = 0; k < brick_.count; ++k) {
+    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
       // Mostly, vectors lie along axes and are not rounded.
       if (cells[k] == 0.0 || vectors_[k][axis] == 0.0) continue;
-      sum.add(base::two_product(-cells[k], vectors_[k][axis]));
+      sum.add(exact::two_product(-cells[k], vectors_[k][axis]));
       if (remainders_[k][axis] != 0.0) sum.add(-cells[k] * remainders_[k][axis]);
     }
     to[axis] = sum.value().high * (1.0 / scale_);
@@ -76,10 +81,10 @@ void Wrapper<Dim>::move(const double* from, const Cells& cells, double* to) cons
 }
 
 template <int Dim>
-CellsMoved Wrapper<Dim>::wrap(base::Sphere<Dim>& sphere, std::size_t number) const {
+CellsMoved Wrapper<Dim>::wrap(exact::Sphere<Dim>& sphere, std::size_t number) const {
   Cells cells = cells_of(sphere.center);
   if (cells == Cells{}) return {};
-  base::Sphere<Dim> moved = sphere;
+  exact::Sphere<Dim> moved = sphere;
   const auto require_fit = [&] {
     for (const double count : cells) {
       if (!(std::fabs(count) <= most_cells_away)) refuse(number, sphere, shape_, unit_);
@@ -104,4 +109,4 @@ CellsMoved Wrapper<Dim>::wrap(base::Sphere<Dim>& sphere, std::size_t number) con
 template class Wrapper<2>;
 template class Wrapper<3>;
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

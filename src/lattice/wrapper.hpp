@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exact/sphere.hpp"
-#include "lattice/brick.hpp"
+#include "lattice/orthogonal_cell.hpp"
 
 #include <abut/element_view.hpp>
 
@@ -9,20 +9,20 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::grid {
+namespace abut::lattice {
 
-/// How many cells an element was moved, along the vector of each side of a brick.
+/// How many cells an element was moved, along the vector of each side of an orthogonal cell.
 using CellsMoved = std::array<std::int32_t, 3>;
 
-/// Moves elements into the brick at the origin, 0 <= coordinate < 1 but for the rounding of the
-/// coordinate, along some of its sides.
+/// Moves elements into the orthogonal cell at the origin, 0 <= coordinate < 1 but for the rounding
+/// of the coordinate, along some of its sides.
 template <int Dim>
 class Wrapper {
  public:
-  /// `brick` is for positions as given, and must live on. If one of its sides is wrapped along, so
-  /// must those be that it has an offset on. `shape` says what errors call a position, and `unit`
-  /// what the caller's was multiplied by.
-  Wrapper(const ReducedLattice<Dim>& lattice, const Brick<Dim>& brick,
+  /// `orthogonal_cell` is for positions as given, and must live on. If one of its sides is wrapped
+  /// along, so must those be that it has an offset on. `shape` says what errors call a position,
+  /// and `unit` what the caller's was multiplied by.
+  Wrapper(const ReducedLattice<Dim>& lattice, const OrthogonalCell<Dim>& orthogonal_cell,
           const std::array<bool, Dim>& along, Shape shape = Shape::sphere,
           double unit = 1.0) noexcept;
 
@@ -30,7 +30,7 @@ class Wrapper {
   /// by at most half of their last place and 2^-55 of the cell, however far they were moved, and
   /// not at all where nothing was moved. Throws Error{invalid_input} naming element `number` when
   /// it lies more than 2^31 - 1 cells outside.
-  CellsMoved wrap(base::Sphere<Dim>& sphere, std::size_t number) const;
+  CellsMoved wrap(exact::Sphere<Dim>& sphere, std::size_t number) const;
 
  private:
   using Cells = std::array<double, Dim>;  ///< of the sides
@@ -38,7 +38,7 @@ class Wrapper {
   [[nodiscard]] Cells cells_of(const double* position) const noexcept;
   void move(const double* from, const Cells& cells, double* to) const noexcept;
 
-  const Brick<Dim>& brick_;
+  const OrthogonalCell<Dim>& orthogonal_cell_;
   std::array<bool, Dim> along_;
   Shape shape_;
   double unit_;
@@ -48,4 +48,4 @@ class Wrapper {
   std::array<std::array<double, Dim>, Dim> remainders_{};
 };
 
-}  // namespace abut::grid
+}  // namespace abut::lattice

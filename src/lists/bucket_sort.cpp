@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace abut::api {
+namespace abut::lists {
 namespace {
 
 /// Pairs of one digit beyond which they are not left to insertion alone, quadratic as it is.
@@ -177,4 +177,4 @@ void BucketSort::sort(std::span<ContactPair> pairs, std::size_t first_element, s
   sort_by_insertion(pairs, work);
 }
 
-}  // namespace abut::api
+}  // namespace abut::lists

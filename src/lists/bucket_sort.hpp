@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Sorts pairs whose first elements lie in a narrow range: by counting, then by insertion, which
 /// has next to nothing left to do. It keeps its arrays.
@@ -32,4 +32,4 @@ class BucketSort {
   base::Array<ContactPair> moved_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

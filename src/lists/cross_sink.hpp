@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <span>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Of the pairs of two sets numbered as one, the first set first, keeps those of both sets and
 /// gives them their own numbers. The smaller number of such a pair is the first set's, so that the
@@ -43,4 +43,4 @@ class CrossSink final : public FilteringSink {
   std::span<const ElementIndex> numbers_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

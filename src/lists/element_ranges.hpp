@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Ranges of elements, a power of two wide: few enough that each is written as a stream, and narrow
 /// enough that the pairs of one lie in the cache.
@@ -81,4 +81,4 @@ class RangePlaces {
   base::Array<std::uint64_t> begin_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::lists {
 
-/// Pairs as they lie in a worker's room; shifts run parallel to them or are not wanted.
+/// Pairs as they lie in a worker's buffer; shifts run parallel to them or are not wanted.
 struct PairBatch {
   std::span<ContactPair> pairs;
   std::span<ImageShift> shifts;
@@ -35,8 +35,8 @@ std::size_t keep_where(const PairBatch& batch, Keep&& keep) {
   return kept;
 }
 
-/// Hands on some of the pairs that a search finds, where they lie: each worker writes into room of
-/// the next sink, and what is kept there is committed. It keeps its memory.
+/// Hands on some of the pairs that a search finds, where they lie: each worker writes into memory
+/// of the next sink, and what is kept there is committed. It keeps its memory.
 class FilteringSink : public base::PairSink {
  public:
   /// `next` must live until the last pairs are committed.
@@ -45,22 +45,22 @@ class FilteringSink : public base::PairSink {
   void expect_canonical_order() final { next_->expect_canonical_order(); }
 
   void expect_workers(std::size_t count) final {
-    if (rooms_.size() < count) rooms_.resize(count);
+    if (buffers_.size() < count) buffers_.resize(count);
     next_->expect_workers(count);
   }
 
-  [[nodiscard]] std::span<ContactPair> room(std::size_t worker) final {
-    rooms_[worker].batch = {next_->room(worker), {}};
-    return rooms_[worker].batch.pairs;
+  [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) final {
+    buffers_[worker].batch = {next_->buffer(worker), {}};
+    return buffers_[worker].batch.pairs;
   }
 
-  [[nodiscard]] std::span<ImageShift> shift_room(std::size_t worker) final {
-    rooms_[worker].batch.shifts = next_->shift_room(worker);
-    return rooms_[worker].batch.shifts;
+  [[nodiscard]] std::span<ImageShift> shift_buffer(std::size_t worker) final {
+    buffers_[worker].batch.shifts = next_->shift_buffer(worker);
+    return buffers_[worker].batch.shifts;
   }
 
   void commit(std::size_t count, const base::Origin& origin) final {
-    const std::size_t kept = keep(rooms_[origin.worker].batch.first(count));
+    const std::size_t kept = keep(buffers_[origin.worker].batch.first(count));
     if (kept > 0) next_->commit(kept, origin);
   }
 
@@ -70,12 +70,12 @@ class FilteringSink : public base::PairSink {
   virtual std::size_t keep(const PairBatch& batch) const = 0;
 
   /// A worker's own, on cache lines of its own.
-  struct alignas(128) Room {
+  struct alignas(128) FilterBuffer {
     PairBatch batch;
   };
 
   base::PairSink* next_ = nullptr;
-  std::vector<Room> rooms_;
+  std::vector<FilterBuffer> buffers_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

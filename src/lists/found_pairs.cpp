@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace abut::api {
+namespace abut::lists {
 namespace {
 
 /// Chunks double up to 2 MiB, one large page.
@@ -44,13 +44,13 @@ void FoundPairs::expect_workers(std::size_t count) {
   if (count > 1 || must_be_sorted()) demand_.buffer = {};
 }
 
-std::span<ContactPair> FoundPairs::room(std::size_t number) {
+std::span<ContactPair> FoundPairs::buffer(std::size_t number) {
   if (buffer_is_next()) return demand_.buffer.pairs.subspan(in_buffer_);
   Worker& worker = *workers_[number];
   const auto free_in = [&](std::size_t k) {
     return worker.chunks[k].pairs.size() - worker.chunks[k].filled;
   };
-  while (worker.current < worker.chunks.size() && free_in(worker.current) < smallest_room) {
+  while (worker.current < worker.chunks.size() && free_in(worker.current) < smallest_buffer) {
     ++worker.current;
   }
   if (worker.current == worker.chunks.size()) add_chunk(worker);
@@ -58,7 +58,7 @@ std::span<ContactPair> FoundPairs::room(std::size_t number) {
   return std::span(chunk.pairs).subspan(chunk.filled);
 }
 
-std::span<ImageShift> FoundPairs::shift_room(std::size_t number) {
+std::span<ImageShift> FoundPairs::shift_buffer(std::size_t number) {
   if (demand_.shifts == Shifts::none) return {};
   if (buffer_is_next()) return demand_.buffer.shifts.subspan(in_buffer_);
   Worker& worker = *workers_[number];
@@ -115,7 +115,7 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   Worker& worker = *workers_[origin.worker];
   const auto [added, shifts] = take(worker, count);
   if (!worker.segments.empty()) {
-    Segment& last = worker.segments.back();
+    PairSegment& last = worker.segments.back();
     // What follows the buffer does not belong to it.
     const auto* const end_of_buffer = demand_.buffer.pairs.data() + demand_.buffer.pairs.size();
     const bool is_elsewhere = added.data() == end_of_buffer;
@@ -134,12 +134,12 @@ std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
     segments_.insert(segments_.end(), worker->segments.begin(), worker->segments.end());
   }
   // The segments of a unit are all one worker's.
-  std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
+  std::sort(segments_.begin(), segments_.end(), [](const PairSegment& a, const PairSegment& b) {
     return a.unit != b.unit ? a.unit < b.unit : a.number < b.number;
   });
   pieces_.clear();
   shift_pieces_.clear();
-  for (const Segment& segment : segments_) {
+  for (const PairSegment& segment : segments_) {
     pieces_.push_back(segment.pairs);
     if (demand_.shifts == Shifts::stored) {
       shift_pieces_.emplace_back(segment.shifts, segment.pairs.size());
@@ -148,4 +148,4 @@ std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
   return pieces_;
 }
 
-}  // namespace abut::api
+}  // namespace abut::lists

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// The caller's arrays, as far as they have memory: room for pairs, and for as many shifts where
 /// these are wanted.
@@ -48,8 +48,8 @@ class FoundPairs final : public base::PairSink {
 
   void expect_canonical_order() override { comes_in_canonical_order_ = true; }
   void expect_workers(std::size_t count) override;
-  [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
-  [[nodiscard]] std::span<ImageShift> shift_room(std::size_t worker) override;
+  [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) override;
+  [[nodiscard]] std::span<ImageShift> shift_buffer(std::size_t worker) override;
   void commit(std::size_t count, const base::Origin& origin) override;
 
   [[nodiscard]] PairCount size() const noexcept { return total_; }
@@ -78,7 +78,7 @@ class FoundPairs final : public base::PairSink {
   };
 
   /// Pairs of one unit that lie together.
-  struct Segment {
+  struct PairSegment {
     std::uint64_t unit;
     std::size_t number;  ///< among the worker's own
     std::span<const ContactPair> pairs;
@@ -88,12 +88,12 @@ class FoundPairs final : public base::PairSink {
   struct alignas(128) Worker {
     std::vector<Chunk> chunks;
     std::size_t current = 0;
-    std::vector<Segment> segments;
+    std::vector<PairSegment> segments;
   };
 
   /// Whether the next pairs go to the caller's buffer: as long as there is enough of it.
   [[nodiscard]] bool buffer_is_next() const noexcept {
-    return demand_.buffer.pairs.size() - in_buffer_ >= smallest_room;
+    return demand_.buffer.pairs.size() - in_buffer_ >= smallest_buffer;
   }
   /// The next `count` pairs of a worker, and their shifts.
   [[nodiscard]] std::pair<std::span<const ContactPair>, const ImageShift*> take(Worker& worker,
@@ -107,9 +107,9 @@ class FoundPairs final : public base::PairSink {
   std::size_t in_buffer_ = 0;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::atomic<PairCount> total_ = 0;
-  std::vector<Segment> segments_;
+  std::vector<PairSegment> segments_;
   std::vector<std::span<const ContactPair>> pieces_;
   std::vector<std::span<const ImageShift>> shift_pieces_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

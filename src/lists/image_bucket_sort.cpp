@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace abut::api {
+namespace abut::lists {
 
 void ImageBucketSort::sort(std::span<ContactPair> pairs, std::span<ImageShift> shifts,
                            std::size_t first_element, std::size_t width, base::WorkCounter& work) {
@@ -37,4 +37,4 @@ void ImageBucketSort::sort(std::span<ContactPair> pairs, std::span<ImageShift> s
   }
 }
 
-}  // namespace abut::api
+}  // namespace abut::lists

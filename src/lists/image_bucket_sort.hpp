@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// The other element of a pair, and which of its images.
 struct Partner {
@@ -39,4 +39,4 @@ class ImageBucketSort {
   base::Array<Partner> by_first_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

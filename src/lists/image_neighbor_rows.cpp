@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace abut::api {
+namespace abut::lists {
 namespace {
 
 constexpr ImageShift opposite(const ImageShift& shift) noexcept {
@@ -74,4 +74,4 @@ void list_image_rows(const ImagePieces& pieces, NeighborListKind kind, std::span
   });
 }
 
-}  // namespace abut::api
+}  // namespace abut::lists

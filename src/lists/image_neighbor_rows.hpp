@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Room for one row, one for each worker.
 using RowRooms = std::vector<base::Array<Partner>>;
@@ -21,4 +21,4 @@ void list_image_rows(const ImagePieces& pieces, NeighborListKind kind, std::span
                      std::span<ElementIndex> neighbors, std::span<ImageShift> shifts,
                      std::span<base::Array<Partner>> rooms, base::WorkCounter& work);
 
-}  // namespace abut::api
+}  // namespace abut::lists

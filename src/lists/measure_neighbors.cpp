@@ -1,9 +1,9 @@
 #include "lists/measure_neighbors.hpp"
 
 #include "base/asking_workers.hpp"
-#include "exact/separation.hpp"
+#include "exact/distance_vector.hpp"
 
-namespace abut::api {
+namespace abut::lists {
 namespace {
 
 /// Neighbors lie anywhere in memory.
@@ -23,7 +23,7 @@ void measure_neighbors(const MeasuredRows<Dim>& rows, std::span<double> distance
   const auto measure = [&](std::size_t e, PairCount k) {
     fetch_ahead(rows, k);
     const ImageShift shift = rows.shifts.empty() ? ImageShift{} : rows.shifts[k];
-    const base::Separation separation = base::separation<Dim>(
+    const exact::DistanceVector separation = exact::distance_vector<Dim>(
         rows.elements[e], rows.others[rows.neighbors[k]], shift, rows.lattice);
     if (!distances.empty()) distances[k] = separation.distance;
     if (!vectors.empty()) vectors[k] = separation.vector;
@@ -45,4 +45,4 @@ template void measure_neighbors(const MeasuredRows<2>&, std::span<double>,
 template void measure_neighbors(const MeasuredRows<3>&, std::span<double>,
                                 std::span<NeighborList::Vector>, std::size_t, base::WorkCounter&);
 
-}  // namespace abut::api
+}  // namespace abut::lists

@@ -9,14 +9,14 @@
 #include <cstddef>
 #include <span>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Rows of a neighbor list and the elements behind their numbers.
 template <int Dim>
 struct MeasuredRows {
-  std::span<const base::Sphere<Dim>> elements;
-  std::span<const base::Sphere<Dim>> others;  ///< what the neighbors' numbers mean
-  base::Lattice lattice;
+  std::span<const exact::Sphere<Dim>> elements;
+  std::span<const exact::Sphere<Dim>> others;  ///< what the neighbors' numbers mean
+  exact::Lattice lattice;
   std::span<const PairCount> offsets;
   std::span<const ElementIndex> neighbors;
   std::span<const ImageShift> shifts;  ///< none: all zero
@@ -28,4 +28,4 @@ void measure_neighbors(const MeasuredRows<Dim>& rows, std::span<double> distance
                        std::span<NeighborList::Vector> vectors, std::size_t workers,
                        base::WorkCounter& work);
 
-}  // namespace abut::api
+}  // namespace abut::lists

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace abut::api {
+namespace abut::lists {
 
 namespace {
 
@@ -134,4 +134,4 @@ void PairOrder::sort(const ImagePieces& pieces, std::size_t element_count,
   base::for_each_index(workers, ranges.count(), work, sort_range);
 }
 
-}  // namespace abut::api
+}  // namespace abut::lists

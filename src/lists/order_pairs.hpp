@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Pairs as they were found, in pieces.
 using PairPieces = std::span<const std::span<const ContactPair>>;
@@ -61,4 +61,4 @@ class PairOrder {
   std::vector<ImageBucketSort> image_sorts_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

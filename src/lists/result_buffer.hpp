@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Sizes a result array and accounts for its bytes while it is filled; afterwards it is the
 /// caller's. The first `kept` values stay.
@@ -92,4 +92,4 @@ class ListBuffer {
   bool is_kept_ = false;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

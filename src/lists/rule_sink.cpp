@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-namespace abut::api {
+namespace abut::lists {
 namespace {
 
 std::size_t keep_by_groups(const PairBatch& batch, const PairTraits& first,
@@ -54,4 +54,4 @@ std::size_t RuleSink::keep(const PairBatch& batch) const {
   return rest.pairs.size();
 }
 
-}  // namespace abut::api
+}  // namespace abut::lists

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Hands on the pairs that a rule allows. Pairs have the caller's numbers.
 class RuleSink final : public FilteringSink {
@@ -26,4 +26,4 @@ class RuleSink final : public FilteringSink {
   PairTraits others_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

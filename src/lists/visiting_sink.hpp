@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace abut::api {
+namespace abut::lists {
 
 /// Whom pairs are handed to: one of the two, or nobody, and then they are only counted.
 struct Visitors {
@@ -30,32 +30,32 @@ struct Visitors {
   return {nullptr, visitor ? &visitor : nullptr};
 }
 
-/// Hands pairs to the caller's visitor, or only counts them. It keeps its rooms.
+/// Hands pairs to the caller's visitor, or only counts them. It keeps its buffers.
 class VisitingSink final : public base::PairSink {
  public:
   void start_anew(PairCount limit, const Visitors& visitors) {
     limit_ = limit;
     visitors_ = visitors;
     count_ = 0;
-    for (const auto& room : rooms_) room->holds_shifts = false;
+    for (const auto& buffer : buffers_) buffer->holds_shifts = false;
   }
 
   [[nodiscard]] PairCount count() const noexcept { return count_; }
 
   void expect_workers(std::size_t count) override {
-    while (rooms_.size() < count) rooms_.push_back(std::make_unique<Room>());
+    while (buffers_.size() < count) buffers_.push_back(std::make_unique<VisitBuffer>());
   }
 
-  [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override {
-    return rooms_[worker]->pairs;
+  [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) override {
+    return buffers_[worker]->pairs;
   }
 
-  [[nodiscard]] std::span<ImageShift> shift_room(std::size_t worker) override {
+  [[nodiscard]] std::span<ImageShift> shift_buffer(std::size_t worker) override {
     if (visitors_.of_shifted_pairs == nullptr) return {};
-    Room& room = *rooms_[worker];
-    if (room.shifts == nullptr) room.shifts = std::make_unique<RoomShifts>();
-    room.holds_shifts = true;
-    return *room.shifts;
+    VisitBuffer& buffer = *buffers_[worker];
+    if (buffer.shifts == nullptr) buffer.shifts = std::make_unique<ShiftBuffer>();
+    buffer.holds_shifts = true;
+    return *buffer.shifts;
   }
 
   void commit(std::size_t count, const base::Origin& origin) override {
@@ -65,32 +65,32 @@ class VisitingSink final : public base::PairSink {
                       " contact pairs, the limit that was set; raise it");
     }
     const auto worker = static_cast<WorkerNumber>(origin.worker);
-    const Room& room = *rooms_[origin.worker];
-    const auto found = std::span<const ContactPair>(room.pairs).first(count);
+    const VisitBuffer& buffer = *buffers_[origin.worker];
+    const auto found = std::span<const ContactPair>(buffer.pairs).first(count);
     if (visitors_.of_pairs != nullptr) {
       base::call_back([&] { (*visitors_.of_pairs)(found, worker); });
     } else if (visitors_.of_shifted_pairs != nullptr) {
-      const std::span<const ImageShift> all = room.holds_shifts ? *room.shifts : no_shifts;
+      const std::span<const ImageShift> all = buffer.holds_shifts ? *buffer.shifts : no_shifts;
       base::call_back([&] { (*visitors_.of_shifted_pairs)(found, all.first(count), worker); });
     }
   }
 
  private:
-  static constexpr std::size_t room_size = 2048;  // 16 KiB of pairs stay in the first cache
-  using RoomShifts = std::array<ImageShift, room_size>;
+  static constexpr std::size_t buffer_size = 2048;  // 16 KiB of pairs stay in the first cache
+  using ShiftBuffer = std::array<ImageShift, buffer_size>;
 
-  struct Room {
-    std::array<ContactPair, room_size> pairs;
-    std::unique_ptr<RoomShifts> shifts;
+  struct VisitBuffer {
+    std::array<ContactPair, buffer_size> pairs;
+    std::unique_ptr<ShiftBuffer> shifts;
     bool holds_shifts = false;  ///< of this detection: those of open domains write none
   };
 
-  static constexpr RoomShifts no_shifts{};
+  static constexpr ShiftBuffer no_shifts{};
 
   PairCount limit_ = unlimited_pairs;
   Visitors visitors_;
-  std::vector<std::unique_ptr<Room>> rooms_;
+  std::vector<std::unique_ptr<VisitBuffer>> buffers_;
   std::atomic<PairCount> count_ = 0;
 };
 
-}  // namespace abut::api
+}  // namespace abut::lists

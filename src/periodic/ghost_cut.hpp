@@ -7,16 +7,16 @@
 
 #include <span>
 
-namespace abut::engine {
+namespace abut::periodic {
 
 /// GhostWindows::cut: the radius from which on spheres should be large; infinite where that saves
 /// little.
 ///
-/// The estimate: elements fill the cell evenly, and a ghost costs as much as a native.
+/// The estimate: elements fill the cell evenly, and a ghost costs as much as a local element.
 template <int Dim>
-[[nodiscard]] double choose_ghost_cut(std::span<const base::Sphere<Dim>> spheres,
+[[nodiscard]] double choose_ghost_cut(std::span<const exact::Sphere<Dim>> spheres,
                                       const grid::Bounds<Dim>& bounds,
-                                      const grid::ReducedLattice<Dim>& lattice, double margin,
-                                      RadiusHistogram& histogram);
+                                      const lattice::ReducedLattice<Dim>& lattice, double margin,
+                                      engine::RadiusHistogram& histogram);
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-namespace abut::engine {
+namespace abut::periodic {
 
-/// Turns pairs of natives and ghosts into pairs of elements with their image shifts, and hands them
-/// on to another sink. Numbers from the count of natives on are those of ghosts. It keeps its
+/// Turns pairs of locals and ghosts into pairs of elements with their image shifts, and hands them
+/// on to another sink. Numbers from the count of locals on are those of ghosts. It keeps its
 /// memory.
 template <int Dim>
 class ImageSink final : public base::PairSink {
@@ -21,7 +21,7 @@ class ImageSink final : public base::PairSink {
                   const kernels::ImageKernels& kernels);
 
   void expect_workers(std::size_t count) override;
-  [[nodiscard]] std::span<ContactPair> room(std::size_t worker) override;
+  [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) override;
   void commit(std::size_t count, const base::Origin& origin) override;
 
  private:
@@ -31,25 +31,27 @@ class ImageSink final : public base::PairSink {
   };
 
   /// A worker's own, on cache lines of its own.
-  struct alignas(128) Room {
+  struct alignas(128) ImageBuffer {
     std::span<ContactPair> pairs;
     std::span<ImageShift> shifts;
     std::vector<NamedShift> of_ghosts;  ///< shifts of pairs with a ghost
   };
 
-  /// Pairs of two ghosts, and of a native with one that does not count for it, are dropped: they
-  /// are found elsewhere, too. Returns how many pairs are left.
-  std::size_t name(Room& room, std::size_t count) const;
-  std::size_t name_block(Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
+  /// Pairs of two ghosts, and of a local element with one that does not count for it, are dropped:
+  /// they are found elsewhere, too. Returns how many pairs are left.
+  std::size_t name(ImageBuffer& buffer, std::size_t count) const;
+  std::size_t name_block(ImageBuffer& buffer, std::size_t begin, std::size_t end,
+                         std::size_t to) const;
   void list_ghosts(std::span<const ContactPair> pairs, kernels::BlockList& list) const;
-  void move_natives(const Room& room, std::size_t begin, std::size_t end, std::size_t to) const;
-  bool name_ghost(Room& room, std::size_t from, std::size_t to) const;
-  void name_shifts(const Room& room, std::size_t count) const;
+  void move_locals(const ImageBuffer& buffer, std::size_t begin, std::size_t end,
+                   std::size_t to) const;
+  bool name_ghost(ImageBuffer& buffer, std::size_t from, std::size_t to) const;
+  void name_shifts(const ImageBuffer& buffer, std::size_t count) const;
 
   base::PairSink* next_ = nullptr;
   const Images<Dim>* images_ = nullptr;
   kernels::ImageKernels kernels_{};
-  std::vector<Room> rooms_;
+  std::vector<ImageBuffer> buffers_;
 };
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

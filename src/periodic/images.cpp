@@ -4,26 +4,26 @@
 #include "lattice/check_range.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "periodic/most_ghosts.hpp"
-#include "periodic/place_natives.hpp"
+#include "periodic/place_locals.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 
-namespace abut::engine {
+namespace abut::periodic {
 namespace {
 
-/// Beyond this, sums could leave the exponent range; natives and ghosts are scaled down.
+/// Beyond this, sums could leave the exponent range; locals and ghosts are scaled down.
 constexpr double largest_unscaled = 0x1p960;
 constexpr double scale_down = 0x1p-128;
 
 /// Relative to magnitude_of (docs/derivations/periodic_images.md, 4).
 constexpr double slack_of_ghosts = 0x1p-48;
-constexpr double slack_of_quick_moves = 0x1p-47;
+constexpr double slack_of_fast_wraps = 0x1p-47;
 
 /// More than these are no small part of a detection.
-constexpr std::size_t natives_between_polls = 512 * kernels::BlockList::room;
+constexpr std::size_t locals_between_polls = 512 * kernels::BlockList::room;
 
 /// That many of any value, without a copy where it must grow.
 template <class T>
@@ -47,57 +47,60 @@ std::array<bool, Dim> all_sides() {
 template <int Dim>
 Images<Dim>::Images(base::MemoryMeter& memory)
     : memory_(memory),
-      own_natives_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory, 0)),
+      own_locals_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)),
       cells_moved_(memory),
       own_ghosts_(base::make_array_for_overwrite<Ghost>(memory, 0)) {}
 
 template <int Dim>
-void Images<Dim>::find(base::Array<base::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
-                       const grid::ReducedLattice<Dim>& lattice, const ImageSettings& settings) {
+void Images<Dim>::find(base::Array<exact::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
+                       const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings) {
   start_anew(elements, bounds, lattice, settings);
   if (elements.empty() || lattice.count == 0) return;
-  const grid::Brick<Dim> brick(lattice, 1.0);
-  measure(elements, brick, settings.workers);
-  const grid::Reaches reaches{bounds.largest_radius, settings.margin, settings.shape};
-  const Windows windows(lattice, brick, extent_, reaches, settings.size_cut, 1.0);
-  if (!is_in_range(brick, windows.of_large)) {
-    grid::check_range<Dim>(elements, lattice, settings.margin, settings.shape);
+  const lattice::OrthogonalCell<Dim> orthogonal_cell(lattice, 1.0);
+  measure(elements, orthogonal_cell, settings.workers);
+  const lattice::Reaches reaches{bounds.largest_radius, settings.margin, settings.shape};
+  const Windows windows(lattice, orthogonal_cell, extent_, reaches, settings.size_cut, 1.0);
+  if (!is_in_range(orthogonal_cell, windows.of_large)) {
+    lattice::check_range<Dim>(elements, lattice, settings.margin, settings.shape);
   }
-  const Along along = sides_to_wrap(brick, windows.of_large);
+  const Along along = sides_to_wrap(orthogonal_cell, windows.of_large);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
     slack_ = slack_of_ghosts * magnitude_of(windows.of_large, along, settings.shape);
-    return add_ghosts(elements, {brick, windows, {}, {}}, settings);
+    return add_ghosts(elements, {orthogonal_cell, windows, {}, {}}, settings);
   }
-  overwrite(own_natives_, elements.size(), elements.size() + elements.size() / 8);
+  overwrite(own_locals_, elements.size(), elements.size() + elements.size() / 8);
   if (unit_ == 1.0) {
-    const Journey<Dim> journey(lattice, brick, extent_, along);
-    const Windows after(lattice, brick, journey.extent, reaches, settings.size_cut, 1.0);
-    if (move_quickly_if_near(elements, journey, {brick, after, along, elements}, settings)) return;
+    const WrapEstimate<Dim> wrap_estimate(lattice, orthogonal_cell, extent_, along);
+    const Windows after(lattice, orthogonal_cell, wrap_estimate.extent, reaches, settings.size_cut,
+                        1.0);
+    if (wrap_fast_if_near(elements, wrap_estimate, {orthogonal_cell, after, along, elements},
+                          settings))
+      return;
   }
-  move_exactly(elements, brick, along, settings.workers);
-  const grid::Brick<Dim> scaled_brick(lattice, unit_);
-  const grid::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_,
-                             settings.shape};
-  const Windows after(lattice, scaled_brick, extent_, scaled, size_cut_, unit_);
+  wrap_exactly(elements, orthogonal_cell, along, settings.workers);
+  const lattice::OrthogonalCell<Dim> scaled_orthogonal_cell(lattice, unit_);
+  const lattice::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_,
+                                settings.shape};
+  const Windows after(lattice, scaled_orthogonal_cell, extent_, scaled, size_cut_, unit_);
   slack_ = slack_of_ghosts * magnitude_of(after.of_large, along, settings.shape);
-  add_ghosts(own_natives_, {scaled_brick, after, {}, {}}, settings);
+  add_ghosts(own_locals_, {scaled_orthogonal_cell, after, {}, {}}, settings);
 }
 
 template <int Dim>
-void Images<Dim>::start_anew(std::span<const base::Sphere<Dim>> elements,
+void Images<Dim>::start_anew(std::span<const exact::Sphere<Dim>> elements,
                              const grid::Bounds<Dim>& bounds,
-                             const grid::ReducedLattice<Dim>& lattice,
+                             const lattice::ReducedLattice<Dim>& lattice,
                              const ImageSettings& settings) {
   while (parts_.size() < settings.workers) parts_.emplace_back(memory_);
   lattice_ = &lattice;
-  natives_and_ghosts_ = elements;
-  native_count_ = elements.size();
+  locals_and_ghosts_ = elements;
+  local_count_ = elements.size();
   ghosts_ = {};
   bounds_ = bounds;
   places_ = {};
   steps_ = {};
-  double largest = grid::largest_number(bounds, settings.margin);
+  double largest = lattice::largest_number(bounds, settings.margin);
   for (std::size_t k = 0; k < lattice.count; ++k) largest = std::max(largest, lattice.length[k]);
   unit_ = largest > largest_unscaled ? scale_down : 1.0;
   given_unit_ = settings.given_unit;
@@ -112,33 +115,36 @@ void Images<Dim>::start_anew(std::span<const base::Sphere<Dim>> elements,
 
 /// The extent of the elements as given.
 template <int Dim>
-void Images<Dim>::measure(std::span<const base::Sphere<Dim>> elements,
-                          const grid::Brick<Dim>& brick, std::size_t workers) {
-  vector_of_ = brick.vector_of;
-  for (std::size_t k = 0; k < brick.count; ++k) {
+void Images<Dim>::measure(std::span<const exact::Sphere<Dim>> elements,
+                          const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                          std::size_t workers) {
+  vector_of_ = orthogonal_cell.vector_of;
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       steps_[k][axis] = lattice_->vectors[vector_of_[k]][axis] * unit_;
     }
   }
-  if (brick.is_aligned()) {
-    extent_ = grid::extent_of(bounds_, brick);
+  if (orthogonal_cell.is_aligned()) {
+    extent_ = lattice::extent_of(bounds_, orthogonal_cell);
     return;
   }
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, elements.size());
-    parts_[worker].extent = grid::extent_of(elements.subspan(first, last - first), brick);
+    parts_[worker].extent =
+        lattice::extent_of(elements.subspan(first, last - first), orthogonal_cell);
   });
   extent_ = {};
   for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(parts_[worker].extent);
 }
 
-/// Whether all elements are far from what grid::check_range refuses.
+/// Whether all elements are far from what lattice::check_range refuses.
 template <int Dim>
-bool Images<Dim>::is_in_range(const grid::Brick<Dim>& brick, const Window& window) const {
-  const Journey<Dim> journey(*lattice_, brick, extent_, all_sides<Dim>());
+bool Images<Dim>::is_in_range(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                              const Window& window) const {
+  const WrapEstimate<Dim> wrap_estimate(*lattice_, orthogonal_cell, extent_, all_sides<Dim>());
   bool in_range = true;
-  for (std::size_t k = 0; k < brick.count; ++k) {
-    in_range = in_range && journey.most_cells[k] <= 0x1p30 && window.widest(k) <= 0x1p30;
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
+    in_range = in_range && wrap_estimate.most_cells[k] <= 0x1p30 && window.widest(k) <= 0x1p30;
   }
   return in_range;
 }
@@ -147,16 +153,16 @@ bool Images<Dim>::is_in_range(const grid::Brick<Dim>& brick, const Window& windo
 /// quarter of what ghosts are within, costs fewer ghosts than moving elements costs time. What
 /// overflows is left to the wrapper, which knows the element.
 template <int Dim>
-typename Images<Dim>::Along Images<Dim>::sides_to_wrap(const grid::Brick<Dim>& brick,
-                                                       const Window& window) const {
+typename Images<Dim>::Along Images<Dim>::sides_to_wrap(
+    const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Window& window) const {
   Along along{};
-  for (std::size_t k = 0; k < brick.count; ++k) {
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
     const double spread = extent_.upper[k] - extent_.lower[k];
-    const bool overflows = !std::isfinite(brick.magnitude(k, extent_.farthest));
+    const bool overflows = !std::isfinite(orthogonal_cell.magnitude(k, extent_.farthest));
     along[k] = overflows || !(spread <= 1.0 + 0.25 * std::min(window.widest(k), 1.0));
     // Moved along an earlier side, elements move along this one, too.
     for (std::size_t l = 0; l < k; ++l) {
-      along[k] = along[k] || (along[l] && brick.offset[l][k] != 0.0);
+      along[k] = along[k] || (along[l] && orthogonal_cell.offset[l][k] != 0.0);
     }
   }
   return along;
@@ -165,59 +171,59 @@ typename Images<Dim>::Along Images<Dim>::sides_to_wrap(const grid::Brick<Dim>& b
 /// Where rounding would make the search use larger cells than the reach asks for, or images must be
 /// counted, nothing is done.
 template <int Dim>
-bool Images<Dim>::move_quickly_if_near(std::span<const base::Sphere<Dim>> elements,
-                                       const Journey<Dim>& journey, const Plan& plan,
-                                       const ImageSettings& settings) {
+bool Images<Dim>::wrap_fast_if_near(std::span<const exact::Sphere<Dim>> elements,
+                                    const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
+                                    const ImageSettings& settings) {
   const double most = 2.0 * ghosts_of_long_reach * static_cast<double>(elements.size());
   const double ghosts = most_ghosts<Dim>(elements, plan.windows);
-  if (!journey.is_short || !(ghosts <= std::min(most, most_natives_and_ghosts))) return false;
-  const grid::CellExtent<Dim> as_given = extent_;
-  extent_ = journey.extent;
-  slack_ = slack_of_quick_moves * magnitude_of(plan.windows.of_large, plan.along, settings.shape);
+  if (!wrap_estimate.is_short || !(ghosts <= std::min(most, most_locals_and_ghosts))) return false;
+  const lattice::CellExtent<Dim> as_given = extent_;
+  extent_ = wrap_estimate.extent;
+  slack_ = slack_of_fast_wraps * magnitude_of(plan.windows.of_large, plan.along, settings.shape);
   if (!(least_cell() <= bounds_.largest_radius + bounds_.second_largest_radius + settings.margin)) {
     extent_ = as_given;
     return false;
   }
-  cells_moved_at_most_ = journey.most_cells;
-  cells_moved_.make_room(elements.size(),
-                         std::all_of(journey.most_cells.begin(), journey.most_cells.end(),
-                                     [](double n) { return n <= MovedCells::most_packed; }));
-  add_ghosts(own_natives_, plan, settings);
+  cells_moved_at_most_ = wrap_estimate.most_cells;
+  cells_moved_.make_room(
+      elements.size(), std::all_of(wrap_estimate.most_cells.begin(), wrap_estimate.most_cells.end(),
+                                   [](double n) { return n <= MovedCells::most_packed; }));
+  add_ghosts(own_locals_, plan, settings);
   return true;
 }
 
 template <int Dim>
-void Images<Dim>::move_exactly(std::span<const base::Sphere<Dim>> elements,
-                               const grid::Brick<Dim>& brick, const Along& along,
-                               std::size_t workers) {
-  const grid::Wrapper<Dim> wrapper(*lattice_, brick, along);
+void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
+                               const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                               const Along& along, std::size_t workers) {
+  const lattice::Wrapper<Dim> wrapper(*lattice_, orthogonal_cell, along);
   cells_moved_.make_room(elements.size(), false);
-  const grid::Brick<Dim> scaled_brick(*lattice_, unit_);
+  const lattice::OrthogonalCell<Dim> scaled_orthogonal_cell(*lattice_, unit_);
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, elements.size());
-    Part& part = parts_[worker];
+    FoundGhosts& part = parts_[worker];
     part.farthest = {};
     part.bounds = {};
     for (std::size_t i = first; i < last; ++i) {
-      base::Sphere<Dim> sphere = elements[i];
-      const grid::CellsMoved moved = wrapper.wrap(sphere, i);
+      exact::Sphere<Dim> sphere = elements[i];
+      const lattice::CellsMoved moved = wrapper.wrap(sphere, i);
       cells_moved_.triples()[i] = moved;
       for (std::size_t k = 0; k < 3; ++k) {
         part.farthest[k] = std::max(part.farthest[k], std::abs(moved[k]));
       }
       for (double& x : sphere.center) x *= unit_;
       sphere.radius *= unit_;
-      own_natives_[i] = sphere;
+      own_locals_[i] = sphere;
       part.bounds.include_center(sphere);
       part.bounds.include_radius(sphere.radius);
     }
-    const std::span<const base::Sphere<Dim>> natives = own_natives_;
-    part.extent = grid::extent_of(natives.subspan(first, last - first), scaled_brick);
+    const std::span<const exact::Sphere<Dim>> locals = own_locals_;
+    part.extent = lattice::extent_of(locals.subspan(first, last - first), scaled_orthogonal_cell);
   });
   extent_ = {};
   bounds_ = {};
   for (std::size_t worker = 0; worker < workers; ++worker) {
-    const Part& part = parts_[worker];
+    const FoundGhosts& part = parts_[worker];
     extent_.include(part.extent);
     bounds_.include(part.bounds);
     for (std::size_t k = 0; k < Dim; ++k) {
@@ -227,40 +233,41 @@ void Images<Dim>::move_exactly(std::span<const base::Sphere<Dim>> elements,
   }
 }
 
-/// Of the first elements of `home`, which are the natives, or will be when they have been moved.
+/// Of the first elements of `home`, which are the locals, or will be when they have been moved.
 template <int Dim>
-void Images<Dim>::add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& plan,
+void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
                              const ImageSettings& settings) {
   note_shifts(plan.windows.of_large);
   reach_is_long_ = plan.to_move.empty() && is_long_reach<Dim>(home, plan.windows);
   if (reach_is_long_) {
     windows_.emplace(plan.windows);
-    natives_and_ghosts_ = home;
+    locals_and_ghosts_ = home;
     return;
   }
   require_countable<Dim>(home, plan.windows);
-  kernels::BrickMap map = map_of<Dim>(*lattice_, plan.brick, plan.along, plan.windows);
+  kernels::OrthogonalCellMap map =
+      map_of<Dim>(*lattice_, plan.orthogonal_cell, plan.along, plan.windows);
   map.pack = cells_moved_.is_packed();
   const std::size_t workers = settings.workers;
   const bool moves = !plan.to_move.empty();
   base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, native_count_);
-    Part& part = parts_[worker];
+    const auto [first, last] = base::share_of(worker, workers, local_count_);
+    FoundGhosts& part = parts_[worker];
     base::ProgressReporter* const progress = worker == 0 ? settings.progress : nullptr;
     part.bounds = {};
     part.ghosts.clear();
     for (std::size_t begin = first; begin < last; begin += kernels::BlockList::room) {
       const std::size_t count = std::min(last - begin, kernels::BlockList::room);
-      const auto natives = std::span(home).subspan(begin, count);
+      const auto locals = std::span(home).subspan(begin, count);
       kernels::BlockList outer;
       if (moves) {
-        move_quickly<Dim>(plan.to_move.subspan(begin, count), map, settings.kernels, natives,
-                          cells_moved_, begin, part.bounds, outer);
+        wrap_fast<Dim>(plan.to_move.subspan(begin, count), map, settings.kernels, locals,
+                       cells_moved_, begin, part.bounds, outer);
       } else {
-        list_outer<Dim>(natives, map, settings.kernels, outer);
+        list_outer<Dim>(locals, map, settings.kernels, outer);
       }
-      list_ghosts<Dim>(natives, outer, begin, plan.windows, part.ghosts, progress);
-      if (progress != nullptr && (begin - first) % natives_between_polls == 0) progress->poll();
+      list_ghosts<Dim>(locals, outer, begin, plan.windows, part.ghosts, progress);
+      if (progress != nullptr && (begin - first) % locals_between_polls == 0) progress->poll();
     }
   });
   if (moves) join_boxes(workers);
@@ -293,26 +300,26 @@ void Images<Dim>::join_ghosts(std::size_t workers) {
   ghosts_ = {own_ghosts_.data(), count};
 }
 
-/// Behind the natives.
+/// Behind the locals.
 template <int Dim>
-void Images<Dim>::append_ghosts(base::Array<base::Sphere<Dim>>& home,
+void Images<Dim>::append_ghosts(base::Array<exact::Sphere<Dim>>& home,
                                 const ImageSettings& settings) {
   const std::size_t workers = settings.workers;
-  const std::size_t all = native_count_ + ghosts_.size();
+  const std::size_t all = local_count_ + ghosts_.size();
   if (home.capacity() < all) home.reserve(all + ghosts_.size() / 4);
   home.resize(all);
-  natives_and_ghosts_ = home;
+  locals_and_ghosts_ = home;
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, ghosts_.size());
     parts_[worker].places = place_ghosts<Dim>(
-        ghosts_.subspan(first, last - first), std::span(home).first(native_count_), steps_, bounds_,
-        std::span(home).subspan(native_count_ + first, last - first),
+        ghosts_.subspan(first, last - first), std::span(home).first(local_count_), steps_, bounds_,
+        std::span(home).subspan(local_count_ + first, last - first),
         worker == 0 ? settings.progress : nullptr);
   });
   for (std::size_t worker = 0; worker < workers; ++worker) places_.include(parts_[worker].places);
 }
 
-/// What rounding is relative to. Where natives are moved and images made along no vector that leads
+/// What rounding is relative to. Where locals are moved and images made along no vector that leads
 /// along an axis, nothing is added to coordinates on it.
 template <int Dim>
 double Images<Dim>::magnitude_of(const Window& window, const Along& along, Shape shape) const {
@@ -352,9 +359,9 @@ void Images<Dim>::note_shifts(const Window& window) {
 
 template <int Dim>
 void Images<Dim>::shifts_between(std::span<const ContactPair> pairs,
-                                 std::span<base::ImageShift> shifts) const {
+                                 std::span<ImageShift> shifts) const {
   if (!moved_any_) {
-    std::fill(shifts.begin(), shifts.end(), base::ImageShift{});
+    std::fill(shifts.begin(), shifts.end(), ImageShift{});
   } else if (side_of_axis_ && cells_moved_.is_packed()) {
     packed_shifts_between(pairs, shifts);
   } else {
@@ -366,7 +373,7 @@ void Images<Dim>::shifts_between(std::span<const ContactPair> pairs,
 
 template <int Dim>
 void Images<Dim>::packed_shifts_between(std::span<const ContactPair> pairs,
-                                        std::span<base::ImageShift> shifts) const {
+                                        std::span<ImageShift> shifts) const {
   const std::uint32_t* const words = cells_moved_.words();
   const auto [x, y, z] = *side_of_axis_;
   const int bits[3] = {MovedCells::bits_of(x), MovedCells::bits_of(y), MovedCells::bits_of(z)};
@@ -383,19 +390,19 @@ void Images<Dim>::packed_shifts_between(std::span<const ContactPair> pairs,
 }
 
 template <int Dim>
-base::ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
-                                            const std::array<std::int32_t, 3>& image) const {
-  grid::ImageNumbers numbers{};
+ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
+                                      const std::array<std::int32_t, 3>& image) const {
+  lattice::ImageNumbers numbers{};
   for (std::size_t k = 0; k < lattice_->count; ++k) {
     std::int64_t& number = numbers[vector_of_[k]];
     number = image[k];
     if (moved_any_) number += std::int64_t{cells_moved_[i][k]} - cells_moved_[j][k];
   }
   if (const auto shift = lattice_->shift_of(numbers)) return *shift;
-  grid::refuse_shift(i, j);
+  lattice::refuse_shift(i, j);
 }
 
 template class Images<2>;
 template class Images<3>;
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

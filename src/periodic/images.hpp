@@ -12,7 +12,7 @@
 #include "periodic/list_ghosts.hpp"
 #include "periodic/moved_cells.hpp"
 #include "periodic/place_ghosts.hpp"
-#include "periodic/place_natives.hpp"
+#include "periodic/place_locals.hpp"
 
 #include <abut/element_view.hpp>
 #include <abut/pair.hpp>
@@ -25,7 +25,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::engine {
+namespace abut::periodic {
 
 struct ImageSettings {
   double margin = 0.0;
@@ -38,15 +38,15 @@ struct ImageSettings {
 };
 
 /// What a search in open space needs in order to find every pair of a periodic domain exactly once:
-/// the elements themselves in about one cell, the *natives*, and copies of some of them around it,
-/// the *ghosts*. Pairs among natives and of each native with each ghost that counts for it, its own
-/// included, are all the pairs, each once; ghosts do not pair with ghosts.
+/// the elements themselves in about one cell, the *locals*, and copies of some of them around it,
+/// the *ghosts*. Pairs among locals and of each local element with each ghost that counts for it,
+/// its own included, are all the pairs, each once; ghosts do not pair with ghosts.
 /// docs/derivations/periodic_images.md has the proof.
 ///
-/// Natives and ghosts are a little off where they were moved: the distance of two of them, here, by
+/// Locals and ghosts are a little off where they were moved: the distance of two of them, here, by
 /// at most slack(). Whether a pair is within reach is decided on the caller's elements, by
-/// base::within_reach with the shift that shift_between tells. Boxes come as their stand-ins
-/// (base::Elements).
+/// exact::within_reach with the shift that shift_between tells. Boxes come as their stand-ins
+/// (exact::Elements).
 template <int Dim>
 class Images {
  public:
@@ -57,33 +57,33 @@ class Images {
   /// live on. The result does not depend on the number of workers.
   ///
   /// Throws Error{invalid_input} when an element lies more than 2^31 - 1 cells outside, and
-  /// Error{limit_exceeded} when there are more natives and ghosts than elements can be numbered.
-  void find(base::Array<base::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
-            const grid::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
+  /// Error{limit_exceeded} when there are more locals and ghosts than elements can be numbered.
+  void find(base::Array<exact::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
+            const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
 
   /// In the order of the elements, all numbers times unit().
-  [[nodiscard]] std::span<const base::Sphere<Dim>> natives() const noexcept {
-    return natives_and_ghosts_.first(native_count_);
+  [[nodiscard]] std::span<const exact::Sphere<Dim>> locals() const noexcept {
+    return locals_and_ghosts_.first(local_count_);
   }
-  [[nodiscard]] std::span<const base::Sphere<Dim>> natives_and_ghosts() const noexcept {
-    return natives_and_ghosts_;
+  [[nodiscard]] std::span<const exact::Sphere<Dim>> locals_and_ghosts() const noexcept {
+    return locals_and_ghosts_;
   }
 
-  /// Of the natives.
-  [[nodiscard]] const grid::Bounds<Dim>& native_bounds() const noexcept { return bounds_; }
+  /// Of the locals.
+  [[nodiscard]] const grid::Bounds<Dim>& local_bounds() const noexcept { return bounds_; }
   [[nodiscard]] const grid::Bounds<Dim>& ghost_bounds() const noexcept { return places_.bounds; }
 
-  /// Whether the reach is so long that there are far more images than natives. Nothing is listed
+  /// Whether the reach is so long that there are far more images than locals. Nothing is listed
   /// then: images are told one after another.
   [[nodiscard]] bool reach_is_long() const noexcept { return reach_is_long_; }
 
-  /// Calls visit(ghost) for each image of a native that would be a ghost.
+  /// Calls visit(ghost) for each image of a local element that would be a ghost.
   template <class Visit>
-  void for_each_ghost_of(std::uint32_t native, Visit&& visit) const {
+  void for_each_ghost_of(std::uint32_t local, Visit&& visit) const {
     const std::size_t last_side = windows_->of_large.sides() - 1;
-    windows_->for_each_row(natives_and_ghosts_[native], [&](std::int64_t first, std::int64_t last,
-                                                            const grid::ImageNumbers& row) {
-      Ghost ghost{native, {}};
+    windows_->for_each_row(locals_and_ghosts_[local], [&](std::int64_t first, std::int64_t last,
+                                                          const lattice::ImageNumbers& row) {
+      Ghost ghost{local, {}};
       for (std::size_t side = 0; side < 3; ++side) {
         ghost.image[side] = static_cast<std::int32_t>(row[side]);
       }
@@ -95,19 +95,19 @@ class Images {
     });
   }
 
-  /// Whether each ghost lies strictly outside of the natives' box: not so where vectors are oblique
-  /// to the axes, or natives lie on both of two opposite faces of the cell.
+  /// Whether each ghost lies strictly outside of the locals' box: not so where vectors are oblique
+  /// to the axes, or locals lie on both of two opposite faces of the cell.
   [[nodiscard]] bool ghosts_are_outside() const noexcept { return places_.all_outside; }
 
   /// Ordered by element, then by image.
   [[nodiscard]] std::span<const Ghost> ghosts() const noexcept { return ghosts_; }
 
-  /// Whether the pair of a native and a ghost within reach is not found as another one, too. Of a
-  /// small and a large element the ghost is the large one.
-  [[nodiscard]] bool counts(std::size_t native, const Ghost& ghost) const noexcept {
+  /// Whether the pair of a local element and a ghost within reach is not found as another one, too.
+  /// Of a small and a large element the ghost is the large one.
+  [[nodiscard]] bool counts(std::size_t local, const Ghost& ghost) const noexcept {
     if (size_cut_ > bounds_.largest_radius) return true;
-    const bool large = natives_and_ghosts_[native].radius >= size_cut_;
-    if (natives_and_ghosts_[ghost.element].radius < size_cut_) return !large;
+    const bool large = locals_and_ghosts_[local].radius >= size_cut_;
+    if (locals_and_ghosts_[ghost.element].radius < size_cut_) return !large;
     return !large || ghost.is_positive();
   }
 
@@ -124,82 +124,85 @@ class Images {
   /// (docs/derivations/tile_filter.md, section 3).
   [[nodiscard]] double least_cell() const noexcept { return slack_ * cells_of_error; }
 
-  /// The shift n for which x_i - (x_j + n A), of the elements as given, is what native i and native
-  /// j, or native i and a ghost, stand for. Throws Error{invalid_input} where |n| would exceed
+  /// The shift n for which x_i - (x_j + n A), of the elements as given, is what local i and local
+  /// j, or local i and a ghost, stand for. Throws Error{invalid_input} where |n| would exceed
   /// 2^31 - 1 on an axis.
-  [[nodiscard]] base::ImageShift shift_between(std::size_t i, std::size_t j) const {
-    return moved_any_ ? shift_between(i, j, {}) : base::ImageShift{};
+  [[nodiscard]] ImageShift shift_between(std::size_t i, std::size_t j) const {
+    return moved_any_ ? shift_between(i, j, {}) : ImageShift{};
   }
-  [[nodiscard]] base::ImageShift shift_between(std::size_t i, const Ghost& ghost) const {
+  [[nodiscard]] ImageShift shift_between(std::size_t i, const Ghost& ghost) const {
     return shift_between(i, ghost.element, ghost.image);
   }
-  /// Of many pairs of two natives.
-  void shifts_between(std::span<const ContactPair> pairs, std::span<base::ImageShift> shifts) const;
+  /// Of many pairs of two locals.
+  void shifts_between(std::span<const ContactPair> pairs, std::span<ImageShift> shifts) const;
 
  private:
   static constexpr double cells_of_error = 0x1p24;
 
   /// What one worker finds out about its elements.
-  struct Part {
-    explicit Part(base::MemoryMeter& memory)
+  struct FoundGhosts {
+    explicit FoundGhosts(base::MemoryMeter& memory)
         : ghosts(base::make_array_for_overwrite<Ghost>(memory, 0)) {}
 
-    grid::CellExtent<Dim> extent;
+    lattice::CellExtent<Dim> extent;
     grid::Bounds<Dim> bounds;
-    grid::CellsMoved farthest{};  ///< most cells that an element was moved, by its amount
+    lattice::CellsMoved farthest{};  ///< most cells that an element was moved, by its amount
     base::Array<Ghost> ghosts;
     GhostPlaces<Dim> places;
   };
 
-  using Window = grid::GhostWindow<Dim>;
+  using Window = lattice::GhostWindow<Dim>;
   using Windows = GhostWindows<Dim>;
   using Along = std::array<bool, Dim>;
 
-  /// How ghosts are found among natives, which may have to be moved first.
+  /// How ghosts are found among locals, which may have to be moved first.
   struct Plan {
-    const grid::Brick<Dim>& brick;
+    const lattice::OrthogonalCell<Dim>& orthogonal_cell;
     const Windows& windows;
     Along along;
-    std::span<const base::Sphere<Dim>> to_move;
+    std::span<const exact::Sphere<Dim>> to_move;
   };
 
-  void start_anew(std::span<const base::Sphere<Dim>> elements, const grid::Bounds<Dim>& bounds,
-                  const grid::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
-  void measure(std::span<const base::Sphere<Dim>> elements, const grid::Brick<Dim>& brick,
-               std::size_t workers);
-  [[nodiscard]] bool is_in_range(const grid::Brick<Dim>& brick, const Window& window) const;
-  [[nodiscard]] Along sides_to_wrap(const grid::Brick<Dim>& brick, const Window& window) const;
-  bool move_quickly_if_near(std::span<const base::Sphere<Dim>> elements,
-                            const Journey<Dim>& journey, const Plan& plan,
-                            const ImageSettings& settings);
-  void move_exactly(std::span<const base::Sphere<Dim>> elements, const grid::Brick<Dim>& brick,
-                    const Along& along, std::size_t workers);
-  void add_ghosts(base::Array<base::Sphere<Dim>>& home, const Plan& plan,
+  void start_anew(std::span<const exact::Sphere<Dim>> elements, const grid::Bounds<Dim>& bounds,
+                  const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
+  void measure(std::span<const exact::Sphere<Dim>> elements,
+               const lattice::OrthogonalCell<Dim>& orthogonal_cell, std::size_t workers);
+  [[nodiscard]] bool is_in_range(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                                 const Window& window) const;
+  [[nodiscard]] Along sides_to_wrap(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                                    const Window& window) const;
+  bool wrap_fast_if_near(std::span<const exact::Sphere<Dim>> elements,
+                         const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
+                         const ImageSettings& settings);
+  void wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
+                    const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Along& along,
+                    std::size_t workers);
+  void add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
                   const ImageSettings& settings);
   void join_boxes(std::size_t workers);
   void join_ghosts(std::size_t workers);
-  void append_ghosts(base::Array<base::Sphere<Dim>>& home, const ImageSettings& settings);
+  void append_ghosts(base::Array<exact::Sphere<Dim>>& home, const ImageSettings& settings);
   void note_shifts(const Window& window);
   [[nodiscard]] double magnitude_of(const Window& window, const Along& along, Shape shape) const;
   void packed_shifts_between(std::span<const ContactPair> pairs,
-                             std::span<base::ImageShift> shifts) const;
-  [[nodiscard]] base::ImageShift shift_between(std::size_t i, std::size_t j,
-                                               const std::array<std::int32_t, 3>& image) const;
+                             std::span<ImageShift> shifts) const;
+  [[nodiscard]] ImageShift shift_between(std::size_t i, std::size_t j,
+                                         const std::array<std::int32_t, 3>& image) const;
 
   base::MemoryMeter& memory_;
-  const grid::ReducedLattice<Dim>* lattice_ = nullptr;
-  std::span<const base::Sphere<Dim>> natives_and_ghosts_;
-  std::size_t native_count_ = 0;
+  const lattice::ReducedLattice<Dim>* lattice_ = nullptr;
+  std::span<const exact::Sphere<Dim>> locals_and_ghosts_;
+  std::size_t local_count_ = 0;
   std::span<const Ghost> ghosts_;
-  std::array<std::size_t, Dim> vector_of_{};          ///< grid::Brick::vector_of
+  std::array<std::size_t, Dim> vector_of_{};          ///< lattice::OrthogonalCell::vector_of
   std::array<std::array<double, Dim>, Dim> steps_{};  ///< vectors of the sides times unit_
   double given_unit_ = 1.0;
   double unit_ = 1.0;           ///< beside that
   double size_cut_ = HUGE_VAL;  ///< times unit_
   double slack_ = 0.0;
-  grid::CellExtent<Dim> extent_;  ///< of the natives, at least
+  lattice::CellExtent<Dim> extent_;  ///< of the locals, at least
   std::array<double, Dim> cells_moved_at_most_{};
-  grid::Bounds<Dim> bounds_;        ///< of the natives
+  grid::Bounds<Dim> bounds_;        ///< of the locals
   GhostPlaces<Dim> places_;         ///< of the ghosts
   std::optional<Windows> windows_;  ///< where the reach is long
   bool reach_is_long_ = false;
@@ -208,10 +211,10 @@ class Images {
   /// Where these are shifts themselves: the side of each axis.
   std::optional<std::array<std::size_t, 3>> side_of_axis_;
 
-  base::Array<base::Sphere<Dim>> own_natives_;
+  base::Array<exact::Sphere<Dim>> own_locals_;
   MovedCells cells_moved_;
   base::Array<Ghost> own_ghosts_;
-  std::vector<Part> parts_;
+  std::vector<FoundGhosts> parts_;
 };
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

@@ -2,7 +2,7 @@
 
 #include <abut/error.hpp>
 
-namespace abut::engine {
+namespace abut::periodic {
 namespace {
 
 [[noreturn]] void refuse_number_of_images() {
@@ -17,13 +17,13 @@ constexpr std::size_t ghosts_between_polls = std::size_t{1} << 18;
 }  // namespace
 
 template <int Dim>
-bool is_long_reach(std::span<const base::Sphere<Dim>> natives, const GhostWindows<Dim>& windows) {
+bool is_long_reach(std::span<const exact::Sphere<Dim>> locals, const GhostWindows<Dim>& windows) {
   // Half of the images at most are ghosts, but for those of large elements.
   if (windows.of_large.most_images() <= 2.0 * ghosts_of_long_reach) return false;
-  const double most = ghosts_of_long_reach * static_cast<double>(natives.size());
+  const double most = ghosts_of_long_reach * static_cast<double>(locals.size());
   double count = 0.0;
-  for (const base::Sphere<Dim>& native : natives) {
-    windows.for_each_row(native, [&](std::int64_t first, std::int64_t last, const auto&) {
+  for (const exact::Sphere<Dim>& local : locals) {
+    windows.for_each_row(local, [&](std::int64_t first, std::int64_t last, const auto&) {
       count += static_cast<double>(last - first + 1);
       return count <= most;
     });
@@ -34,66 +34,66 @@ bool is_long_reach(std::span<const base::Sphere<Dim>> natives, const GhostWindow
 
 /// A bound from the widest window; where it is too large, the exact number.
 template <int Dim>
-void require_countable(std::span<const base::Sphere<Dim>> natives,
+void require_countable(std::span<const exact::Sphere<Dim>> locals,
                        const GhostWindows<Dim>& windows) {
-  const grid::GhostWindow<Dim>& window = windows.of_large;
+  const lattice::GhostWindow<Dim>& window = windows.of_large;
   for (std::size_t k = 0; k < window.sides(); ++k) {
-    if (!(window.most_cells(k) <= grid::most_cells_away)) refuse_number_of_images();
+    if (!(window.most_cells(k) <= lattice::most_cells_away)) refuse_number_of_images();
   }
-  double count = static_cast<double>(natives.size());
-  if (count * window.most_images() <= most_natives_and_ghosts) return;
-  for (const base::Sphere<Dim>& native : natives) {
-    windows.for_each_row(native, [&](std::int64_t first, std::int64_t last, const auto&) {
+  double count = static_cast<double>(locals.size());
+  if (count * window.most_images() <= most_locals_and_ghosts) return;
+  for (const exact::Sphere<Dim>& local : locals) {
+    windows.for_each_row(local, [&](std::int64_t first, std::int64_t last, const auto&) {
       count += static_cast<double>(last - first + 1);
-      if (count > most_natives_and_ghosts) refuse_number_of_images();
+      if (count > most_locals_and_ghosts) refuse_number_of_images();
       return true;
     });
   }
 }
 
 template <int Dim>
-void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
+void list_outer(std::span<const exact::Sphere<Dim>> locals, const kernels::OrthogonalCellMap& map,
                 const kernels::ImageKernels& kernels, kernels::BlockList& outer) {
-  std::size_t k = kernels.list_outer(natives[0].center, natives.size(), Dim, map, outer);
-  for (; k < natives.size(); ++k) {
-    if (kernels::is_outer<Dim>(map, natives[k].center)) outer.push(k);
+  std::size_t k = kernels.list_outer(locals[0].center, locals.size(), Dim, map, outer);
+  for (; k < locals.size(); ++k) {
+    if (kernels::is_outer<Dim>(map, locals[k].center)) outer.push(k);
   }
 }
 
 template <int Dim>
-void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::BlockList& outer,
+void list_ghosts(std::span<const exact::Sphere<Dim>> locals, const kernels::BlockList& outer,
                  std::size_t first_number, const GhostWindows<Dim>& windows,
                  base::Array<Ghost>& ghosts, base::ProgressReporter* progress) {
   const std::size_t last_side = windows.of_large.sides() - 1;
   for (const std::uint32_t k : std::span(outer.number, outer.count)) {
     Ghost ghost{static_cast<std::uint32_t>(first_number + k), {}};
-    windows.for_each_row(natives[k],
-                         [&](std::int64_t first, std::int64_t last, const grid::ImageNumbers& row) {
-                           for (std::size_t side = 0; side < 3; ++side) {
-                             ghost.image[side] = static_cast<std::int32_t>(row[side]);
-                           }
-                           for (std::int64_t m = first; m <= last; ++m) {
-                             ghost.image[last_side] = static_cast<std::int32_t>(m);
-                             ghosts.push_back(ghost);
-                             if (ghosts.size() % ghosts_between_polls != 0) continue;
-                             if (progress != nullptr) progress->poll();
-                           }
-                           return true;
-                         });
+    windows.for_each_row(
+        locals[k], [&](std::int64_t first, std::int64_t last, const lattice::ImageNumbers& row) {
+          for (std::size_t side = 0; side < 3; ++side) {
+            ghost.image[side] = static_cast<std::int32_t>(row[side]);
+          }
+          for (std::int64_t m = first; m <= last; ++m) {
+            ghost.image[last_side] = static_cast<std::int32_t>(m);
+            ghosts.push_back(ghost);
+            if (ghosts.size() % ghosts_between_polls != 0) continue;
+            if (progress != nullptr) progress->poll();
+          }
+          return true;
+        });
   }
 }
 
-template bool is_long_reach(std::span<const base::Sphere<2>>, const GhostWindows<2>&);
-template bool is_long_reach(std::span<const base::Sphere<3>>, const GhostWindows<3>&);
-template void require_countable(std::span<const base::Sphere<2>>, const GhostWindows<2>&);
-template void require_countable(std::span<const base::Sphere<3>>, const GhostWindows<3>&);
-template void list_outer(std::span<const base::Sphere<2>>, const kernels::BrickMap&,
+template bool is_long_reach(std::span<const exact::Sphere<2>>, const GhostWindows<2>&);
+template bool is_long_reach(std::span<const exact::Sphere<3>>, const GhostWindows<3>&);
+template void require_countable(std::span<const exact::Sphere<2>>, const GhostWindows<2>&);
+template void require_countable(std::span<const exact::Sphere<3>>, const GhostWindows<3>&);
+template void list_outer(std::span<const exact::Sphere<2>>, const kernels::OrthogonalCellMap&,
                          const kernels::ImageKernels&, kernels::BlockList&);
-template void list_outer(std::span<const base::Sphere<3>>, const kernels::BrickMap&,
+template void list_outer(std::span<const exact::Sphere<3>>, const kernels::OrthogonalCellMap&,
                          const kernels::ImageKernels&, kernels::BlockList&);
-template void list_ghosts(std::span<const base::Sphere<2>>, const kernels::BlockList&, std::size_t,
+template void list_ghosts(std::span<const exact::Sphere<2>>, const kernels::BlockList&, std::size_t,
                           const GhostWindows<2>&, base::Array<Ghost>&, base::ProgressReporter*);
-template void list_ghosts(std::span<const base::Sphere<3>>, const kernels::BlockList&, std::size_t,
+template void list_ghosts(std::span<const exact::Sphere<3>>, const kernels::BlockList&, std::size_t,
                           const GhostWindows<3>&, base::Array<Ghost>&, base::ProgressReporter*);
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <span>
 
-namespace abut::engine {
+namespace abut::periodic {
 
-/// The periodic image of an element moved by `image` vectors of the sides of the brick.
+/// The periodic image of an element moved by `image` vectors of the sides of the orthogonal cell.
 struct Ghost {
   std::uint32_t element;
   std::array<std::int32_t, 3> image;
@@ -23,59 +23,60 @@ struct Ghost {
   [[nodiscard]] bool is_positive() const noexcept { return image > std::array<std::int32_t, 3>{}; }
 };
 
-/// Which images of natives are ghosts. Those of small elements, positive ones only, that small
-/// natives may reach; all those of large elements, of a radius of at least `cut`, that any native
+/// Which images of locals are ghosts. Those of small elements, positive ones only, that small
+/// locals may reach; all those of large elements, of a radius of at least `cut`, that any local
 /// may reach. So the few large elements do not make ghosts of all that they might reach.
 template <int Dim>
 struct GhostWindows {
-  grid::GhostWindow<Dim> of_small;
-  grid::GhostWindow<Dim> of_large;
+  lattice::GhostWindow<Dim> of_small;
+  lattice::GhostWindow<Dim> of_large;
   double cut;  ///< infinite: all are small
 
-  GhostWindows(const grid::ReducedLattice<Dim>& lattice, const grid::Brick<Dim>& brick,
-               const grid::CellExtent<Dim>& extent, const grid::Reaches& reaches,
+  GhostWindows(const lattice::ReducedLattice<Dim>& lattice,
+               const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+               const lattice::CellExtent<Dim>& extent, const lattice::Reaches& reaches,
                double least_large, double unit)
-      : of_small(lattice, brick, extent,
+      : of_small(lattice, orthogonal_cell, extent,
                  {std::min(reaches.largest_radius, least_large), reaches.margin, reaches.shape},
                  unit),
-        of_large(lattice, brick, extent, reaches, unit),
+        of_large(lattice, orthogonal_cell, extent, reaches, unit),
         cut(least_large) {}
 
   /// Calls visit(first, last, numbers) as GhostWindow does.
   template <class Visit>
-  void for_each_row(const base::Sphere<Dim>& native, Visit&& visit) const {
-    if (native.radius >= cut) return of_large.for_each_row(native, grid::Shell::full, visit);
-    of_small.for_each_row(native, grid::Shell::half, visit);
+  void for_each_row(const exact::Sphere<Dim>& local, Visit&& visit) const {
+    if (local.radius >= cut) return of_large.for_each_row(local, lattice::Shell::full, visit);
+    of_small.for_each_row(local, lattice::Shell::half, visit);
   }
 };
 
-/// With so many ghosts for each native the reach is about as long as the cell or longer, and a
-/// native is within reach of a good part of them: no grid would help.
+/// With so many ghosts for each local element the reach is about as long as the cell or longer, and
+/// a local element is within reach of a good part of them: no grid would help.
 inline constexpr double ghosts_of_long_reach = 16.0;
 
-/// Whether natives would have more ghosts than that. Counts no farther.
+/// Whether locals would have more ghosts than that. Counts no farther.
 template <int Dim>
-[[nodiscard]] bool is_long_reach(std::span<const base::Sphere<Dim>> natives,
+[[nodiscard]] bool is_long_reach(std::span<const exact::Sphere<Dim>> locals,
                                  const GhostWindows<Dim>& windows);
 
-/// Natives and ghosts are numbered by 32 bits.
-inline constexpr double most_natives_and_ghosts = 4294967294.0;
+/// Locals and ghosts are numbered by 32 bits.
+inline constexpr double most_locals_and_ghosts = 4294967294.0;
 
 /// Throws Error{limit_exceeded} where there would be more.
 template <int Dim>
-void require_countable(std::span<const base::Sphere<Dim>> natives,
+void require_countable(std::span<const exact::Sphere<Dim>> locals,
                        const GhostWindows<Dim>& windows);
 
-/// Lists those of a block of natives that may have ghosts.
+/// Lists those of a block of locals that may have ghosts.
 template <int Dim>
-void list_outer(std::span<const base::Sphere<Dim>> natives, const kernels::BrickMap& map,
+void list_outer(std::span<const exact::Sphere<Dim>> locals, const kernels::OrthogonalCellMap& map,
                 const kernels::ImageKernels& kernels, kernels::BlockList& outer);
 
-/// Appends the ghosts of the outer ones of a block of natives, which are numbered from
+/// Appends the ghosts of the outer ones of a block of locals, which are numbered from
 /// `first_number` on. Asks `progress`, if there is one, now and then.
 template <int Dim>
-void list_ghosts(std::span<const base::Sphere<Dim>> natives, const kernels::BlockList& outer,
+void list_ghosts(std::span<const exact::Sphere<Dim>> locals, const kernels::BlockList& outer,
                  std::size_t first_number, const GhostWindows<Dim>& windows,
                  base::Array<Ghost>& ghosts, base::ProgressReporter* progress);
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

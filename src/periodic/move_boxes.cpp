@@ -2,13 +2,13 @@
 
 #include "base/workers.hpp"
 
-namespace abut::engine {
+namespace abut::periodic {
 namespace {
 
 /// Where nothing was moved nothing is rounded.
 template <int Dim>
-base::Box<Dim> moved_to(const double* corner, const base::Box<Dim>& box, double unit) {
-  base::Box<Dim> result;
+exact::Box<Dim> moved_to(const double* corner, const exact::Box<Dim>& box, double unit) {
+  exact::Box<Dim> result;
   for (int axis = 0; axis < Dim; ++axis) {
     const double lower = box.lower[axis] * unit;
     const double upper = box.upper[axis] * unit;
@@ -21,9 +21,9 @@ base::Box<Dim> moved_to(const double* corner, const base::Box<Dim>& box, double 
 }  // namespace
 
 template <int Dim>
-void move_boxes(std::span<const base::Box<Dim>> boxes, const Images<Dim>& images,
-                std::size_t workers, base::Array<base::Box<Dim>>& moved) {
-  const std::span corners = images.natives_and_ghosts();
+void move_boxes(std::span<const exact::Box<Dim>> boxes, const Images<Dim>& images,
+                std::size_t workers, base::Array<exact::Box<Dim>>& moved) {
+  const std::span corners = images.locals_and_ghosts();
   base::resize_for_overwrite(moved, corners.size());
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, corners.size());
@@ -34,9 +34,9 @@ void move_boxes(std::span<const base::Box<Dim>> boxes, const Images<Dim>& images
   });
 }
 
-template void move_boxes(std::span<const base::Box<2>>, const Images<2>&, std::size_t,
-                         base::Array<base::Box<2>>&);
-template void move_boxes(std::span<const base::Box<3>>, const Images<3>&, std::size_t,
-                         base::Array<base::Box<3>>&);
+template void move_boxes(std::span<const exact::Box<2>>, const Images<2>&, std::size_t,
+                         base::Array<exact::Box<2>>&);
+template void move_boxes(std::span<const exact::Box<3>>, const Images<3>&, std::size_t,
+                         base::Array<exact::Box<3>>&);
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

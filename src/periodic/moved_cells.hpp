@@ -6,15 +6,15 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::engine {
+namespace abut::periodic {
 
-/// How many cells each native was moved. Where ten bits a side will do, one word holds all sides:
-/// naming pairs reads them in no order, and what is smaller stays in the cache.
+/// How many cells each local element was moved. Where ten bits a side will do, one word holds all
+/// sides: naming pairs reads them in no order, and what is smaller stays in the cache.
 class MovedCells {
  public:
   explicit MovedCells(base::MemoryMeter& memory)
       : words_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
-        triples_(base::make_array_for_overwrite<grid::CellsMoved>(memory, 0)) {}
+        triples_(base::make_array_for_overwrite<lattice::CellsMoved>(memory, 0)) {}
 
   /// Most cells, of either sign, in a word: differences then fit ten bits, too.
   static constexpr std::int32_t most_packed = 255;
@@ -30,19 +30,19 @@ class MovedCells {
 
   [[nodiscard]] bool is_packed() const noexcept { return is_packed_; }
   [[nodiscard]] std::uint32_t* words() noexcept { return words_.data(); }
-  [[nodiscard]] grid::CellsMoved* triples() noexcept { return triples_.data(); }
+  [[nodiscard]] lattice::CellsMoved* triples() noexcept { return triples_.data(); }
   [[nodiscard]] const std::uint32_t* words() const noexcept { return words_.data(); }
-  [[nodiscard]] const grid::CellsMoved* triples() const noexcept { return triples_.data(); }
+  [[nodiscard]] const lattice::CellsMoved* triples() const noexcept { return triples_.data(); }
 
-  [[nodiscard]] grid::CellsMoved operator[](std::size_t native) const noexcept {
-    return is_packed_ ? unpacked(words_[native]) : triples_[native];
+  [[nodiscard]] lattice::CellsMoved operator[](std::size_t local) const noexcept {
+    return is_packed_ ? unpacked(words_[local]) : triples_[local];
   }
 
-  [[nodiscard]] static std::uint32_t packed(const grid::CellsMoved& cells) noexcept {
+  [[nodiscard]] static std::uint32_t packed(const lattice::CellsMoved& cells) noexcept {
     const auto biased = [](std::int32_t n) { return static_cast<std::uint32_t>(n + zero); };
     return biased(cells[0]) << 20 | biased(cells[1]) << 10 | biased(cells[2]);
   }
-  [[nodiscard]] static grid::CellsMoved unpacked(std::uint32_t word) noexcept {
+  [[nodiscard]] static lattice::CellsMoved unpacked(std::uint32_t word) noexcept {
     return {along(word, bits_of(0)), along(word, bits_of(1)), along(word, bits_of(2))};
   }
 
@@ -64,8 +64,8 @@ class MovedCells {
   static constexpr std::int32_t zero = 512;
 
   base::Array<std::uint32_t> words_;
-  base::Array<grid::CellsMoved> triples_;
+  base::Array<lattice::CellsMoved> triples_;
   bool is_packed_ = false;
 };
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

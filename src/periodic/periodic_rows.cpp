@@ -1,61 +1,62 @@
 #include "periodic/periodic_rows.hpp"
 
-#include "engine/group_search.hpp"
-#include "lattice/brick.hpp"
+#include "engine/set_search.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/lattice_unit.hpp"
+#include "lattice/orthogonal_cell.hpp"
 #include "lattice/reduced_lattice.hpp"
 #include "periodic/ghost_cut.hpp"
 #include "periodic/move_boxes.hpp"
-#include "periodic/periodic_arbiter.hpp"
+#include "periodic/periodic_decider.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-namespace abut::engine {
+namespace abut::periodic {
 namespace {
 
-/// Makes every side of the brick lead against the axes of space, rather than along them: images
-/// along it, of which ghosts are made, are then within reach of natives as far as they are wide
-/// themselves. In the other direction it would be as far as the widest native is, and one wide wall
-/// would make ghosts of all elements.
+/// Makes every side of the orthogonal cell lead against the axes of space, rather than along them:
+/// images along it, of which ghosts are made, are then within reach of locals as far as they are
+/// wide themselves. In the other direction it would be as far as the widest local element is, and
+/// one wide wall would make ghosts of all elements.
 template <int Dim>
-void turn_downwards(grid::ReducedLattice<Dim>& lattice) {
+void turn_downwards(lattice::ReducedLattice<Dim>& lattice) {
   if (lattice.count == 0) return;
-  const grid::Brick<Dim> brick(lattice, 1.0);
-  for (std::size_t k = 0; k < brick.count; ++k) {
-    if (brick.rise[k] > brick.fall[k]) lattice.turn(brick.vector_of[k]);
+  const lattice::OrthogonalCell<Dim> orthogonal_cell(lattice, 1.0);
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
+    if (orthogonal_cell.rise[k] > orthogonal_cell.fall[k])
+      lattice.turn(orthogonal_cell.vector_of[k]);
   }
 }
 
-/// Where ghosts lie around the box of the natives, as foreigns do, they are no more than copies in
-/// its outer tiles. Elsewhere the search takes all alike, and pairs of ghosts are dropped.
+/// Where ghosts lie around the box of the locals, as halo elements do, they are no more than copies
+/// in its outer tiles. Elsewhere the search takes all alike, and pairs of ghosts are dropped.
 template <int Dim>
-Group<Dim> group_of(const Images<Dim>& images) {
-  const std::size_t natives = images.natives().size();
+engine::SearchSet<Dim> search_set_of(const Images<Dim>& images) {
+  const std::size_t locals = images.locals().size();
   const std::size_t ghosts = images.ghosts().size();
-  Group<Dim> group;
-  group.bounds = images.native_bounds();
-  group.bounds.include(images.ghost_bounds());
+  engine::SearchSet<Dim> set;
+  set.bounds = images.local_bounds();
+  set.bounds.include(images.ghost_bounds());
   if (!images.ghosts_are_outside()) {
-    group.natives = Numbers(natives + ghosts);
-    return group;
+    set.locals = engine::Numbers(locals + ghosts);
+    return set;
   }
-  group.natives = Numbers(natives);
-  group.foreigns = Numbers::from(static_cast<std::uint32_t>(natives), ghosts);
-  group.bounds.lower = images.native_bounds().lower;
-  group.bounds.upper = images.native_bounds().upper;
-  return group;
+  set.locals = engine::Numbers(locals);
+  set.halo = engine::Numbers::from(static_cast<std::uint32_t>(locals), ghosts);
+  set.bounds.lower = images.local_bounds().lower;
+  set.bounds.upper = images.local_bounds().upper;
+  return set;
 }
 
-/// Every native against the natives behind it, and against every ghost, which is not stored: each
-/// decided on the caller's numbers. Pairs are handed on as they are found, so that limits of their
-/// number and of memory are met early.
+/// Every local element against the locals behind it, and against every ghost, which is not stored:
+/// each decided on the caller's numbers. Pairs are handed on as they are found, so that limits of
+/// their number and of memory are met early.
 template <int Dim>
 class LongReach {
  public:
-  LongReach(const base::Elements<Dim>& elements, const base::Lattice& lattice, double margin,
+  LongReach(const exact::Elements<Dim>& elements, const exact::Lattice& lattice, double margin,
             const Images<Dim>& images, base::PairSink& sink, base::DetectionContext& context)
       : elements_(elements),
         lattice_(lattice),
@@ -89,8 +90,8 @@ class LongReach {
                 in_order ? shift : ImageShift{-shift.x, -shift.y, -shift.z});
   }
 
-  base::Elements<Dim> elements_;
-  const base::Lattice& lattice_;
+  exact::Elements<Dim> elements_;
+  const exact::Lattice& lattice_;
   double margin_;
   const Images<Dim>& images_;
   base::ImagePairWriter pairs_;
@@ -99,34 +100,34 @@ class LongReach {
 
 /// Takes the ghosts away again that were appended to elements.
 template <int Dim>
-class Appendix {
+class TemporaryGhosts {
  public:
-  explicit Appendix(base::Array<base::Sphere<Dim>>& elements)
+  explicit TemporaryGhosts(base::Array<exact::Sphere<Dim>>& elements)
       : elements_(elements), size_(elements.size()) {}
-  ~Appendix() { elements_.resize(size_); }
+  ~TemporaryGhosts() { elements_.resize(size_); }
 
-  Appendix(const Appendix&) = delete;
-  Appendix& operator=(const Appendix&) = delete;
+  TemporaryGhosts(const TemporaryGhosts&) = delete;
+  TemporaryGhosts& operator=(const TemporaryGhosts&) = delete;
 
  private:
-  base::Array<base::Sphere<Dim>>& elements_;
+  base::Array<exact::Sphere<Dim>>& elements_;
   std::size_t size_;
 };
 
-/// The elements of a detection, times a unit where the cell is very small (grid::unit_of).
+/// The elements of a detection, times a unit where the cell is very small (lattice::unit_of).
 /// Stand-ins of boxes are made anew: what is half as wide as the smallest number cannot be said as
 /// given.
 template <int Dim>
 class Given {
  public:
-  Given(base::Array<base::Sphere<Dim>>& spheres, std::span<const base::Box<Dim>> boxes,
-        const grid::Bounds<Dim>& bounds, double unit, base::Array<base::Sphere<Dim>>& enlarged)
+  Given(base::Array<exact::Sphere<Dim>>& spheres, std::span<const exact::Box<Dim>> boxes,
+        const grid::Bounds<Dim>& bounds, double unit, base::Array<exact::Sphere<Dim>>& enlarged)
       : unit_(unit), spheres_(unit == 1.0 ? spheres : enlarged), bounds_(bounds) {
     if (unit == 1.0) return;
     base::resize_for_overwrite(enlarged, spheres.size());
     bounds_ = {};
     for (std::size_t k = 0; k < spheres.size(); ++k) {
-      base::Sphere<Dim> sphere = spheres[k];
+      exact::Sphere<Dim> sphere = spheres[k];
       for (double& x : sphere.center) x *= unit;
       sphere.radius *= unit;
       for (std::size_t axis = 0; axis < Dim && !boxes.empty(); ++axis) {
@@ -141,18 +142,18 @@ class Given {
   }
 
   [[nodiscard]] double unit() const noexcept { return unit_; }
-  [[nodiscard]] base::Array<base::Sphere<Dim>>& spheres() const noexcept { return spheres_; }
+  [[nodiscard]] base::Array<exact::Sphere<Dim>>& spheres() const noexcept { return spheres_; }
   [[nodiscard]] const grid::Bounds<Dim>& bounds() const noexcept { return bounds_; }
 
  private:
   double unit_;
-  base::Array<base::Sphere<Dim>>& spheres_;
+  base::Array<exact::Sphere<Dim>>& spheres_;
   grid::Bounds<Dim> bounds_;
 };
 
 template <int Dim>
-void find_images(const Given<Dim>& given, const base::Elements<Dim>& originals,
-                 const grid::ReducedLattice<Dim>& reduced, const RowsSettings& settings,
+void find_images(const Given<Dim>& given, const exact::Elements<Dim>& originals,
+                 const lattice::ReducedLattice<Dim>& reduced, const engine::RowsSettings& settings,
                  const kernels::ImageKernels& kernels, PeriodicWorkspace<Dim>& own,
                  base::ProgressReporter& progress) {
   ImageSettings image_settings{settings.margin * given.unit(), settings.workers, kernels};
@@ -166,8 +167,8 @@ void find_images(const Given<Dim>& given, const base::Elements<Dim>& originals,
   }
   if (given.unit() != 1.0) {
     // An error names the numbers that were given.
-    grid::check_range<Dim>(originals.spheres, reduced, settings.margin, image_settings.shape,
-                           given.unit());
+    lattice::check_range<Dim>(originals.spheres, reduced, settings.margin, image_settings.shape,
+                              given.unit());
   }
   own.images.find(given.spheres(), given.bounds(), reduced, image_settings);
 }
@@ -175,51 +176,52 @@ void find_images(const Given<Dim>& given, const base::Elements<Dim>& originals,
 }  // namespace
 
 template <int Dim>
-void periodic_rows(base::Array<base::Sphere<Dim>>& spheres, std::span<const base::Box<Dim>> boxes,
-                   const grid::Bounds<Dim>& bounds, const base::Lattice& lattice,
-                   const RowsSettings& settings, Workspace<Dim>& workspace,
+void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, std::span<const exact::Box<Dim>> boxes,
+                   const grid::Bounds<Dim>& bounds, const exact::Lattice& lattice,
+                   const engine::RowsSettings& settings, engine::Workspace<Dim>& workspace,
                    PeriodicWorkspace<Dim>& own, base::PairSink& sink,
                    base::DetectionContext& context) {
-  const std::size_t natives = spheres.size();
-  const Appendix<Dim> appendix(spheres);
-  const double unit = grid::unit_of<Dim>(lattice, grid::largest_number(bounds, settings.margin));
+  const std::size_t locals = spheres.size();
+  const TemporaryGhosts<Dim> temporary_ghosts(spheres);
+  const double unit =
+      lattice::unit_of<Dim>(lattice, lattice::largest_number(bounds, settings.margin));
   const Given<Dim> given(spheres, boxes, bounds, unit, own.enlarged);
-  grid::ReducedLattice<Dim> reduced(unit == 1.0 ? lattice : grid::times(lattice, unit));
+  lattice::ReducedLattice<Dim> reduced(unit == 1.0 ? lattice : lattice::times(lattice, unit));
   if (!boxes.empty()) turn_downwards(reduced);
   const kernels::ImageKernels kernels = kernels::image_kernels(settings.simd);
   find_images(given, {spheres, boxes}, reduced, settings, kernels, own, context.progress);
 
   const Images<Dim>& images = own.images;
-  const base::Elements<Dim> originals{std::span(spheres).first(natives), boxes};
+  const exact::Elements<Dim> originals{std::span(spheres).first(locals), boxes};
   if (images.reach_is_long()) {
     sink.expect_workers(settings.workers);
     return LongReach<Dim>(originals, lattice, settings.margin, images, sink, context).search();
   }
   own.image_sink.start_anew(sink, images, kernels);
   own.image_sink.expect_workers(settings.workers);
-  const PeriodicArbiter<Dim> arbiter(originals, lattice, images, settings.margin);
+  const PeriodicDecider<Dim> decider(originals, lattice, images, settings.margin);
   own.moved_boxes.clear();
   if (!boxes.empty()) move_boxes<Dim>(boxes, images, settings.workers, own.moved_boxes);
-  const Task<Dim> task{{images.natives_and_ghosts(), own.moved_boxes},
-                       arbiter,
-                       settings.margin * images.unit(),
-                       images.least_cell(),
-                       kernels::tile_kernels(settings.simd),
-                       kernels::element_kernels(settings.simd),
-                       own.image_sink,
-                       context.progress};
-  Group<Dim> group = group_of(images);
-  if (!boxes.empty()) group.bounds.count_largest_twice();
-  GroupSearch<Dim>(task, workspace, settings.workers, context).search(group);
+  const engine::SearchInput<Dim> input{{images.locals_and_ghosts(), own.moved_boxes},
+                                       decider,
+                                       settings.margin * images.unit(),
+                                       images.least_cell(),
+                                       kernels::tile_kernels(settings.simd),
+                                       kernels::element_kernels(settings.simd),
+                                       own.image_sink,
+                                       context.progress};
+  engine::SearchSet<Dim> set = search_set_of(images);
+  if (!boxes.empty()) set.bounds.count_largest_twice();
+  engine::SetSearch<Dim>(input, workspace, settings.workers, context).search(set);
 }
 
-template void periodic_rows(base::Array<base::Sphere<2>>&, std::span<const base::Box<2>>,
-                            const grid::Bounds<2>&, const base::Lattice&, const RowsSettings&,
-                            Workspace<2>&, PeriodicWorkspace<2>&, base::PairSink&,
-                            base::DetectionContext&);
-template void periodic_rows(base::Array<base::Sphere<3>>&, std::span<const base::Box<3>>,
-                            const grid::Bounds<3>&, const base::Lattice&, const RowsSettings&,
-                            Workspace<3>&, PeriodicWorkspace<3>&, base::PairSink&,
-                            base::DetectionContext&);
+template void periodic_rows(base::Array<exact::Sphere<2>>&, std::span<const exact::Box<2>>,
+                            const grid::Bounds<2>&, const exact::Lattice&,
+                            const engine::RowsSettings&, engine::Workspace<2>&,
+                            PeriodicWorkspace<2>&, base::PairSink&, base::DetectionContext&);
+template void periodic_rows(base::Array<exact::Sphere<3>>&, std::span<const exact::Box<3>>,
+                            const grid::Bounds<3>&, const exact::Lattice&,
+                            const engine::RowsSettings&, engine::Workspace<3>&,
+                            PeriodicWorkspace<3>&, base::PairSink&, base::DetectionContext&);
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

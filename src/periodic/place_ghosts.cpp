@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace abut::engine {
+namespace abut::periodic {
 namespace {
 
 template <int Dim>
-bool is_outside(const base::Sphere<Dim>& sphere, const grid::Bounds<Dim>& box) {
+bool is_outside(const exact::Sphere<Dim>& sphere, const grid::Bounds<Dim>& box) {
   bool outside = false;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     outside |= sphere.center[axis] < box.lower[axis] || sphere.center[axis] > box.upper[axis];
@@ -19,17 +19,17 @@ bool is_outside(const base::Sphere<Dim>& sphere, const grid::Bounds<Dim>& box) {
 
 template <int Dim>
 GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
-                              std::span<const base::Sphere<Dim>> natives,
+                              std::span<const exact::Sphere<Dim>> locals,
                               const std::array<std::array<double, Dim>, Dim>& steps,
-                              const grid::Bounds<Dim>& box_of_natives,
-                              std::span<base::Sphere<Dim>> spheres,
+                              const grid::Bounds<Dim>& box_of_locals,
+                              std::span<exact::Sphere<Dim>> spheres,
                               base::ProgressReporter* progress) {
   constexpr std::size_t fetched_ahead = 16;  // enough to hide the way to memory
   constexpr std::size_t ghosts_between_polls = std::size_t{1} << 18;
   GhostPlaces<Dim> places;
   for (std::size_t g = 0; g < ghosts.size(); ++g) {
-    __builtin_prefetch(&natives[ghosts[std::min(g + fetched_ahead, ghosts.size() - 1)].element]);
-    base::Sphere<Dim> sphere = natives[ghosts[g].element];
+    __builtin_prefetch(&locals[ghosts[std::min(g + fetched_ahead, ghosts.size() - 1)].element]);
+    exact::Sphere<Dim> sphere = locals[ghosts[g].element];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       for (std::size_t k = 0; k < Dim; ++k) {
         sphere.center[axis] += ghosts[g].image[k] * steps[k][axis];
@@ -37,20 +37,20 @@ GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
     }
     places.bounds.include_center(sphere);
     places.bounds.include_radius(sphere.radius);
-    places.all_outside = places.all_outside && is_outside(sphere, box_of_natives);
+    places.all_outside = places.all_outside && is_outside(sphere, box_of_locals);
     spheres[g] = sphere;
     if (progress != nullptr && (g + 1) % ghosts_between_polls == 0) progress->poll();
   }
   return places;
 }
 
-template GhostPlaces<2> place_ghosts<2>(std::span<const Ghost>, std::span<const base::Sphere<2>>,
+template GhostPlaces<2> place_ghosts<2>(std::span<const Ghost>, std::span<const exact::Sphere<2>>,
                                         const std::array<std::array<double, 2>, 2>&,
-                                        const grid::Bounds<2>&, std::span<base::Sphere<2>>,
+                                        const grid::Bounds<2>&, std::span<exact::Sphere<2>>,
                                         base::ProgressReporter*);
-template GhostPlaces<3> place_ghosts<3>(std::span<const Ghost>, std::span<const base::Sphere<3>>,
+template GhostPlaces<3> place_ghosts<3>(std::span<const Ghost>, std::span<const exact::Sphere<3>>,
                                         const std::array<std::array<double, 3>, 3>&,
-                                        const grid::Bounds<3>&, std::span<base::Sphere<3>>,
+                                        const grid::Bounds<3>&, std::span<exact::Sphere<3>>,
                                         base::ProgressReporter*);
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

@@ -8,14 +8,14 @@
 #include <array>
 #include <span>
 
-namespace abut::engine {
+namespace abut::periodic {
 
 /// Where some ghosts are.
 template <int Dim>
 struct GhostPlaces {
   grid::Bounds<Dim> bounds;
 
-  /// Whether each lies strictly outside of the natives' box.
+  /// Whether each lies strictly outside of the locals' box.
   bool all_outside = true;
 
   void include(const GhostPlaces& others) noexcept {
@@ -24,14 +24,14 @@ struct GhostPlaces {
   }
 };
 
-/// spheres[g] = the image of a native that is ghosts[g]; `steps` are the vectors of the sides, 0
-/// where there are fewer sides than axes. Asks `progress`, if there is one, now and then.
+/// spheres[g] = the image of a local element that is ghosts[g]; `steps` are the vectors of the
+/// sides, 0 where there are fewer sides than axes. Asks `progress`, if there is one, now and then.
 template <int Dim>
 [[nodiscard]] GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
-                                            std::span<const base::Sphere<Dim>> natives,
+                                            std::span<const exact::Sphere<Dim>> locals,
                                             const std::array<std::array<double, Dim>, Dim>& steps,
-                                            const grid::Bounds<Dim>& box_of_natives,
-                                            std::span<base::Sphere<Dim>> spheres,
+                                            const grid::Bounds<Dim>& box_of_locals,
+                                            std::span<exact::Sphere<Dim>> spheres,
                                             base::ProgressReporter* progress);
 
-}  // namespace abut::engine
+}  // namespace abut::periodic

@@ -9,7 +9,7 @@
 /// chapter 3. One file an algorithm; each delivers every pair of elements in equal or adjacent
 /// cells to `test` exactly once (direct_check: every pair), and leaves its lists empty.
 ///
-/// `Test` is callable with two element numbers: a ContactTest<Dim> or a CandidateRecorder.
+/// `Test` is callable with two element numbers: a PairDecider<Dim> or a CandidateRecorder.
 namespace abut::reference {
 
 template <class Test>

@@ -5,7 +5,7 @@
 // "i < N, j < N" counted from 1 would leave out the last element.
 
 #include "reference/algorithms.hpp"
-#include "reference/contact_test.hpp"
+#include "reference/pair_decider.hpp"
 #include "reference/show.hpp"
 
 #include <array>
@@ -23,8 +23,8 @@ void direct_check(std::size_t element_count, Test& test, base::DetectionContext&
   }
 }
 
-template void direct_check(std::size_t, ContactTest<2>&, base::DetectionContext&);
-template void direct_check(std::size_t, ContactTest<3>&, base::DetectionContext&);
+template void direct_check(std::size_t, PairDecider<2>&, base::DetectionContext&);
+template void direct_check(std::size_t, PairDecider<3>&, base::DetectionContext&);
 template void direct_check(std::size_t, CandidateRecorder&, base::DetectionContext&);
 
 }  // namespace abut::reference

@@ -29,7 +29,7 @@ ImageShift opposite(const ImageShift& shift) noexcept {
 template <int Dim>
 class Checker {
  public:
-  Checker(const base::Elements<Dim>& elements, const base::Lattice& lattice, double margin,
+  Checker(const exact::Elements<Dim>& elements, const exact::Lattice& lattice, double margin,
           base::ImagePairWriter& pairs, base::DetectionContext& context)
       : elements_(elements),
         lattice_(lattice),
@@ -46,13 +46,13 @@ class Checker {
     ImageWindow window = window_of(i, j);
     if (window.is_empty()) return;
     if (i == j) window.first[0] = 0;
-    for_each_image(window, [&](const grid::ImageNumbers& numbers) {
+    for_each_image(window, [&](const lattice::ImageNumbers& numbers) {
       count_step();
       // Of (i, i, n) and (i, i, -n) one is a pair: look at one of them, name the positive one.
-      if (i == j && numbers <= grid::ImageNumbers{}) return;
+      if (i == j && numbers <= lattice::ImageNumbers{}) return;
       ++context_.candidate_tests;
       std::optional<ImageShift> shift = reduced_.shift_of(numbers);
-      if (!shift) grid::refuse_shift(i, j);
+      if (!shift) lattice::refuse_shift(i, j);
       if (!elements_.within_reach(i, j, *shift, lattice_, margin_, context_.exact_decisions)) {
         return;
       }
@@ -71,15 +71,15 @@ class Checker {
   void require_range() const {
     const auto& spheres = elements_.spheres;
     double largest = margin_;
-    for (const base::Sphere<Dim>& sphere : spheres) {
+    for (const exact::Sphere<Dim>& sphere : spheres) {
       for (const double x : sphere.center) largest = std::max(largest, std::fabs(x));
       largest = std::max(largest, sphere.radius);
     }
-    const double unit = grid::unit_of<Dim>(lattice_, largest);
+    const double unit = lattice::unit_of<Dim>(lattice_, largest);
     const Shape shape = elements_.are_boxes() ? Shape::box : Shape::sphere;
-    if (unit == 1.0) return grid::check_range<Dim>(spheres, reduced_, margin_, shape);
-    const grid::ReducedLattice<Dim> enlarged(grid::times(lattice_, unit));
-    grid::check_range<Dim>(spheres, enlarged, margin_, shape, unit);
+    if (unit == 1.0) return lattice::check_range<Dim>(spheres, reduced_, margin_, shape);
+    const lattice::ReducedLattice<Dim> enlarged(lattice::times(lattice_, unit));
+    lattice::check_range<Dim>(spheres, enlarged, margin_, shape, unit);
   }
 
   [[nodiscard]] ImageWindow window_of(std::size_t i, std::size_t j) const noexcept {
@@ -88,9 +88,9 @@ class Checker {
                                  : windows_.of(spheres[i], spheres[j], margin_);
   }
 
-  base::Elements<Dim> elements_;
-  const base::Lattice& lattice_;
-  grid::ReducedLattice<Dim> reduced_;
+  exact::Elements<Dim> elements_;
+  const exact::Lattice& lattice_;
+  lattice::ReducedLattice<Dim> reduced_;
   ImageWindows<Dim> windows_;
   double margin_;
   base::ImagePairWriter& pairs_;
@@ -101,7 +101,7 @@ class Checker {
 }  // namespace
 
 template <int Dim>
-void direct_check_images(const base::Elements<Dim>& elements, const base::Lattice& lattice,
+void direct_check_images(const exact::Elements<Dim>& elements, const exact::Lattice& lattice,
                          double margin, base::ImagePairWriter& pairs,
                          base::DetectionContext& context) {
   Checker<Dim> checker(elements, lattice, margin, pairs, context);
@@ -111,9 +111,9 @@ void direct_check_images(const base::Elements<Dim>& elements, const base::Lattic
   }
 }
 
-template void direct_check_images(const base::Elements<2>&, const base::Lattice&, double,
+template void direct_check_images(const exact::Elements<2>&, const exact::Lattice&, double,
                                   base::ImagePairWriter&, base::DetectionContext&);
-template void direct_check_images(const base::Elements<3>&, const base::Lattice&, double,
+template void direct_check_images(const exact::Elements<3>&, const exact::Lattice&, double,
                                   base::ImagePairWriter&, base::DetectionContext&);
 
 }  // namespace abut::reference

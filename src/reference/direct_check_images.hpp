@@ -11,7 +11,7 @@ namespace abut::reference {
 /// follow it which a bound does not exclude. Delivers each (i, j, n) of the contract once. Throws
 /// Error{invalid_input} naming the element whose image shift would leave 32 bits.
 template <int Dim>
-void direct_check_images(const base::Elements<Dim>& elements, const base::Lattice& lattice,
+void direct_check_images(const exact::Elements<Dim>& elements, const exact::Lattice& lattice,
                          double margin, base::ImagePairWriter& pairs,
                          base::DetectionContext& context);
 

@@ -15,8 +15,8 @@ namespace abut::reference {
 /// The numbers of basis vectors that may bring an image within reach: a block of whole numbers,
 /// ends included; (0, 0, 0) alone where nothing is periodic.
 struct ImageWindow {
-  grid::ImageNumbers first{};
-  grid::ImageNumbers last{};
+  lattice::ImageNumbers first{};
+  lattice::ImageNumbers last{};
 
   [[nodiscard]] bool is_empty() const noexcept {
     return first[0] > last[0] || first[1] > last[1] || first[2] > last[2];
@@ -25,7 +25,7 @@ struct ImageWindow {
 
 template <class Body>
 void for_each_image(const ImageWindow& window, Body&& body) {
-  grid::ImageNumbers m{};
+  lattice::ImageNumbers m{};
   for (m[0] = window.first[0]; m[0] <= window.last[0]; ++m[0]) {
     for (m[1] = window.first[1]; m[1] <= window.last[1]; ++m[1]) {
       for (m[2] = window.first[2]; m[2] <= window.last[2]; ++m[2]) body(m);
@@ -48,7 +48,7 @@ constexpr double farthest_number = 0x1p40;
 // covers that of g_k . b_l and of b_l itself. It is 0 where g_k and b_l have no axis in common, so
 // that a long side of the cell leaves no trace on the others.
 //   |m_l| <= (|d| + R) D_l but for 2^-40, since |b_l| D_l <= 2 and e_kl <= 2^-45 D_k |b_l|
-// (grid::ReducedLattice); for l = k also |m_k| (1 - e_kk) <= |t_k| + |g_k . v| + the other e_kl.
+// (lattice::ReducedLattice); for l = k also |m_k| (1 - e_kk) <= |t_k| + |g_k . v| + the other e_kl.
 // Rounding in d and t_k is below 2^-50 of the sum of |g_k| |d| over the axes. The window takes
 // 2^-48 of it, 2^-40 of |g_k . v|, twice all e_kl, and 2^-40 for numbers below the normal range.
 //
@@ -64,7 +64,7 @@ template <int Dim>
 class ImageWindows {
  public:
   /// `lattice` must live on.
-  explicit ImageWindows(const grid::ReducedLattice<Dim>& lattice)
+  explicit ImageWindows(const lattice::ReducedLattice<Dim>& lattice)
       : lattice_(lattice), half_scale_(0.5 * lattice.scale) {
     for (std::size_t k = 0; k < lattice.count; ++k) {
       for (std::size_t l = 0; l < lattice.count; ++l) error_[k][l] = error_of(k, l);
@@ -75,7 +75,7 @@ class ImageWindows {
   }
 
   /// The window of b's images around a.
-  [[nodiscard]] ImageWindow of(const base::Sphere<Dim>& a, const base::Sphere<Dim>& b,
+  [[nodiscard]] ImageWindow of(const exact::Sphere<Dim>& a, const exact::Sphere<Dim>& b,
                                double margin) const noexcept {
     const double half_reach = a.radius * half_scale_ + b.radius * half_scale_ + half(margin);
     HalfDifference difference;
@@ -89,7 +89,7 @@ class ImageWindows {
   }
 
   /// The same of boxes.
-  [[nodiscard]] ImageWindow of(const base::Box<Dim>& a, const base::Box<Dim>& b,
+  [[nodiscard]] ImageWindow of(const exact::Box<Dim>& a, const exact::Box<Dim>& b,
                                double margin) const noexcept {
     HalfDifference difference;
     double half_reach[Dim] = {};
@@ -156,7 +156,7 @@ class ImageWindows {
     return window;
   }
 
-  const grid::ReducedLattice<Dim>& lattice_;
+  const lattice::ReducedLattice<Dim>& lattice_;
   double half_scale_;
   std::array<bool, Dim> leads_along_{};
   std::array<std::array<double, Dim>, Dim> error_{};

@@ -2,9 +2,9 @@
 
 /// The candidate tests that every algorithm is compiled for: one list, at the end of each file.
 #define ABUT_INSTANTIATE_2D_AND_3D(function)                                     \
-  template void function<2>(const grid::CellCoordinates<2>&, ContactTest<2>&,    \
+  template void function<2>(const grid::CellCoordinates<2>&, PairDecider<2>&,    \
                             base::DetectionContext&);                            \
-  template void function<3>(const grid::CellCoordinates<3>&, ContactTest<3>&,    \
+  template void function<3>(const grid::CellCoordinates<3>&, PairDecider<3>&,    \
                             base::DetectionContext&);                            \
   template void function<2>(const grid::CellCoordinates<2>&, CandidateRecorder&, \
                             base::DetectionContext&);                            \

@@ -14,8 +14,8 @@
 // cells, nothing is searched: time c N, with c independent of N and of the packing (eq. 3.64).
 
 #include "reference/algorithms.hpp"
-#include "reference/contact_test.hpp"
 #include "reference/guarded_heads.hpp"
+#include "reference/pair_decider.hpp"
 
 #include <array>
 #include <cstdint>
@@ -64,7 +64,7 @@ class MunjizaNbs2d {
   }
 
  private:
-  enum Set { central = 0, adjacent = 1 };
+  enum RowSet { central = 0, adjacent = 1 };
 
   void treat_central_row(std::int32_t iy) {
     load(iy, central);
@@ -87,7 +87,7 @@ class MunjizaNbs2d {
     for_each_in_row(iy - 1, [this](std::int32_t e) { cell_head_[adjacent][x(e)] = none; });
   }
 
-  void load(std::int32_t row, Set set) {
+  void load(std::int32_t row, RowSet set) {
     for_each_in_row(row, [this, set](std::int32_t e) {
       next_in_cell_.push(e, cell_head_[set][x(e)]);
       ++context_.list_insertions;
@@ -156,7 +156,7 @@ double munjiza_nbs_bytes(const grid::CellCoordinates<2>& cells) {
   return 4.0 * (2.0 * static_cast<double>(cells.element_count()) + n[1] + 2.0 * n[0]);
 }
 
-template void munjiza_nbs_2d(const grid::CellCoordinates<2>&, ContactTest<2>&,
+template void munjiza_nbs_2d(const grid::CellCoordinates<2>&, PairDecider<2>&,
                              base::DetectionContext&);
 template void munjiza_nbs_2d(const grid::CellCoordinates<2>&, CandidateRecorder&,
                              base::DetectionContext&);

@@ -14,8 +14,8 @@
 // Memory 3N + n_z + 2 n_y + 2 n_x integers (eq. 3.80) and the cells of the mapping.
 
 #include "reference/algorithms.hpp"
-#include "reference/contact_test.hpp"
 #include "reference/guarded_heads.hpp"
+#include "reference/pair_decider.hpp"
 
 #include <array>
 #include <cstdint>
@@ -66,7 +66,7 @@ class MunjizaNbs3d {
   }
 
  private:
-  enum Set { central = 0, adjacent = 1 };
+  enum ListSet { central = 0, adjacent = 1 };
 
   void treat_central_layer(std::int32_t iz) {
     load_rows(iz, central);
@@ -89,8 +89,8 @@ class MunjizaNbs3d {
 
   void treat_central_row(std::int32_t iy, std::int32_t iz) {
     load_cells(central, iy, central);
-    for_each_merged_row(iy,
-                        [this](Set layer, std::int32_t row) { load_cells(layer, row, adjacent); });
+    for_each_merged_row(
+        iy, [this](ListSet layer, std::int32_t row) { load_cells(layer, row, adjacent); });
     show_stage(context_, "central row: lists of its cells and of four rows merged", any, iy, iz);
     cell_head_[central].show(context_, "A[0]", "cell_head[central]", IndexedBy::cell);
     cell_head_[adjacent].show(context_, "A[1]", "cell_head[adjacent]", IndexedBy::cell);
@@ -107,7 +107,7 @@ class MunjizaNbs3d {
 
     unload_cells(central, iy, central);
     for_each_merged_row(
-        iy, [this](Set layer, std::int32_t row) { unload_cells(layer, row, adjacent); });
+        iy, [this](ListSet layer, std::int32_t row) { unload_cells(layer, row, adjacent); });
   }
 
   void treat_central_cell(std::int32_t ix) {
@@ -134,21 +134,21 @@ class MunjizaNbs3d {
     for (; g != none; g = next_in_cell_[g]) test_(f, g);
   }
 
-  void load_rows(std::int32_t layer, Set set) {
+  void load_rows(std::int32_t layer, ListSet set) {
     for_each_in_layer(layer, [this, set](std::int32_t e) {
       next_in_row_.push(e, row_head_[set][y(e)]);
       ++context_.list_insertions;
     });
   }
 
-  void load_cells(Set layer, std::int32_t row, Set set) {
+  void load_cells(ListSet layer, std::int32_t row, ListSet set) {
     for_each_in_row(layer, row, [this, set](std::int32_t e) {
       next_in_cell_.push(e, cell_head_[set][x(e)]);
       ++context_.list_insertions;
     });
   }
 
-  void unload_cells(Set layer, std::int32_t row, Set set) {
+  void unload_cells(ListSet layer, std::int32_t row, ListSet set) {
     for_each_in_row(layer, row, [this, set](std::int32_t e) { cell_head_[set][x(e)] = none; });
   }
 
@@ -170,7 +170,7 @@ class MunjizaNbs3d {
   }
 
   template <class Visit>
-  void for_each_in_row(Set layer, std::int32_t row, Visit visit) {
+  void for_each_in_row(ListSet layer, std::int32_t row, Visit visit) {
     for (std::int32_t e = first_of(row_head_[layer][row]); e != none; e = next_in_row_[e]) {
       context_.work.did(1);
       visit(e);
@@ -212,7 +212,7 @@ double munjiza_nbs_bytes(const grid::CellCoordinates<3>& cells) {
   return 4.0 * (3.0 * static_cast<double>(cells.element_count()) + n[2] + 2.0 * n[1] + 2.0 * n[0]);
 }
 
-template void munjiza_nbs_3d(const grid::CellCoordinates<3>&, ContactTest<3>&,
+template void munjiza_nbs_3d(const grid::CellCoordinates<3>&, PairDecider<3>&,
                              base::DetectionContext&);
 template void munjiza_nbs_3d(const grid::CellCoordinates<3>&, CandidateRecorder&,
                              base::DetectionContext&);

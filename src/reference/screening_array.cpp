@@ -10,9 +10,9 @@
 
 #include "grid/half_stencil.hpp"
 #include "reference/algorithms.hpp"
-#include "reference/contact_test.hpp"
 #include "reference/instantiate.hpp"
 #include "reference/list_heads.hpp"
+#include "reference/pair_decider.hpp"
 #include "reference/show.hpp"
 
 #include <array>

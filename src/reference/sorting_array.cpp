@@ -9,8 +9,8 @@
 
 #include "grid/half_stencil.hpp"
 #include "reference/algorithms.hpp"
-#include "reference/contact_test.hpp"
 #include "reference/instantiate.hpp"
+#include "reference/pair_decider.hpp"
 #include "reference/partition_sort.hpp"
 #include "reference/show.hpp"
 

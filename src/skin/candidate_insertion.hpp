@@ -2,7 +2,7 @@
 
 #include "elements/element_ids.hpp"
 #include "lists/filtering_sink.hpp"
-#include "skin/displacement.hpp"
+#include "skin/displacement_tracker.hpp"
 
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-namespace abut::api {
+namespace abut::skin {
 
 /// The other way around.
 [[nodiscard]] inline ImageShift opposite(const ImageShift& shift) noexcept {
@@ -22,13 +22,13 @@ namespace abut::api {
 /// Of the pairs of some new elements against all, at their anchors, keeps each once and calls it as
 /// a detection does: the smaller number first, with the image shift between elements as given.
 template <int Dim>
-class CandidateInsertion final : public FilteringSink {
+class CandidateInsertion final : public lists::FilteringSink {
  public:
   /// `added` are the numbers of the new elements; `before` says of every element what number it
   /// had, or none. These must live until the last pairs are committed.
   void start_anew(base::PairSink& next, std::span<const ElementIndex> added,
                   std::span<const std::uint32_t> before,
-                  const Displacement<Dim>& placing) noexcept {
+                  const DisplacementTracker<Dim>& placing) noexcept {
     pass_to(next);
     added_ = added;
     before_ = before;
@@ -36,7 +36,7 @@ class CandidateInsertion final : public FilteringSink {
   }
 
  private:
-  std::size_t keep(const PairBatch& batch) const override {
+  std::size_t keep(const lists::PairBatch& batch) const override {
     const bool periodic = !batch.shifts.empty();
     std::size_t kept = 0;
     for (std::size_t k = 0; k < batch.pairs.size(); ++k) {
@@ -56,7 +56,7 @@ class CandidateInsertion final : public FilteringSink {
 
   /// Two new elements come from both sides, as do the two images of one at either side of it.
   [[nodiscard]] bool is_met_twice(const ContactPair& pair) const {
-    return before_[pair.second] == ElementIds::none;
+    return before_[pair.second] == elements::ElementIds::none;
   }
   [[nodiscard]] static bool is_the_one(const ContactPair& pair, const ImageShift& shift) {
     return pair.first != pair.second ? pair.first < pair.second : shift > ImageShift{};
@@ -64,7 +64,7 @@ class CandidateInsertion final : public FilteringSink {
 
   std::span<const ElementIndex> added_;
   std::span<const std::uint32_t> before_;
-  const Displacement<Dim>* placing_ = nullptr;
+  const DisplacementTracker<Dim>* placing_ = nullptr;
 };
 
-}  // namespace abut::api
+}  // namespace abut::skin

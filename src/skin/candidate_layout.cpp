@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace abut::api {
+namespace abut::skin {
 namespace {
 
 constexpr std::uint32_t no_slot = std::numeric_limits<std::uint32_t>::max();
@@ -48,7 +48,7 @@ CandidateLayout::CandidateLayout(base::MemoryMeter& memory)
       places_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
       canonical_shifts_(base::make_array_for_overwrite<ShiftNumber>(memory, 0)) {}
 
-void CandidateLayout::arrange(PairPieces found, std::span<const ShiftNumber> shifts,
+void CandidateLayout::arrange(lists::PairPieces found, std::span<const ShiftNumber> shifts,
                               std::size_t element_count, std::size_t workers,
                               base::WorkCounter& work) {
   with_shifts_ = !shifts.empty();
@@ -68,7 +68,7 @@ void CandidateLayout::arrange(PairPieces found, std::span<const ShiftNumber> shi
 
 /// Without branches: whether an element was met before cannot be guessed. Counts the candidates of
 /// each slot, two places behind its own: where the next is to begin when they are summed up.
-void CandidateLayout::give_slots(PairPieces found, std::size_t element_count,
+void CandidateLayout::give_slots(lists::PairPieces found, std::size_t element_count,
                                  base::WorkCounter& work) {
   base::make_room(slot_of_, element_count);
   base::make_room(elements_, element_count + 1);
@@ -98,7 +98,7 @@ void CandidateLayout::give_slots(PairPieces found, std::size_t element_count,
 }
 
 /// Before, end_[slot + 1] is where the slot's candidates begin; behind it, where they end.
-void CandidateLayout::collect_runs(PairPieces found, std::span<const ShiftNumber> shifts,
+void CandidateLayout::collect_runs(lists::PairPieces found, std::span<const ShiftNumber> shifts,
                                    base::WorkCounter& work) {
   work.in_pieces(2, slot_count_ + 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot) end_[slot] += end_[slot - 1];
@@ -186,4 +186,4 @@ void CandidateLayout::list_canonically(std::size_t first_element, std::size_t la
   }
 }
 
-}  // namespace abut::api
+}  // namespace abut::skin

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::skin {
 
 using kernels::SlotPair;
 
@@ -29,8 +29,8 @@ class CandidateLayout {
 
   /// Of candidates as they were found, fewer than 2^32, with the numbers of their shifts one after
   /// the other, or none.
-  void arrange(PairPieces found, std::span<const ShiftNumber> shifts, std::size_t element_count,
-               std::size_t workers, base::WorkCounter& work);
+  void arrange(lists::PairPieces found, std::span<const ShiftNumber> shifts,
+               std::size_t element_count, std::size_t workers, base::WorkCounter& work);
 
   /// The elements in the slots.
   [[nodiscard]] std::span<const ElementIndex> elements() const noexcept {
@@ -53,8 +53,9 @@ class CandidateLayout {
   }
 
  private:
-  void give_slots(PairPieces found, std::size_t element_count, base::WorkCounter& work);
-  void collect_runs(PairPieces found, std::span<const ShiftNumber> shifts, base::WorkCounter& work);
+  void give_slots(lists::PairPieces found, std::size_t element_count, base::WorkCounter& work);
+  void collect_runs(lists::PairPieces found, std::span<const ShiftNumber> shifts,
+                    base::WorkCounter& work);
   void sort_runs(std::size_t first_slot, std::size_t last_slot, base::WorkCounter& work);
   void list_canonically(std::size_t element_count, std::size_t workers, base::WorkCounter& work);
   void list_canonically(std::size_t first_element, std::size_t last_element, std::size_t place,
@@ -77,4 +78,4 @@ class CandidateLayout {
   std::vector<std::size_t> begins_;  ///< of each worker's share in canonical order
 };
 
-}  // namespace abut::api
+}  // namespace abut::skin

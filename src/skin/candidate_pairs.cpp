@@ -11,7 +11,7 @@
 #include <span>
 #include <utility>
 
-namespace abut::api {
+namespace abut::skin {
 namespace {
 
 /// Words of candidates, and candidates in canonical order, that a worker takes at a time.
@@ -52,10 +52,10 @@ struct ShiftRange {
 /// The shift between elements as they are placed.
 template <int Dim>
 std::array<std::int64_t, 3> placed_shift(const ContactPair& pair, const ImageShift& shift,
-                                         const Displacement<Dim>& placing) {
+                                         const DisplacementTracker<Dim>& placing) {
   if (!placing.moved(pair.first) && !placing.moved(pair.second)) return {shift.x, shift.y, shift.z};
-  const CellNumbers& first = placing.cells(pair.first);
-  const CellNumbers& second = placing.cells(pair.second);
+  const lattice::CellNumbers& first = placing.cells(pair.first);
+  const lattice::CellNumbers& second = placing.cells(pair.second);
   return {std::int64_t{shift.x} - first[0] + second[0],
           std::int64_t{shift.y} - first[1] + second[1],
           std::int64_t{shift.z} - first[2] + second[2]};
@@ -83,7 +83,7 @@ base::PairSink& CandidatePairs<Dim>::start_anew(bool periodic) {
 /// In the order of space, so that new slots follow it as the old ones did.
 template <int Dim>
 base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> numbers,
-                                                const Displacement<Dim>& placing,
+                                                const DisplacementTracker<Dim>& placing,
                                                 base::WorkCounter& work) {
   size_ = 0;
   found_.start_anew({.shifts = periodic_ ? Shifts::stored : Shifts::none});
@@ -94,7 +94,8 @@ base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> n
     work.did(2);
     ContactPair pair{numbers[layout_.elements()[candidates[k].first]],
                      numbers[layout_.elements()[candidates[k].second]]};
-    if (pair.first == ElementIds::none || pair.second == ElementIds::none) continue;
+    if (pair.first == elements::ElementIds::none || pair.second == elements::ElementIds::none)
+      continue;
     ImageShift shift = periodic_ ? shift_list_[layout_.shifts()[k]] : ImageShift{};
     if (pair.first > pair.second) {
       std::swap(pair.first, pair.second);
@@ -107,7 +108,8 @@ base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> n
 }
 
 template <int Dim>
-bool CandidatePairs<Dim>::finish(const Snapshot<Dim>& now, const Displacement<Dim>& placing) {
+bool CandidatePairs<Dim>::finish(const ElementsNow<Dim>& now,
+                                 const DisplacementTracker<Dim>& placing) {
   if (found_.size() > std::numeric_limits<std::uint32_t>::max()) return false;
   if (periodic_ && !number_shifts(placing, now.work)) return false;
   size_ = found_.size();
@@ -119,7 +121,8 @@ bool CandidatePairs<Dim>::finish(const Snapshot<Dim>& now, const Displacement<Di
 
 /// Of the same two elements, numbers ascend with shifts.
 template <int Dim>
-bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing, base::WorkCounter& work) {
+bool CandidatePairs<Dim>::number_shifts(const DisplacementTracker<Dim>& placing,
+                                        base::WorkCounter& work) {
   const auto pieces = found_.pieces();
   const auto shift_pieces = found_.shift_pieces();
   const auto for_each_shift = [&](auto&& body) {
@@ -153,8 +156,9 @@ bool CandidatePairs<Dim>::number_shifts(const Displacement<Dim>& placing, base::
 }
 
 template <int Dim>
-void CandidatePairs<Dim>::fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta,
-                                     std::size_t workers, base::WorkCounter& work) {
+void CandidatePairs<Dim>::fill_slots(const DisplacementTracker<Dim>& placing,
+                                     const Quanta<Dim>& quanta, std::size_t workers,
+                                     base::WorkCounter& work) {
   const auto elements = layout_.elements();
   base::make_room(slots_, elements.size());
   base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
@@ -167,7 +171,7 @@ void CandidatePairs<Dim>::fill_slots(const Displacement<Dim>& placing, const Qua
 }
 
 template <int Dim>
-void CandidatePairs<Dim>::test(const CandidateTest<Dim>& test, std::size_t workers,
+void CandidatePairs<Dim>::test(const CandidateFilter<Dim>& test, std::size_t workers,
                                base::DetectionContext& context) {
   const std::size_t words = (size_ + candidates_of_word - 1) / candidates_of_word;
   const std::size_t units = (words + words_of_unit - 1) / words_of_unit;
@@ -207,13 +211,13 @@ void CandidatePairs<Dim>::write(std::size_t workers, base::PairSink& sink,
 }
 
 template <int Dim>
-void CandidatePairs<Dim>::deliver_contacts(const Snapshot<Dim>& now,
-                                           const Displacement<Dim>& placing, base::PairSink& sink,
-                                           base::DetectionContext& context) {
-  const CandidateTest<Dim> decide(now, placing,
-                                  {layout_.candidates(), layout_.elements(), shift_list_,
-                                   periodic_ ? layout_.shifts() : nullptr},
-                                  images_);
+void CandidatePairs<Dim>::deliver_contacts(const ElementsNow<Dim>& now,
+                                           const DisplacementTracker<Dim>& placing,
+                                           base::PairSink& sink, base::DetectionContext& context) {
+  const CandidateFilter<Dim> decide(now, placing,
+                                    {layout_.candidates(), layout_.elements(), shift_list_,
+                                     periodic_ ? layout_.shifts() : nullptr},
+                                    images_);
   fill_slots(placing, decide.quanta(), now.workers, now.work);
   test(decide, now.workers, context);
   const CandidateLayout::Canonical canonical = layout_.canonical();
@@ -226,4 +230,4 @@ void CandidatePairs<Dim>::deliver_contacts(const Snapshot<Dim>& now,
 template class CandidatePairs<2>;
 template class CandidatePairs<3>;
 
-}  // namespace abut::api
+}  // namespace abut::skin

@@ -5,21 +5,21 @@
 #include "base/pair_sink.hpp"
 #include "kernels/candidate_kernels.hpp"
 #include "lists/found_pairs.hpp"
+#include "skin/candidate_filter.hpp"
 #include "skin/candidate_layout.hpp"
-#include "skin/candidate_test.hpp"
-#include "skin/displacement.hpp"
-#include "skin/snapshot.hpp"
+#include "skin/displacement_tracker.hpp"
+#include "skin/elements_now.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::skin {
 
 /// Candidate pairs, kept from call to call: tested in the order of space, delivered in canonical
 /// order. In a periodic domain with the image shift between the elements as they are placed
-/// (Displacement), by number in a list of the few different ones.
+/// (DisplacementTracker), by number in a list of the few different ones.
 template <int Dim>
 class CandidatePairs {
  public:
@@ -31,29 +31,30 @@ class CandidatePairs {
   /// Starts with those there were, of the elements that are still there and as they are called now:
   /// element i is `numbers[i]`, or gone where that is ElementIds::none. More may be put beside.
   [[nodiscard]] base::PairSink& carry_over(std::span<const std::uint32_t> numbers,
-                                           const Displacement<Dim>& placing,
+                                           const DisplacementTracker<Dim>& placing,
                                            base::WorkCounter& work);
 
   /// Puts what the search found in order. False if there are too many of them or of different
   /// image shifts.
-  [[nodiscard]] bool finish(const Snapshot<Dim>& now, const Displacement<Dim>& placing);
+  [[nodiscard]] bool finish(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing);
 
   [[nodiscard]] PairCount size() const noexcept { return size_; }
 
   /// Delivers those that are contact pairs now, in canonical order, whatever the number of workers.
-  void deliver_contacts(const Snapshot<Dim>& now, const Displacement<Dim>& placing,
+  void deliver_contacts(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing,
                         base::PairSink& sink, base::DetectionContext& context);
 
  private:
-  [[nodiscard]] bool number_shifts(const Displacement<Dim>& placing, base::WorkCounter& work);
-  void fill_slots(const Displacement<Dim>& placing, const Quanta<Dim>& quanta, std::size_t workers,
-                  base::WorkCounter& work);
-  void test(const CandidateTest<Dim>& test, std::size_t workers, base::DetectionContext& context);
+  [[nodiscard]] bool number_shifts(const DisplacementTracker<Dim>& placing,
+                                   base::WorkCounter& work);
+  void fill_slots(const DisplacementTracker<Dim>& placing, const Quanta<Dim>& quanta,
+                  std::size_t workers, base::WorkCounter& work);
+  void test(const CandidateFilter<Dim>& test, std::size_t workers, base::DetectionContext& context);
   template <class ShiftAt>
   void write(std::size_t workers, base::PairSink& sink, base::DetectionContext& context,
              const ShiftAt& shift_at);
 
-  FoundPairs found_;
+  lists::FoundPairs found_;
   bool periodic_ = false;
   PairCount size_ = 0;
   CandidateLayout layout_;
@@ -61,7 +62,7 @@ class CandidatePairs {
   base::Array<kernels::QuantumSphere> slots_;  ///< elements as they are placed now
   base::Array<std::uint64_t> survivors_;       ///< a bit for each candidate, in the order of space
   std::vector<ImageShift> shift_list_;
-  typename CandidateTest<Dim>::Images images_;
+  typename CandidateFilter<Dim>::Images images_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::skin

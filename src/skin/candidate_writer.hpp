@@ -11,14 +11,14 @@
 #include <cstdint>
 #include <span>
 
-namespace abut::api {
+namespace abut::skin {
 
 /// Writes the candidates that survived into a sink, one unit of work long.
 class CandidateWriter {
  public:
   /// Candidates written at a time.
   static constexpr std::size_t most = 256;
-  static_assert(base::PairSink::smallest_room >= most);
+  static_assert(base::PairSink::smallest_buffer >= most);
 
   /// `survivors` has a bit for each candidate, by its place in the order of space.
   CandidateWriter(base::PairSink& sink, const base::Origin& origin, const std::uint64_t* survivors)
@@ -66,8 +66,8 @@ class CandidateWriter {
 
   void take_room() {
     finish();
-    room_ = sink_.room(origin_.worker);
-    shifts_ = sink_.shift_room(origin_.worker);
+    room_ = sink_.buffer(origin_.worker);
+    shifts_ = sink_.shift_buffer(origin_.worker);
   }
 
   base::PairSink& sink_;
@@ -78,4 +78,4 @@ class CandidateWriter {
   std::size_t filled_ = 0;
 };
 
-}  // namespace abut::api
+}  // namespace abut::skin

@@ -1,5 +1,5 @@
 #include "base/lack_of_memory.hpp"
-#include "base/written.hpp"
+#include "base/shortest_text.hpp"
 
 #include <abut/error.hpp>
 #include <abut/skin.hpp>
@@ -9,10 +9,10 @@
 namespace abut {
 
 Skin Skin::fixed(double length) {
-  return api::reporting_lack_of_memory([&]() -> Skin {
+  return base::reporting_lack_of_memory([&]() -> Skin {
     if (!(length >= 0.0) || std::isinf(length)) {
       throw Error(ErrorCode::invalid_input,
-                  "skin = " + base::written(length) + "; it must be finite and not negative");
+                  "skin = " + base::shortest_text(length) + "; it must be finite and not negative");
     }
     return {Kind::fixed, length};
   });

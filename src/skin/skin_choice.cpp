@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace abut::api {
+namespace abut::skin {
 namespace {
 
 /// Before any motion was seen, in units of the reach.
@@ -42,4 +42,4 @@ void SkinChoice::reused(double seconds) noexcept {
   ++reuses_;
 }
 
-}  // namespace abut::api
+}  // namespace abut::skin

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace abut::api {
+namespace abut::skin {
 
 /// Chooses the length of the skin before each detection. For an automatic one: where a detection
 /// takes a seconds, a reuse c, elements approach each other by v in a call and candidates grow like
@@ -55,4 +55,4 @@ class SkinChoice {
   std::uint64_t reuses_ = 0;  ///< since the last detection
 };
 
-}  // namespace abut::api
+}  // namespace abut::skin

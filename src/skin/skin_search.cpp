@@ -1,9 +1,9 @@
 #include "skin/skin_search.hpp"
 
-namespace abut::api {
+namespace abut::skin {
 
 template <int Dim>
-double SkinSearch<Dim>::allowed(const Snapshot<Dim>& now) const noexcept {
+double SkinSearch<Dim>::allowed(const ElementsNow<Dim>& now) const noexcept {
   // Rounded down: 2 u more than the subtraction rounds by.
   const double allowed = (margin_ - now.margin) * (1.0 - 0x1p-51);
   // Candidates for a much larger margin would last long, but cost too much.
@@ -11,31 +11,31 @@ double SkinSearch<Dim>::allowed(const Snapshot<Dim>& now) const noexcept {
 }
 
 template <int Dim>
-bool SkinSearch<Dim>::covers(const Snapshot<Dim>& now, const NamedElements& named) {
+bool SkinSearch<Dim>::covers(const ElementsNow<Dim>& now, const NamedElements& named) {
   approach_ = std::numeric_limits<double>::infinity();
   const double most = allowed(now);
   if (!valid_ || version_ != named.version || most < 0.0) return false;
-  approach_ = displacement_->approach(now, most);
+  approach_ = tracker_->approach(now, most);
   return approach_ <= most;
 }
 
 /// Finds out who is who. False if candidates are better found anew.
 template <int Dim>
-bool SkinSearch<Dim>::follow(const Snapshot<Dim>& now, const NamedElements& named) {
+bool SkinSearch<Dim>::follow(const ElementsNow<Dim>& now, const NamedElements& named) {
   named.ids.find_in(ids_, before_);
   now.work.did(named.ids.size());
   ids_.find_in(named.ids, after_);
   now.work.did(ids_.size());
   list_added();
   if (added_.size() > now.spheres.size() / elements_for_a_new_one) return false;
-  displacement_->renumber(now, before_);
+  tracker_->renumber(now, before_);
   const double most = allowed(now);
   if (most < 0.0) return false;
-  approach_ = displacement_->approach(now, most);
+  approach_ = tracker_->approach(now, most);
   if (!(approach_ <= most)) return false;
   added_spheres_.clear();
   for (const ElementIndex element : added_) {
-    added_spheres_.push_back(displacement_->anchors()[element]);
+    added_spheres_.push_back(tracker_->anchors()[element]);
   }
   return true;
 }
@@ -44,7 +44,7 @@ template <int Dim>
 void SkinSearch<Dim>::list_added() {
   added_.clear();
   for (std::size_t k = 0; k < before_.size(); ++k) {
-    if (before_[k] == ElementIds::none) added_.push_back(static_cast<ElementIndex>(k));
+    if (before_[k] == elements::ElementIds::none) added_.push_back(static_cast<ElementIndex>(k));
   }
 }
 
@@ -58,11 +58,11 @@ void SkinSearch<Dim>::remember(const NamedElements& named) {
 template <int Dim>
 void SkinSearch<Dim>::release() {
   valid_ = false;
-  displacement_.emplace(memory_);
+  tracker_.emplace(memory_);
   candidates_.emplace(memory_);
 }
 
 template class SkinSearch<2>;
 template class SkinSearch<3>;
 
-}  // namespace abut::api
+}  // namespace abut::skin

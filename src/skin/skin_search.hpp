@@ -5,9 +5,9 @@
 #include "elements/element_ids.hpp"
 #include "skin/candidate_insertion.hpp"
 #include "skin/candidate_pairs.hpp"
-#include "skin/displacement.hpp"
+#include "skin/displacement_tracker.hpp"
+#include "skin/elements_now.hpp"
 #include "skin/skin_choice.hpp"
-#include "skin/snapshot.hpp"
 
 #include <abut/error.hpp>
 #include <abut/pair.hpp>
@@ -21,11 +21,11 @@
 #include <stdexcept>
 #include <vector>
 
-namespace abut::api {
+namespace abut::skin {
 
 /// What elements are called; another version where that changed.
 struct NamedElements {
-  const ElementIds& ids;
+  const elements::ElementIds& ids;
   std::uint64_t version;
 };
 
@@ -38,12 +38,12 @@ class SkinSearch {
 
   /// Whether the candidates that are kept hold all contact pairs of these elements. Throws as a
   /// detection does where the domain is none.
-  [[nodiscard]] bool covers(const Snapshot<Dim>& now, const NamedElements& named);
+  [[nodiscard]] bool covers(const ElementsNow<Dim>& now, const NamedElements& named);
 
   /// New elements at their anchors, which are to be searched for against all.
   struct Insertion {
-    std::span<const base::Sphere<Dim>> added;
-    std::span<const base::Sphere<Dim>> all;
+    std::span<const exact::Sphere<Dim>> added;
+    std::span<const exact::Sphere<Dim>> all;
     const Domain& domain;
     double margin;
     base::PairSink& sink;
@@ -52,7 +52,7 @@ class SkinSearch {
   /// The same where elements came, went or have other numbers: takes the candidates over to them.
   /// `search(insertion)` is called where some are new, but few. False if that is not worth while.
   template <class Search>
-  [[nodiscard]] bool carry_over(const Snapshot<Dim>& now, const NamedElements& named,
+  [[nodiscard]] bool carry_over(const ElementsNow<Dim>& now, const NamedElements& named,
                                 Search&& search);
 
   /// How many elements were new when candidates were carried over.
@@ -65,13 +65,13 @@ class SkinSearch {
   /// kept, because the memory bound or the range of image shifts leave no room for more than was
   /// asked for; it is not tried again for some calls then.
   template <class Search>
-  [[nodiscard]] bool find_candidates(const Snapshot<Dim>& now, const NamedElements& named,
+  [[nodiscard]] bool find_candidates(const ElementsNow<Dim>& now, const NamedElements& named,
                                      SkinChoice& choice, Search&& search);
 
   /// After covers() or find_candidates() for the same elements.
-  void deliver_contacts(const Snapshot<Dim>& now, base::PairSink& sink,
+  void deliver_contacts(const ElementsNow<Dim>& now, base::PairSink& sink,
                         base::DetectionContext& context) {
-    candidates_->deliver_contacts(now, *displacement_, sink, context);
+    candidates_->deliver_contacts(now, *tracker_, sink, context);
   }
 
   [[nodiscard]] PairCount candidates() const noexcept { return candidates_->size(); }
@@ -86,8 +86,8 @@ class SkinSearch {
   /// Where more than one element in so many is new, all are searched for anew.
   static constexpr std::size_t elements_for_a_new_one = 16;
 
-  [[nodiscard]] double allowed(const Snapshot<Dim>& now) const noexcept;
-  [[nodiscard]] bool follow(const Snapshot<Dim>& now, const NamedElements& named);
+  [[nodiscard]] double allowed(const ElementsNow<Dim>& now) const noexcept;
+  [[nodiscard]] bool follow(const ElementsNow<Dim>& now, const NamedElements& named);
   void list_added();
   void remember(const NamedElements& named);
 
@@ -102,7 +102,7 @@ class SkinSearch {
   }
 
   base::MemoryMeter& memory_;
-  std::optional<Displacement<Dim>> displacement_;
+  std::optional<DisplacementTracker<Dim>> tracker_;
   std::optional<CandidatePairs<Dim>> candidates_;
   bool valid_ = false;
   double margin_ = 0.0;  ///< that candidates were found with, skin included
@@ -110,12 +110,12 @@ class SkinSearch {
   double approach_ = std::numeric_limits<double>::infinity();
   int pause_ = 0;  ///< calls before candidates are tried again
 
-  ElementIds ids_;  ///< of the elements that candidates are kept of
+  elements::ElementIds ids_;  ///< of the elements that candidates are kept of
   std::uint64_t version_ = 0;
   std::vector<std::uint32_t> before_;  ///< for each element now its number then
   std::vector<std::uint32_t> after_;   ///< for each element then its number now
   std::vector<ElementIndex> added_;
-  std::vector<base::Sphere<Dim>> added_spheres_;
+  std::vector<exact::Sphere<Dim>> added_spheres_;
   CandidateInsertion<Dim> insertion_;
 };
 
@@ -136,7 +136,7 @@ bool SkinSearch<Dim>::if_there_is_room(Body&& body) {
 
 template <int Dim>
 template <class Search>
-bool SkinSearch<Dim>::find_candidates(const Snapshot<Dim>& now, const NamedElements& named,
+bool SkinSearch<Dim>::find_candidates(const ElementsNow<Dim>& now, const NamedElements& named,
                                       SkinChoice& choice, Search&& search) {
   valid_ = false;
   if (pause_ > 0) {
@@ -144,12 +144,12 @@ bool SkinSearch<Dim>::find_candidates(const Snapshot<Dim>& now, const NamedEleme
     return false;
   }
   return if_there_is_room([&] {
-    if (!displacement_->start(now)) return false;
-    skin_ = choice.next_length(2.0 * displacement_->mean_radius() + now.margin, Dim);
+    if (!tracker_->start(now)) return false;
+    skin_ = choice.next_length(2.0 * tracker_->mean_radius() + now.margin, Dim);
     margin_ = now.margin + skin_;
     if (!(margin_ < std::numeric_limits<double>::infinity())) return false;
     search(margin_, candidates_->start_anew(now.domain.is_periodic()));
-    if (!candidates_->finish(now, *displacement_)) return false;
+    if (!candidates_->finish(now, *tracker_)) return false;
     remember(named);
     return valid_ = true;
   });
@@ -157,23 +157,23 @@ bool SkinSearch<Dim>::find_candidates(const Snapshot<Dim>& now, const NamedEleme
 
 template <int Dim>
 template <class Search>
-bool SkinSearch<Dim>::carry_over(const Snapshot<Dim>& now, const NamedElements& named,
+bool SkinSearch<Dim>::carry_over(const ElementsNow<Dim>& now, const NamedElements& named,
                                  Search&& search) {
   if (!valid_ || version_ == named.version) return false;
   valid_ = false;
   return if_there_is_room([&] {
            if (!follow(now, named)) return true;
-           base::PairSink& sink = candidates_->carry_over(after_, *displacement_, now.work);
+           base::PairSink& sink = candidates_->carry_over(after_, *tracker_, now.work);
            if (!added_.empty()) {
-             insertion_.start_anew(sink, added_, before_, *displacement_);
-             search(Insertion{added_spheres_, displacement_->anchors(),
-                              displacement_->domain_then(), margin_, insertion_});
+             insertion_.start_anew(sink, added_, before_, *tracker_);
+             search(Insertion{added_spheres_, tracker_->anchors(), tracker_->domain_then(), margin_,
+                              insertion_});
            }
-           if (!candidates_->finish(now, *displacement_)) return false;
+           if (!candidates_->finish(now, *tracker_)) return false;
            remember(named);
            return valid_ = true;
          }) &&
          valid_;
 }
 
-}  // namespace abut::api
+}  // namespace abut::skin

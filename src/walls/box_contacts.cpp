@@ -31,7 +31,7 @@ void require_shapes(const ElementView& spheres, const ElementView& boxes) {
 
 /// By the number of bounds that the point lies on.
 template <int Dim>
-FeatureKind kind_of(const base::BoxSides<Dim>& sides) {
+FeatureKind kind_of(const exact::BoxSides<Dim>& sides) {
   constexpr FeatureKind kinds_2d[] = {FeatureKind::interior, FeatureKind::edge,
                                       FeatureKind::vertex};
   constexpr FeatureKind kinds_3d[] = {FeatureKind::interior, FeatureKind::face, FeatureKind::edge,
@@ -43,16 +43,16 @@ FeatureKind kind_of(const base::BoxSides<Dim>& sides) {
 template <int Dim>
 BoxContactList find(const ElementView& spheres, const ElementView& boxes, const Domain& domain,
                     const Options& options) {
-  const base::Lattice lattice = api::lattice_of(domain);
-  api::FeatureSearch<Dim> search(spheres, boxes, domain, options);
+  const exact::Lattice lattice = elements::lattice_of(domain);
+  walls::FeatureSearch<Dim> search(spheres, boxes, domain, options);
   return search.template contacts<BoxContact>(
-      [&](const api::Candidates<Dim>& candidates, api::FoundContacts<BoxContact>& found) {
+      [&](const walls::SphereCandidates<Dim>& candidates, walls::FoundContacts<BoxContact>& found) {
         for (std::size_t k = 0; k < candidates.pairs.size(); ++k) {
           const ElementIndex number = candidates.pairs[k].second;
           const ImageShift shift = candidates.shift(k);
           const auto sides =
-              base::sides_within_reach(candidates.sphere, api::box_at<Dim>(boxes, number), shift,
-                                       lattice, options.margin, found.exact_decisions);
+              exact::sides_within_reach(candidates.sphere, elements::box_at<Dim>(boxes, number),
+                                        shift, lattice, options.margin, found.exact_decisions);
           if (!sides) continue;
           BoxContact contact{candidates.number, number, {kind_of<Dim>(*sides), {}}};
           std::copy(sides->begin(), sides->end(), contact.feature.side.begin());
@@ -66,7 +66,7 @@ BoxContactList find(const ElementView& spheres, const ElementView& boxes, const 
 BoxContactList find_box_contacts(const ElementView& spheres, const ElementView& boxes,
                                  const Domain& domain, const Options& options) {
   const base::FloatEnvironment environment;
-  api::reporting_lack_of_memory([&] { require_shapes(spheres, boxes); });
+  base::reporting_lack_of_memory([&] { require_shapes(spheres, boxes); });
   return spheres.dimensions() == 2 ? find<2>(spheres, boxes, domain, options)
                                    : find<3>(spheres, boxes, domain, options);
 }

@@ -6,17 +6,17 @@
 #include <algorithm>
 #include <limits>
 
-namespace abut::api {
+namespace abut::walls {
 
 template <int Dim>
 BoxCover<Dim>::BoxCover(const ElementView& boxes, std::size_t workers, base::WorkCounter& work)
     : count_(std::min(most, boxes.size())) {
   const auto cover_run = [&](std::size_t, std::size_t run, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(run, count_, boxes.size());
-    base::Box<Dim> around = box_at<Dim>(boxes, first);
+    exact::Box<Dim> around = elements::box_at<Dim>(boxes, first);
     for (std::size_t k = first + 1; k < last; ++k) {
       its_work.did(1);
-      const base::Box<Dim> box = box_at<Dim>(boxes, k);
+      const exact::Box<Dim> box = elements::box_at<Dim>(boxes, k);
       for (int axis = 0; axis < Dim; ++axis) {
         around.lower[axis] = std::min(around.lower[axis], box.lower[axis]);
         around.upper[axis] = std::max(around.upper[axis], box.upper[axis]);
@@ -38,4 +38,4 @@ void BoxCover<Dim>::extend(int axis) noexcept {
 template class BoxCover<2>;
 template class BoxCover<3>;
 
-}  // namespace abut::api
+}  // namespace abut::walls

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::api {
+namespace abut::walls {
 
 /// All boxes of a view by a few: each around a run of them. Boxes of a mesh come near each other
 /// one after the other, as a rule, so that the runs leave out most of the space between walls.
@@ -23,10 +23,10 @@ class BoxCover {
   void extend(int axis) noexcept;
 
   /// Whether the box meets one of the cover, as it does if it meets one that is covered.
-  [[nodiscard]] bool meets(const base::Box<Dim>& box) const noexcept {
+  [[nodiscard]] bool meets(const exact::Box<Dim>& box) const noexcept {
     std::uint64_t exact_decisions = 0;
     for (std::size_t k = 0; k < count_; ++k) {
-      if (base::within_reach(around_[k], box, 0.0, exact_decisions)) return true;
+      if (exact::within_reach(around_[k], box, 0.0, exact_decisions)) return true;
     }
     return false;
   }
@@ -37,8 +37,8 @@ class BoxCover {
  private:
   static constexpr std::size_t most = 32;
 
-  std::array<base::Box<Dim>, most> around_;
+  std::array<exact::Box<Dim>, most> around_;
   std::size_t count_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::walls

@@ -19,7 +19,7 @@
 #include <numeric>
 #include <string>
 
-namespace abut::api {
+namespace abut::walls {
 namespace {
 
 /// No less than the sum that was rounded to x, and never infinite: at least the next double, but
@@ -29,11 +29,11 @@ double upwards(double x) noexcept {
 }
 
 template <int Dim>
-ElementView view_of(const base::Array<base::Box<Dim>>& boxes) {
+ElementView view_of(const base::Array<exact::Box<Dim>>& boxes) {
   std::array<Column<double>, std::size_t{Dim}> lower;
   std::array<Column<double>, std::size_t{Dim}> upper;
   for (std::size_t axis = 0; axis < lower.size(); ++axis) {
-    lower[axis] = {nullptr, boxes.size(), sizeof(base::Box<Dim>)};
+    lower[axis] = {nullptr, boxes.size(), sizeof(exact::Box<Dim>)};
     upper[axis] = lower[axis];
     if (boxes.empty()) continue;
     lower[axis].first = &boxes[0].lower[axis];
@@ -53,8 +53,8 @@ bool leads_along(const Domain& domain, int axis) noexcept {
 }  // namespace
 
 template <int Dim>
-base::Box<Dim> box_around(const base::Sphere<Dim>& sphere, double margin) noexcept {
-  base::Box<Dim> box{};
+exact::Box<Dim> box_around(const exact::Sphere<Dim>& sphere, double margin) noexcept {
+  exact::Box<Dim> box{};
   const double reach = upwards(sphere.radius + margin);
   for (int axis = 0; axis < Dim; ++axis) {
     box.lower[axis] = -upwards(reach - sphere.center[axis]);
@@ -76,13 +76,13 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
     : options_(options),
       elements_(spheres.size() + boxes.size()),
       workers_(base::worker_count(options.threads, elements_)),
-      memory_(memory_bound(options)),
+      memory_(detect::memory_bound(options)),
       context_(memory_, options.progress),
-      spheres_(base::make_array_for_overwrite<base::Sphere<Dim>>(memory_, 0)),
+      spheres_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory_, 0)),
       near_(base::make_array_for_overwrite<ElementIndex>(memory_, 0)) {
   base::letting_through([&] {
-    reporting_lack_of_memory(memory_, [&] {
-      validate(options, spheres, domain);
+    base::reporting_lack_of_memory(memory_, [&] {
+      detect::validate(options, spheres, domain);
       gather(spheres);
       leave_out_far(boxes, domain);
     });
@@ -93,16 +93,16 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
     if (error.code() != ErrorCode::invalid_input || !domain.is_periodic()) throw;
     // Too far out: said of the sphere rather than of the box around it, and by the caller's
     // numbers.
-    reporting_lack_of_memory(memory_, [&] {
-      const grid::ReducedLattice<Dim> reduced(lattice_of(domain));
-      grid::check_range<Dim>(spheres_, reduced, options.margin, Shape::sphere);
+    base::reporting_lack_of_memory(memory_, [&] {
+      const lattice::ReducedLattice<Dim> reduced(elements::lattice_of(domain));
+      lattice::check_range<Dim>(spheres_, reduced, options.margin, Shape::sphere);
     });
     if (near_.size() == spheres_.size()) throw;
-    reporting_lack_of_memory(memory_, [&] { keep_all(); });
+    base::reporting_lack_of_memory(memory_, [&] { keep_all(); });
     candidates_ = find_candidates(boxes, domain);
   }
   // As long as the meter lives.
-  reporting_lack_of_memory(memory_, [&] {
+  base::reporting_lack_of_memory(memory_, [&] {
     memory_.take_for_pairs(candidates_.size() * sizeof(ContactPair) +
                            candidates_.shifts().size() * sizeof(ImageShift));
   });
@@ -111,7 +111,7 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
 template <int Dim>
 PairList FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Domain& domain) {
   const auto around = base::letting_through(
-      [&] { return reporting_lack_of_memory(memory_, [&] { return boxes_around(); }); });
+      [&] { return base::reporting_lack_of_memory(memory_, [&] { return boxes_around(); }); });
   // What the caller's hook throws is none of ours: not in reporting_lack_of_memory.
   PairList found =
       find_contact_pairs(view_of<Dim>(around), boxes, domain, options_of_search(domain));
@@ -121,9 +121,10 @@ PairList FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Dom
 
 template <int Dim>
 void FeatureSearch<Dim>::gather(const ElementView& spheres) {
-  GatheredElements<Dim> gathered(memory_);
+  elements::GatheredElements<Dim> gathered(memory_);
   context_.progress.begin("gather", spheres.size());
-  api::gather<Dim>(spheres, {workers_, kernels::level_to_run(options_.simd)}, gathered, context_);
+  elements::gather<Dim>(spheres, {workers_, kernels::level_to_run(options_.simd)}, gathered,
+                        context_);
   spheres_ = std::move(gathered.spheres);
 }
 
@@ -166,8 +167,8 @@ void FeatureSearch<Dim>::leave_out_far(const ElementView& boxes, const Domain& d
 }
 
 template <int Dim>
-base::Array<base::Box<Dim>> FeatureSearch<Dim>::boxes_around() {
-  auto boxes = base::make_array_for_overwrite<base::Box<Dim>>(memory_, near_.size());
+base::Array<exact::Box<Dim>> FeatureSearch<Dim>::boxes_around() {
+  auto boxes = base::make_array_for_overwrite<exact::Box<Dim>>(memory_, near_.size());
   base::for_each_share(workers_, context_.work, [&](std::size_t share, base::WorkCounter& work) {
     const auto [first, last] = base::share_of(share, workers_, near_.size());
     for (std::size_t k = first; k < last; ++k) {
@@ -214,9 +215,9 @@ std::pair<std::size_t, std::size_t> FeatureSearch<Dim>::share_of(std::size_t wor
   return {moved(share.first), moved(share.second)};
 }
 
-template base::Box<2> box_around(const base::Sphere<2>&, double) noexcept;
-template base::Box<3> box_around(const base::Sphere<3>&, double) noexcept;
+template exact::Box<2> box_around(const exact::Sphere<2>&, double) noexcept;
+template exact::Box<3> box_around(const exact::Sphere<3>&, double) noexcept;
 template class FeatureSearch<2>;
 template class FeatureSearch<3>;
 
-}  // namespace abut::api
+}  // namespace abut::walls

@@ -24,12 +24,12 @@
 #include <utility>
 #include <vector>
 
-namespace abut::api {
+namespace abut::walls {
 
 /// A box around all that lies within radius + margin of the center; what is beyond the largest
 /// double is left out.
 template <int Dim>
-[[nodiscard]] base::Box<Dim> box_around(const base::Sphere<Dim>& sphere, double margin) noexcept;
+[[nodiscard]] exact::Box<Dim> box_around(const exact::Sphere<Dim>& sphere, double margin) noexcept;
 
 /// Throws Error{limit_exceeded} for more contacts than the options allow.
 void require_allowed(PairCount contacts, const Options& options);
@@ -57,9 +57,9 @@ struct alignas(128) FoundContacts {
 
 /// A sphere and the boxes around something else that the box around it meets.
 template <int Dim>
-struct Candidates {
+struct SphereCandidates {
   ElementIndex number;
-  const base::Sphere<Dim>& sphere;
+  const exact::Sphere<Dim>& sphere;
   std::span<const ContactPair> pairs;  ///< `second` are the others, ascending
   std::span<const ImageShift> shifts;  ///< of the others, ascending for each; empty in open space
 
@@ -85,7 +85,7 @@ class FeatureSearch {
   template <class Contact, class Find>
   [[nodiscard]] ContactList<Contact> contacts(Find&& find) {
     return base::letting_through([&] {
-      return reporting_lack_of_memory(memory_, [&] {
+      return base::reporting_lack_of_memory(memory_, [&] {
         context_.progress.begin("features", candidates_.size());
         std::vector<FoundContacts<Contact>> found(workers_, FoundContacts<Contact>(memory_));
         find_each(found, find);
@@ -116,7 +116,7 @@ class FeatureSearch {
   void gather(const ElementView& spheres);
   void keep_all();
   void leave_out_far(const ElementView& boxes, const Domain& domain);
-  [[nodiscard]] base::Array<base::Box<Dim>> boxes_around();
+  [[nodiscard]] base::Array<exact::Box<Dim>> boxes_around();
   [[nodiscard]] Options options_of_search(const Domain& domain) const;
   [[nodiscard]] PairList find_candidates(const ElementView& boxes, const Domain& domain);
 
@@ -127,7 +127,7 @@ class FeatureSearch {
   [[nodiscard]] std::pair<std::size_t, std::size_t> share_of(std::size_t worker) const;
 
   /// All of one sphere.
-  [[nodiscard]] Candidates<Dim> candidates_between(std::size_t place, std::size_t end) const {
+  [[nodiscard]] SphereCandidates<Dim> candidates_between(std::size_t place, std::size_t end) const {
     const auto pairs = candidates_.pairs().subspan(place, end - place);
     const auto shifts = candidates_.shifts();
     const ElementIndex number = near_[pairs.front().first];
@@ -171,10 +171,10 @@ class FeatureSearch {
   std::size_t workers_;
   base::MemoryMeter memory_;
   base::DetectionContext context_;
-  base::Array<base::Sphere<Dim>> spheres_;
+  base::Array<exact::Sphere<Dim>> spheres_;
   base::Array<ElementIndex> near_;  ///< numbers of the spheres that are searched, ascending
   PairList candidates_;             ///< (place in near_, box), ascending
   std::uint64_t peak_of_search_ = 0;
 };
 
-}  // namespace abut::api
+}  // namespace abut::walls

@@ -2,7 +2,7 @@
 
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
-#include "base/written.hpp"
+#include "base/shortest_text.hpp"
 #include "elements/gathered_elements.hpp"
 #include "walls/vertex_numbers.hpp"
 
@@ -30,7 +30,7 @@ void require_finite(double x, std::size_t vertex, std::size_t cell, std::size_t 
   if (std::isfinite(x)) return;
   throw Error(ErrorCode::invalid_input, "vertex " + std::to_string(vertex) + " of cell " +
                                             std::to_string(cell) + " has " + "xyz"[axis] + " = " +
-                                            base::written(x) + "; positions must be finite");
+                                            base::shortest_text(x) + "; positions must be finite");
 }
 
 template <int Dim>
@@ -41,12 +41,12 @@ FittedBoxes fit(const ElementView& vertices, const Connectivity& cells, double s
     boxes.lower[axis].resize(cells.size());
     boxes.upper[axis].resize(cells.size());
   }
-  const api::VertexNumbers numbers(cells, vertices.size());
+  const walls::VertexNumbers numbers(cells, vertices.size());
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     grid::Bounds<Dim> bounds;
     for (std::size_t corner = 0; corner < cells.vertices_per_cell(); ++corner) {
       const std::size_t number = numbers.at(cell, corner);
-      const base::Sphere<Dim> vertex = api::sphere_at<Dim>(vertices, number);
+      const exact::Sphere<Dim> vertex = elements::sphere_at<Dim>(vertices, number);
       for (std::size_t axis = 0; axis < Dim; ++axis) {
         require_finite(vertex.center[axis], number, cell, axis);
       }
@@ -64,7 +64,7 @@ FittedBoxes fit(const ElementView& vertices, const Connectivity& cells, double s
 
 ElementView FittedBoxes::view() const {
   // Their sizes may differ: they are the caller's to change.
-  return api::reporting_lack_of_memory([&] {
+  return base::reporting_lack_of_memory([&] {
     return dimensions == 2 ? rectangles(lower[0], lower[1], upper[0], upper[1])
                            : boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
   });
@@ -72,10 +72,10 @@ ElementView FittedBoxes::view() const {
 
 FittedBoxes fit_boxes(const ElementView& vertices, const Connectivity& cells, double skin) {
   const base::FloatEnvironment environment;
-  return api::reporting_lack_of_memory([&] {
+  return base::reporting_lack_of_memory([&] {
     if (!(skin >= 0.0) || std::isinf(skin)) {
       throw Error(ErrorCode::invalid_input,
-                  "skin = " + base::written(skin) + "; it must be finite and not negative");
+                  "skin = " + base::shortest_text(skin) + "; it must be finite and not negative");
     }
     return vertices.dimensions() == 2 ? fit<2>(vertices, cells, skin)
                                       : fit<3>(vertices, cells, skin);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace abut::api {
+namespace abut::walls {
 namespace {
 
 std::int32_t checked(std::int64_t number) {
@@ -54,4 +54,4 @@ std::vector<VertexPlace> joined_vertices(std::span<const TriangleMesh::Point> ve
   return places;
 }
 
-}  // namespace abut::api
+}  // namespace abut::walls

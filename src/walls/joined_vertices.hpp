@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace abut::api {
+namespace abut::walls {
 
 /// Where vertex `number` is, moved by n A.
 struct VertexPlace {
@@ -32,4 +32,4 @@ struct VertexPlace {
 [[nodiscard]] ImageShift sum(const ImageShift& a, const ImageShift& b);
 [[nodiscard]] ImageShift difference(const ImageShift& a, const ImageShift& b);
 
-}  // namespace abut::api
+}  // namespace abut::walls

@@ -17,9 +17,9 @@
 namespace abut {
 namespace {
 
-using base::TrianglePart;
-using Found = api::FoundContacts<MeshContact>;
-using Contact = api::ImageContact<MeshContact>;
+using exact::TrianglePart;
+using Found = walls::FoundContacts<MeshContact>;
+using Contact = walls::ImageContact<MeshContact>;
 
 void require_spheres(const ElementView& spheres) {
   if (spheres.shape() == Shape::sphere && spheres.dimensions() == 3) return;
@@ -35,8 +35,8 @@ void require_its_domain(const TriangleMesh& mesh, const Domain& domain) {
               "mesh again for this one");
 }
 
-base::Triangle triangle_at(const TriangleMesh& mesh, ElementIndex number) {
-  base::Triangle triangle{};
+exact::Triangle triangle_at(const TriangleMesh& mesh, ElementIndex number) {
+  exact::Triangle triangle{};
   for (std::size_t k = 0; k < 3; ++k) {
     const TriangleMesh::Point& vertex = mesh.vertices()[mesh.triangles()[number][k]];
     std::copy(vertex.begin(), vertex.end(), triangle.corner[k]);
@@ -67,26 +67,26 @@ class MeshToucher {
  public:
   MeshToucher(const TriangleMesh& mesh, const Domain& domain, const Options& options)
       : mesh_(mesh),
-        lattice_(api::lattice_of(domain)),
+        lattice_(elements::lattice_of(domain)),
         margin_(options.margin),
         all_count_(options.rule.is_empty()) {}
 
   /// Appends the contacts of one sphere. The candidates are the triangles that a rule allows.
-  void operator()(const api::Candidates<3>& candidates, Found& found) const {
+  void operator()(const walls::SphereCandidates<3>& candidates, Found& found) const {
     const std::size_t first = found.contacts.size();
     found.room.clear();
     for (std::size_t k = 0; k < candidates.pairs.size(); ++k) {
       const ElementIndex triangle = candidates.pairs[k].second;
       const ImageShift shift = candidates.shift(k);
-      const auto part = base::part_within_reach(candidates.sphere, triangle_at(mesh_, triangle),
-                                                shift, lattice_, margin_, found.exact_decisions);
+      const auto part = exact::part_within_reach(candidates.sphere, triangle_at(mesh_, triangle),
+                                                 shift, lattice_, margin_, found.exact_decisions);
       if (!part) continue;
-      const auto contact = [&](const api::MovedFeature& moved) {
-        return Contact{{candidates.number, moved.feature}, api::sum(shift, moved.shift)};
+      const auto contact = [&](const walls::MovedFeature& moved) {
+        return Contact{{candidates.number, moved.feature}, walls::sum(shift, moved.shift)};
       };
-      found.contacts.push_back(contact(api::feature_of(mesh_, triangle, *part)));
+      found.contacts.push_back(contact(walls::feature_of(mesh_, triangle, *part)));
       if (all_count_) continue;
-      api::for_each_feature(mesh_, triangle, [&](const api::MovedFeature& moved) {
+      walls::for_each_feature(mesh_, triangle, [&](const walls::MovedFeature& moved) {
         found.room.push_back(contact(moved));
       });
     }
@@ -104,7 +104,7 @@ class MeshToucher {
 
  private:
   const TriangleMesh& mesh_;
-  base::Lattice lattice_;
+  exact::Lattice lattice_;
   double margin_;
   bool all_count_;  ///< whether every sphere may touch every triangle
 };
@@ -114,11 +114,11 @@ class MeshToucher {
 MeshContactList find_mesh_contacts(const ElementView& spheres, const TriangleMesh& mesh,
                                    const Domain& domain, const Options& options) {
   const base::FloatEnvironment environment;
-  api::reporting_lack_of_memory([&] {
+  base::reporting_lack_of_memory([&] {
     require_spheres(spheres);
     require_its_domain(mesh, domain);
   });
-  api::FeatureSearch<3> search(spheres, mesh.boxes().view(), domain, options);
+  walls::FeatureSearch<3> search(spheres, mesh.boxes().view(), domain, options);
   return search.contacts<MeshContact>(MeshToucher(mesh, domain, options));
 }
 

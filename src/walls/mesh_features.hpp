@@ -8,7 +8,7 @@
 #include <compare>
 #include <cstddef>
 
-namespace abut::api {
+namespace abut::walls {
 
 /// A feature of a mesh, moved by a shift.
 struct MovedFeature {
@@ -21,7 +21,7 @@ struct MovedFeature {
 /// What the part of a triangle is to the mesh. The parts come in the order in which the first of
 /// several nearest ones is taken: those of triangles that have a feature name the same one.
 [[nodiscard]] inline MovedFeature feature_of(const TriangleMesh& mesh, ElementIndex triangle,
-                                             base::TrianglePart part) {
+                                             exact::TrianglePart part) {
   const auto k = static_cast<std::size_t>(part);
   const ImageShift shift =
       mesh.feature_shifts().empty() ? ImageShift{} : mesh.feature_shifts()[triangle][k];
@@ -39,7 +39,7 @@ template <class Act>
 void for_each_feature(const TriangleMesh& mesh, ElementIndex triangle, Act&& act) {
   MovedFeature last{{FeatureKind::interior, 0}, {}};
   for (std::size_t k = 0; k < 7; ++k) {
-    const MovedFeature moved = feature_of(mesh, triangle, static_cast<base::TrianglePart>(k));
+    const MovedFeature moved = feature_of(mesh, triangle, static_cast<exact::TrianglePart>(k));
     const bool is_none = moved.feature == MeshFeature{FeatureKind::edge, TriangleMesh::no_edge};
     if (is_none || moved == last) continue;
     act(moved);
@@ -47,4 +47,4 @@ void for_each_feature(const TriangleMesh& mesh, ElementIndex triangle, Act&& act
   }
 }
 
-}  // namespace abut::api
+}  // namespace abut::walls

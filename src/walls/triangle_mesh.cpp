@@ -18,7 +18,7 @@
 namespace abut {
 namespace {
 
-using api::VertexPlace;
+using walls::VertexPlace;
 using Corners = TriangleMesh::Corners;
 using Point = TriangleMesh::Point;
 
@@ -55,7 +55,7 @@ std::vector<Point> points_of(const ElementView& vertices) {
   const base::FloatEnvironment environment;
   std::vector<Point> points(vertices.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const base::Sphere<3> vertex = api::sphere_at<3>(vertices, k);
+    const exact::Sphere<3> vertex = elements::sphere_at<3>(vertices, k);
     std::copy_n(vertex.center, 3, points[k].begin());
   }
   return points;
@@ -75,7 +75,7 @@ template <std::size_t Count>
 std::pair<Figure<Count>, ImageShift> figure_of(std::array<VertexPlace, Count> vertices) {
   const ImageShift moved = vertices[0].shift;
   if (moved != ImageShift{}) {
-    for (VertexPlace& vertex : vertices) vertex.shift = api::difference(vertex.shift, moved);
+    for (VertexPlace& vertex : vertices) vertex.shift = walls::difference(vertex.shift, moved);
   }
   return {Figure<Count>{vertices}, moved};
 }
@@ -98,18 +98,18 @@ struct TriangleMesh::Vertices {
 };
 
 TriangleMesh::TriangleMesh(const ElementView& vertices, const Connectivity& triangles)
-    : TriangleMesh(api::reporting_lack_of_memory([&] {
+    : TriangleMesh(base::reporting_lack_of_memory([&] {
         validate(vertices, triangles);
-        const Vertices apart{vertices, points_of(vertices), api::vertices_apart(vertices.size())};
+        const Vertices apart{vertices, points_of(vertices), walls::vertices_apart(vertices.size())};
         return TriangleMesh(apart, triangles);
       })) {}
 
 TriangleMesh TriangleMesh::joined(const ElementView& vertices, const Connectivity& triangles,
                                   const Domain& domain) {
-  return api::reporting_lack_of_memory([&] {
+  return base::reporting_lack_of_memory([&] {
     validate(vertices, triangles);
     Vertices all{vertices, points_of(vertices), {}, domain};
-    all.places = api::joined_vertices(all.points, domain);
+    all.places = walls::joined_vertices(all.points, domain);
     return TriangleMesh(all, triangles);
   });
 }
@@ -132,7 +132,7 @@ TriangleMesh::TriangleMesh(const Vertices& vertices, const Connectivity& triangl
 void TriangleMesh::number_vertices(const Vertices& vertices, const Connectivity& triangles) {
   const auto& places = vertices.places;
   for (const VertexPlace& place : places) vertex_features_.push_back(place.number);
-  const api::VertexNumbers numbers(triangles, places.size());
+  const walls::VertexNumbers numbers(triangles, places.size());
   triangles_.resize(triangles.size());
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     Corners& corners = triangles_[k];
@@ -177,7 +177,7 @@ void TriangleMesh::number_edges(const Vertices& vertices) {
         where[edge] = moved;
       }
       triangle_edges_[k][side] = static_cast<ElementIndex>(edge);
-      if (!shifts_.empty()) shifts_[k][3 + side] = api::difference(moved, where[edge]);
+      if (!shifts_.empty()) shifts_[k][3 + side] = walls::difference(moved, where[edge]);
     }
   }
 }
@@ -197,7 +197,7 @@ void TriangleMesh::number_faces(const Vertices& vertices) {
     faces_[triangle] = repeated ? faces_[by_figure[k - 1]] : triangle;
     if (shifts_.empty()) continue;
     shifts_[triangle][6] =
-        api::difference(figure(triangle).second, figure(faces_[triangle]).second);
+        walls::difference(figure(triangle).second, figure(faces_[triangle]).second);
   }
 }
 
@@ -207,9 +207,10 @@ void TriangleMesh::count_triangles() {
   of_edges.resize(edges_.size());
   of_vertices.resize(vertices_.size());
   for (std::size_t k = 0; k < size(); ++k) {
-    api::for_each_feature(*this, static_cast<ElementIndex>(k), [&](const api::MovedFeature& moved) {
-      ++counts_[static_cast<std::size_t>(moved.feature.kind) - 1][moved.feature.number];
-    });
+    walls::for_each_feature(
+        *this, static_cast<ElementIndex>(k), [&](const walls::MovedFeature& moved) {
+          ++counts_[static_cast<std::size_t>(moved.feature.kind) - 1][moved.feature.number];
+        });
   }
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace abut::api {
+namespace abut::walls {
 
 /// Numbers of vertices, whatever their type.
 class VertexNumbers {
@@ -55,4 +55,4 @@ class VertexNumbers {
   std::size_t vertex_count_;
 };
 
-}  // namespace abut::api
+}  // namespace abut::walls

@@ -10,17 +10,17 @@
 #include <new>
 #include <utility>
 
-namespace abut::base {
+namespace abut::testing {
 namespace {
 
 TEST(Array, HoldsItsBytesWhileItLives) {
-  MemoryMeter meter;
+  base::MemoryMeter meter;
   {
-    const auto numbers = make_array<std::int32_t>(meter, 1000, -1);
+    const auto numbers = base::make_array<std::int32_t>(meter, 1000, -1);
     EXPECT_EQ(numbers.size(), 1000u);
     EXPECT_EQ(std::count(numbers.begin(), numbers.end(), -1), 1000);
     EXPECT_EQ(meter.held(), 4000u);
-    const auto overwritten = make_array_for_overwrite<double>(meter, 10);
+    const auto overwritten = base::make_array_for_overwrite<double>(meter, 10);
     EXPECT_EQ(overwritten.size(), 10u);
     EXPECT_EQ(meter.held(), 4080u);
   }
@@ -29,8 +29,8 @@ TEST(Array, HoldsItsBytesWhileItLives) {
 }
 
 TEST(Array, CopiesAndMovesAreCountedRightly) {
-  MemoryMeter meter;
-  auto numbers = make_array<std::int32_t>(meter, 100, 7);
+  base::MemoryMeter meter;
+  auto numbers = base::make_array<std::int32_t>(meter, 100, 7);
   {
     const auto copy = numbers;
     EXPECT_EQ(meter.held(), 800u);
@@ -42,8 +42,8 @@ TEST(Array, CopiesAndMovesAreCountedRightly) {
 }
 
 TEST(Array, GrowsWithinTheBound) {
-  MemoryMeter meter(10000);
-  auto numbers = make_array_for_overwrite<std::int32_t>(meter, 0);
+  base::MemoryMeter meter(10000);
+  auto numbers = base::make_array_for_overwrite<std::int32_t>(meter, 0);
   EXPECT_THROW(while (true) numbers.push_back(static_cast<std::int32_t>(numbers.size())), Error);
   EXPECT_LE(meter.peak(), 10000u);
   EXPECT_GE(numbers.size(), 1000u);
@@ -55,28 +55,32 @@ TEST(Array, GrowsWithinTheBound) {
 
 TEST(Array, WhatPassesTheBoundIsRefusedBeforeItIsAllocated) {
   // No machine has 2^60 bytes: had the allocation been tried, it would be std::bad_alloc.
-  MemoryMeter meter(1 << 20);
-  EXPECT_THROW(static_cast<void>(make_array<std::int32_t>(meter, std::size_t{1} << 58, 0)), Error);
-  EXPECT_THROW(static_cast<void>(make_array_for_overwrite<double>(meter, std::size_t{1} << 57)),
+  base::MemoryMeter meter(1 << 20);
+  EXPECT_THROW(static_cast<void>(base::make_array<std::int32_t>(meter, std::size_t{1} << 58, 0)),
                Error);
+  EXPECT_THROW(
+      static_cast<void>(base::make_array_for_overwrite<double>(meter, std::size_t{1} << 57)),
+      Error);
   EXPECT_EQ(meter.held(), 0u);
   EXPECT_EQ(meter.peak(), 0u);
 }
 
 TEST(Array, AFailedAllocationIsGivenBack) {
-  MemoryMeter meter;
-  EXPECT_THROW(static_cast<void>(make_array_for_overwrite<double>(meter, std::size_t{1} << 57)),
-               std::bad_alloc);
+  base::MemoryMeter meter;
+  EXPECT_THROW(
+      static_cast<void>(base::make_array_for_overwrite<double>(meter, std::size_t{1} << 57)),
+      std::bad_alloc);
   EXPECT_EQ(meter.held(), 0u);
 }
 
 TEST(Array, LargeBlocksAreUsableFromEndToEnd) {
-  MemoryMeter meter;
-  auto numbers = make_array_for_overwrite<std::int64_t>(meter, (std::size_t{5} << 20) / 8 + 1);
+  base::MemoryMeter meter;
+  auto numbers =
+      base::make_array_for_overwrite<std::int64_t>(meter, (std::size_t{5} << 20) / 8 + 1);
   std::fill(numbers.begin(), numbers.end(), 3);
   EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 3),
             static_cast<std::ptrdiff_t>(numbers.size()));
 }
 
 }  // namespace
-}  // namespace abut::base
+}  // namespace abut::testing

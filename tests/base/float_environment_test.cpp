@@ -8,7 +8,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace abut::base {
+namespace abut::testing {
 namespace {
 
 /// 1 + 2^-60: 1 to nearest, more than 1 upwards.
@@ -34,7 +34,7 @@ TEST(FloatEnvironment, RoundsToNearestAndRestoresTheCallersMode) {
     ASSERT_EQ(rounds_to_nearest(), mode == FE_TONEAREST) << "the test itself must notice";
     bool inside = false;
     {
-      const FloatEnvironment environment;
+      const base::FloatEnvironment environment;
       inside = rounds_to_nearest();
     }
     const int afterwards = std::fegetround();
@@ -52,7 +52,7 @@ TEST(FloatEnvironment, KeepsDenormalsAndRestoresTheCallersFlush) {
   const bool noticed = !keeps_denormals();
   bool inside = false;
   {
-    const FloatEnvironment environment;
+    const base::FloatEnvironment environment;
     inside = keeps_denormals();
   }
   const unsigned afterwards = _mm_getcsr();
@@ -70,7 +70,7 @@ TEST(FloatEnvironment, KeepsDenormalsAndRestoresTheCallersFlush) {
   const bool noticed = !keeps_denormals();
   bool inside = false;
   {
-    const FloatEnvironment environment;
+    const base::FloatEnvironment environment;
     inside = keeps_denormals();
   }
   unsigned long afterwards = 0;
@@ -87,4 +87,4 @@ TEST(FloatEnvironment, WithoutOneDenormalsAreKeptToo) {
 }
 
 }  // namespace
-}  // namespace abut::base
+}  // namespace abut::testing

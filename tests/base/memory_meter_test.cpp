@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace abut::base {
+namespace abut::testing {
 namespace {
 
 template <class Action>
@@ -20,7 +20,7 @@ std::string refusal(Action action) {
 }
 
 TEST(MemoryMeter, CountsWhatIsHeldAndThePeak) {
-  MemoryMeter meter;
+  base::MemoryMeter meter;
   EXPECT_EQ(meter.held(), 0u);
   meter.take(100);
   meter.take(50);
@@ -32,7 +32,7 @@ TEST(MemoryMeter, CountsWhatIsHeldAndThePeak) {
 }
 
 TEST(MemoryMeter, TakesUpToTheBoundAndNotOneByteMore) {
-  MemoryMeter meter(100);
+  base::MemoryMeter meter(100);
   meter.take(60);
   EXPECT_NO_THROW(meter.take(40));
   EXPECT_THROW(meter.take(1), Error);
@@ -44,15 +44,15 @@ TEST(MemoryMeter, TakesUpToTheBoundAndNotOneByteMore) {
 }
 
 TEST(MemoryMeter, HugeRequestsDoNotWrapAround) {
-  MemoryMeter meter(1000);
+  base::MemoryMeter meter(1000);
   meter.take(10);
-  EXPECT_THROW(meter.take(MemoryMeter::unbounded), Error);
-  EXPECT_THROW(meter.take(MemoryMeter::unbounded - 5), Error);
+  EXPECT_THROW(meter.take(base::MemoryMeter::unbounded), Error);
+  EXPECT_THROW(meter.take(base::MemoryMeter::unbounded - 5), Error);
   EXPECT_EQ(meter.held(), 10u);
 }
 
 TEST(MemoryMeter, PairsCountTowardsTheBoundButAreNoWorkingArray) {
-  MemoryMeter meter(100);
+  base::MemoryMeter meter(100);
   meter.take(30);
   meter.take_for_pairs(60);
   EXPECT_EQ(meter.peak(), 90u);
@@ -65,7 +65,7 @@ TEST(MemoryMeter, PairsCountTowardsTheBoundButAreNoWorkingArray) {
 }
 
 TEST(MemoryMeter, TheSentenceNamesBytesBoundAndAdvice) {
-  MemoryMeter meter(1000);
+  base::MemoryMeter meter(1000);
   meter.take(10);
   const std::string sentence =
       refusal([&] { meter.require(2000, "the heads of rows", "use sorting_array"); });
@@ -76,4 +76,4 @@ TEST(MemoryMeter, TheSentenceNamesBytesBoundAndAdvice) {
 }
 
 }  // namespace
-}  // namespace abut::base
+}  // namespace abut::testing

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace abut::base {
+namespace abut::testing {
 namespace {
 
 struct Seen {
@@ -24,7 +24,7 @@ TEST(ProgressReporter, CallsTheHookAtTheBeginAndNowAndThen) {
     seen.push_back({std::string(progress.phase), progress.done, progress.total});
     return ProgressAction::proceed;
   };
-  ProgressReporter reporter(hook);
+  base::ProgressReporter reporter(hook);
   reporter.begin("search", 10000);
   for (std::uint64_t k = 1; k <= 10000; ++k) reporter.at(k);
   reporter.poll();
@@ -40,7 +40,7 @@ TEST(ProgressReporter, CancelIsAnErrorThatTellsWhere) {
   const ProgressHook hook = [](const Progress& progress) {
     return progress.done < 4096 ? ProgressAction::proceed : ProgressAction::cancel;
   };
-  ProgressReporter reporter(hook);
+  base::ProgressReporter reporter(hook);
   reporter.begin("search", 9000);
   try {
     for (std::uint64_t k = 0; k < 9000; ++k) reporter.at(k);
@@ -55,18 +55,18 @@ TEST(ProgressReporter, WhatTheHookThrowsPassesThrough) {
   const ProgressHook hook = [](const Progress&) -> ProgressAction {
     throw std::domain_error("mine");
   };
-  ProgressReporter reporter(hook);
+  base::ProgressReporter reporter(hook);
   EXPECT_THROW(reporter.begin("gather", 1), std::domain_error);
 }
 
 TEST(ProgressReporter, NoHookIsNothingToCall) {
-  ProgressReporter none;
+  base::ProgressReporter none;
   EXPECT_NO_THROW(none.begin("search", 1));
   EXPECT_NO_THROW(none.at(0));
   const ProgressHook empty;
-  ProgressReporter without(empty);
+  base::ProgressReporter without(empty);
   EXPECT_NO_THROW(without.poll());
 }
 
 }  // namespace
-}  // namespace abut::base
+}  // namespace abut::testing

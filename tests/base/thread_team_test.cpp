@@ -16,7 +16,7 @@
 #include <pthread.h>
 #include <signal.h>
 
-namespace abut::base {
+namespace abut::testing {
 namespace {
 
 using testing::Thread;
@@ -24,12 +24,12 @@ using testing::ThreadFault;
 
 /// Has the team call body(share) for each share.
 template <class Body>
-void run(ThreadTeam& team, std::size_t count, Body&& body) {
+void run(base::ThreadTeam& team, std::size_t count, Body&& body) {
   team.run({[](void* context, std::size_t share) { (*static_cast<Body*>(context))(share); }, &body,
             count});
 }
 
-void expect_each_share_once(ThreadTeam& team, std::size_t count) {
+void expect_each_share_once(base::ThreadTeam& team, std::size_t count) {
   std::vector<std::atomic<int>> calls(count);
   run(team, count, [&](std::size_t share) { ++calls.at(share); });
   for (const auto& number : calls) EXPECT_EQ(number, 1);
@@ -37,7 +37,7 @@ void expect_each_share_once(ThreadTeam& team, std::size_t count) {
 
 TEST(ThreadTeam, DoesEachShareOnceWhateverItsSize) {
   for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
-    ThreadTeam team;
+    base::ThreadTeam team;
     EXPECT_EQ(team.grow(threads), threads);
     for (int again = 0; again < 200; ++again) {
       for (const std::size_t count : {1U, 2U, 3U, 7U, 8U, 9U, 40U}) {
@@ -48,7 +48,7 @@ TEST(ThreadTeam, DoesEachShareOnceWhateverItsSize) {
 }
 
 TEST(ThreadTeam, WorksInAsManyThreadsAtTheSameTime) {
-  ThreadTeam team;
+  base::ThreadTeam team;
   ASSERT_EQ(team.grow(4), 4U);
   for (int again = 0; again < 20; ++again) {
     std::latch all(4);
@@ -64,7 +64,7 @@ TEST(ThreadTeam, WorksInAsManyThreadsAtTheSameTime) {
 
 TEST(ThreadTeam, HasFewerThreadsWhereSomeAreRefused) {
   for (std::uint64_t refused = 0; refused < 6; ++refused) {
-    ThreadTeam team;
+    base::ThreadTeam team;
     {
       const ThreadFault fault(refused, Thread::refused);
       EXPECT_EQ(team.grow(6), refused + 1 < 6 ? refused + 1 : 6);
@@ -77,7 +77,7 @@ TEST(ThreadTeam, HasFewerThreadsWhereSomeAreRefused) {
 }
 
 TEST(ThreadTeam, DoesNotWaitForHelpersThatAreLate) {
-  ThreadTeam team;
+  base::ThreadTeam team;
   const ThreadFault fault(1, Thread::late);
   ASSERT_EQ(team.grow(4), 4U);
   for (int again = 0; again < 100; ++again) expect_each_share_once(team, 4);
@@ -86,7 +86,7 @@ TEST(ThreadTeam, DoesNotWaitForHelpersThatAreLate) {
 TEST(ThreadTeam, EndsItsThreads) {
   const std::uint64_t before = testing::threads_of_process();
   for (int again = 0; again < 5; ++again) {
-    ThreadTeam team;
+    base::ThreadTeam team;
     ASSERT_EQ(team.grow(5), 5U);
     EXPECT_TRUE(testing::process_comes_to(before + 4));
   }
@@ -96,7 +96,7 @@ TEST(ThreadTeam, EndsItsThreads) {
 TEST(ThreadTeam, LeavesSignalsToTheCaller) {
   sigset_t before;
   pthread_sigmask(SIG_BLOCK, nullptr, &before);
-  ThreadTeam team;
+  base::ThreadTeam team;
   ASSERT_EQ(team.grow(2), 2U);
   std::array<sigset_t, 2> masks{};
   std::latch both(2);
@@ -112,7 +112,7 @@ TEST(ThreadTeam, LeavesSignalsToTheCaller) {
 }
 
 TEST(ThreadTeam, HelpersHaveRoomOnTheirStacks) {
-  ThreadTeam team;
+  base::ThreadTeam team;
   ASSERT_EQ(team.grow(2), 2U);
   std::size_t size = 0;
   std::latch both(2);
@@ -129,19 +129,19 @@ TEST(ThreadTeam, HelpersHaveRoomOnTheirStacks) {
 
 TEST(OwnTeam, IsTheThreadsOwnAndEndsWithIt) {
   const std::uint64_t before = testing::threads_of_process();
-  ThreadTeam* first = nullptr;
+  base::ThreadTeam* first = nullptr;
   std::latch both(2);
-  const auto use = [&](ThreadTeam*& own) {
-    EXPECT_EQ(own_team_so_far(), nullptr);
-    own = own_team();
+  const auto use = [&](base::ThreadTeam*& own) {
+    EXPECT_EQ(base::own_team_so_far(), nullptr);
+    own = base::own_team();
     ASSERT_NE(own, nullptr);
-    EXPECT_EQ(own_team(), own);
-    EXPECT_EQ(own_team_so_far(), own);
+    EXPECT_EQ(base::own_team(), own);
+    EXPECT_EQ(base::own_team_so_far(), own);
     EXPECT_EQ(own->grow(3), 3U);
     expect_each_share_once(*own, 3);
     both.arrive_and_wait();
   };
-  ThreadTeam* second = nullptr;
+  base::ThreadTeam* second = nullptr;
   std::thread one(use, std::ref(first));
   std::thread other(use, std::ref(second));
   one.join();
@@ -151,4 +151,4 @@ TEST(OwnTeam, IsTheThreadsOwnAndEndsWithIt) {
 }
 
 }  // namespace
-}  // namespace abut::base
+}  // namespace abut::testing

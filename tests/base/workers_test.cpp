@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-namespace abut::base {
+namespace abut::testing {
 namespace {
 
 using testing::Thread;
@@ -27,7 +27,7 @@ constexpr std::array<std::size_t, 5> counts{1, 2, 3, 7, 16};
 /// Calls of more workers than there are threads, and of fewer.
 class Workers : public ::testing::TestWithParam<int> {
  protected:
-  void SetUp() override { ASSERT_GE(worker_count(GetParam(), 1000), 1U); }
+  void SetUp() override { ASSERT_GE(base::worker_count(GetParam(), 1000), 1U); }
 };
 
 INSTANTIATE_TEST_SUITE_P(Threads, Workers, ::testing::Values(1, 5, 16));
@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Threads, Workers, ::testing::Values(1, 5, 16));
 TEST_P(Workers, EachIsCalledOnce) {
   for (const std::size_t count : counts) {
     std::vector<std::atomic<int>> calls(count);
-    for_each_worker(count, [&](std::size_t worker) { ++calls.at(worker); });
+    base::for_each_worker(count, [&](std::size_t worker) { ++calls.at(worker); });
     for (const auto& number : calls) EXPECT_EQ(number, 1);
   }
 }
@@ -44,7 +44,7 @@ TEST_P(Workers, EachIndexIsTakenOnce) {
   for (const std::size_t count : counts) {
     for (const std::size_t size : {std::size_t{0}, std::size_t{1}, count, std::size_t{5000}}) {
       std::vector<std::atomic<int>> calls(size);
-      for_each_index(count, size, [&](std::size_t worker, std::size_t k) {
+      base::for_each_index(count, size, [&](std::size_t worker, std::size_t k) {
         EXPECT_LT(worker, count);
         ++calls.at(k);
       });
@@ -57,7 +57,7 @@ TEST_P(Workers, TheExceptionOfTheFirstOfThemIsRethrown) {
   for (const std::size_t count : counts) {
     std::atomic<std::size_t> entered = 0;
     try {
-      for_each_worker(count, [&](std::size_t worker) {
+      base::for_each_worker(count, [&](std::size_t worker) {
         ++entered;
         throw std::runtime_error(std::to_string(worker));
       });
@@ -74,13 +74,13 @@ TEST_P(Workers, AnExceptionStopsTheOthersSoon) {
   for (const std::size_t count : counts) {
     std::atomic<std::size_t> calls = 0;
     // The others dawdle, so that the one that throws has time to say so even if it is interrupted.
-    EXPECT_THROW(for_each_index(count, size,
-                                [&](std::size_t, std::size_t) {
-                                  const std::size_t call = ++calls;
-                                  if (call == 10) throw std::runtime_error("enough");
-                                  if (call > 10)
-                                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                                }),
+    EXPECT_THROW(base::for_each_index(count, size,
+                                      [&](std::size_t, std::size_t) {
+                                        const std::size_t call = ++calls;
+                                        if (call == 10) throw std::runtime_error("enough");
+                                        if (call > 10)
+                                          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                                      }),
                  std::runtime_error);
     EXPECT_LT(calls, size);
   }
@@ -93,9 +93,9 @@ TEST(WorkersOfTheLibrary, HaveItsFloatingPointEnvironment) {
   int of_caller = FE_TONEAREST;
   std::thread([&] {
     std::fesetround(FE_UPWARD);
-    ASSERT_EQ(worker_count(4, 1000), modes.size());
+    ASSERT_EQ(base::worker_count(4, 1000), modes.size());
     std::latch all(4);
-    for_each_worker(modes.size(), [&](std::size_t worker) {
+    base::for_each_worker(modes.size(), [&](std::size_t worker) {
       all.arrive_and_wait();
       modes.at(worker) = std::fegetround();
     });
@@ -106,18 +106,18 @@ TEST(WorkersOfTheLibrary, HaveItsFloatingPointEnvironment) {
 }
 
 TEST(WorkerCount, IsWhatWasAskedForOrWhatKeepsBusy) {
-  EXPECT_EQ(worker_count(5, 10), 5U);
-  EXPECT_EQ(worker_count(2, 10), 2U);
-  EXPECT_EQ(worker_count(0, 0), 1U);
-  EXPECT_EQ(worker_count(0, 8191), 1U);
-  EXPECT_GE(worker_count(0, std::size_t{1} << 30), 1U);
+  EXPECT_EQ(base::worker_count(5, 10), 5U);
+  EXPECT_EQ(base::worker_count(2, 10), 2U);
+  EXPECT_EQ(base::worker_count(0, 0), 1U);
+  EXPECT_EQ(base::worker_count(0, 8191), 1U);
+  EXPECT_GE(base::worker_count(0, std::size_t{1} << 30), 1U);
 }
 
 TEST(WorkerCount, IsNeverMoreThanElements) {
-  EXPECT_EQ(worker_count(5, 3), 3U);
-  EXPECT_EQ(worker_count(5, 1), 1U);
-  EXPECT_EQ(worker_count(100000, 0), 1U);
-  EXPECT_EQ(worker_count(std::numeric_limits<int>::max(), 7), 7U);
+  EXPECT_EQ(base::worker_count(5, 3), 3U);
+  EXPECT_EQ(base::worker_count(5, 1), 1U);
+  EXPECT_EQ(base::worker_count(100000, 0), 1U);
+  EXPECT_EQ(base::worker_count(std::numeric_limits<int>::max(), 7), 7U);
 }
 
 /// In a thread of its own, so that it has no helpers yet.
@@ -125,23 +125,23 @@ TEST(WorkerCount, IsOfThoseThatWereNotRefused) {
   for (std::uint64_t refused = 0; refused < 4; ++refused) {
     const ThreadFault fault(refused, Thread::refused);
     std::thread([&] {
-      EXPECT_EQ(worker_count(4, 1000), refused < 3 ? refused + 1 : 4);
+      EXPECT_EQ(base::worker_count(4, 1000), refused < 3 ? refused + 1 : 4);
       std::array<std::atomic<int>, 4> calls{};
-      for_each_worker(4, [&](std::size_t worker) { ++calls.at(worker); });
+      base::for_each_worker(4, [&](std::size_t worker) { ++calls.at(worker); });
       for (const auto& number : calls) EXPECT_EQ(number, 1);
     }).join();
   }
 }
 
 TEST(WorkerCount, IsOneWithinWorkThatIsBeingDone) {
-  ASSERT_EQ(worker_count(3, 1000), 3U);
+  ASSERT_EQ(base::worker_count(3, 1000), 3U);
   std::array<std::size_t, 3> inner{};
   std::array<std::atomic<int>, 9> calls{};
   std::latch all(3);
-  for_each_worker(3, [&](std::size_t worker) {
+  base::for_each_worker(3, [&](std::size_t worker) {
     all.arrive_and_wait();
-    inner.at(worker) = worker_count(8, 1000);
-    for_each_worker(3, [&](std::size_t share) { ++calls.at(3 * worker + share); });
+    inner.at(worker) = base::worker_count(8, 1000);
+    base::for_each_worker(3, [&](std::size_t share) { ++calls.at(3 * worker + share); });
   });
   for (const std::size_t count : inner) EXPECT_EQ(count, 1U);
   for (const auto& number : calls) EXPECT_EQ(number, 1);
@@ -153,7 +153,7 @@ TEST(ShareOf, SharesFollowEachOtherAndAreEqualButForOne) {
                                    std::size_t{1000}, std::numeric_limits<std::size_t>::max()}) {
       std::size_t end = 0;
       for (std::size_t worker = 0; worker < count; ++worker) {
-        const auto [first, last] = share_of(worker, count, size);
+        const auto [first, last] = base::share_of(worker, count, size);
         ASSERT_EQ(first, end);
         ASSERT_GE(last, first);
         ASSERT_LE(last - first - size / count, 1U);
@@ -165,4 +165,4 @@ TEST(ShareOf, SharesFollowEachOtherAndAreEqualButForOne) {
 }
 
 }  // namespace
-}  // namespace abut::base
+}  // namespace abut::testing

@@ -11,7 +11,7 @@
 
 /// The examples of A. Munjiza, The Combined Finite-Discrete Element Method, Wiley 2004, stand in
 /// the tests with the book's numbers: elements and cells counted from 1, none -1.
-namespace abut::test {
+namespace abut::testing {
 
 using BookCell = std::pair<std::int32_t, std::int32_t>;
 using BookPair = std::pair<std::int32_t, std::int32_t>;
@@ -64,4 +64,4 @@ using Numbers = std::vector<std::int32_t>;
   return order;
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

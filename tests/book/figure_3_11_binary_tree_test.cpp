@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 /// The leaf of a cell, found by halving the 16 x 16 cells around the 10 x 10 as the book does: x
@@ -68,4 +68,4 @@ TEST(Figure_3_11_BinaryTree, AnAddedElementBecomesTheHead) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

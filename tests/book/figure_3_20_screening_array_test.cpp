@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 trace::CellSystem figure_3_19() {
@@ -62,4 +62,4 @@ TEST(Figure_3_20_ScreeningArray, CandidatePairs) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

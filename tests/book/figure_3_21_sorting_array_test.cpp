@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 trace::CellSystem figure_3_21() {
@@ -69,4 +69,4 @@ TEST(Figure_3_21_SortingArray, CandidatePairs) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

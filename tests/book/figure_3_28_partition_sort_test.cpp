@@ -8,7 +8,7 @@
 #include <array>
 #include <utility>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 const Numbers figure_3_28{3, 16, 7, 11, 2, 14, 5, 9, 4, 8, 12, 6, 13, 15, 1, 10};
@@ -44,4 +44,4 @@ TEST(Figure_3_28_PartitionSort, NothingToSplit) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

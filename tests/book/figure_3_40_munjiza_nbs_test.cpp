@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 constexpr std::int32_t none = -1;
@@ -50,7 +50,7 @@ Numbers cells_of_row(const RecordedTrace& recorded, std::int32_t row) {
   return columns;
 }
 
-class Figure_3_40_MunjizaNbs : public testing::TestWithParam<std::int32_t> {
+class Figure_3_40_MunjizaNbs : public ::testing::TestWithParam<std::int32_t> {
  protected:
   RecordedTrace recorded = figure_3_40(GetParam());
   bool in_column_3 = GetParam() == 3;
@@ -129,7 +129,7 @@ TEST_P(Figure_3_40_MunjizaNbs, CandidatePairs) {
   EXPECT_EQ(in_book_numbers(recorded), expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(ColumnOfElement9, Figure_3_40_MunjizaNbs, testing::Values(3, 4));
+INSTANTIATE_TEST_SUITE_P(ColumnOfElement9, Figure_3_40_MunjizaNbs, ::testing::Values(3, 4));
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

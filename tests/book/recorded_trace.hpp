@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 
 /// An array as a trace showed it, counted from 0.
 struct ShownArray {
@@ -97,4 +97,4 @@ class RecordedTrace final : public trace::Sink {
   return recorded;
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

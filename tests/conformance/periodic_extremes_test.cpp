@@ -54,10 +54,10 @@ Options options_of(const ExtremeSystem& system, Algorithm algorithm) {
 /// All images within reach in rational numbers, each pair once, in canonical order.
 template <int Dim>
 std::vector<ImagePair> pairs_in_rationals(const ExtremeSystem& system) {
-  test::PeriodicSystem<Dim> exact;
+  testing::PeriodicSystem<Dim> exact;
   const std::vector<double>* const columns[] = {&system.scene.x, &system.scene.y, &system.scene.z};
   for (std::size_t k = 0; k < system.scene.size(); ++k) {
-    base::Sphere<Dim> sphere{};
+    exact::Sphere<Dim> sphere{};
     for (std::size_t axis = 0; axis < Dim; ++axis) sphere.center[axis] = (*columns[axis])[k];
     sphere.radius = system.scene.radius[k];
     exact.spheres.push_back(sphere);
@@ -68,7 +68,7 @@ std::vector<ImagePair> pairs_in_rationals(const ExtremeSystem& system) {
   }
   exact.margin = system.margin;
   std::vector<ImagePair> pairs;
-  for (const test::FoundPair& pair : test::pairs_by_rationals(exact)) {
+  for (const testing::FoundPair& pair : testing::pairs_by_rationals(exact)) {
     pairs.push_back(
         {{static_cast<ElementIndex>(pair.i), static_cast<ElementIndex>(pair.j)}, pair.shift});
   }

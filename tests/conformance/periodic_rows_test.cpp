@@ -193,7 +193,7 @@ PairList pairs_of_copies(const Scene& scene, double reach) {
 
 /// Many tiles; elements of one size, of all sizes, or a few that are large: these alone have ghosts
 /// all around, large and small ones in reach of each other. Ghosts lie around the box of the
-/// natives, unless natives lie on two opposite faces.
+/// locals, unless locals lie on two opposite faces.
 TEST(PeriodicRows, ManyTilesWithAndWithoutElementsOnBothFaces) {
   const Domain cube = Domain::periodic({1.0, 1.0, 1.0});
   enum class Sizes { one, all, few_large };

@@ -12,14 +12,14 @@
 
 #include <gtest/gtest.h>
 
-namespace abut::engine {
+namespace abut::testing {
 
 using scenes::Random;
 
-using test::Dimensions;
+using testing::Dimensions;
 
 template <int Dim>
-using Spheres = std::vector<base::Sphere<Dim>>;
+using Spheres = std::vector<exact::Sphere<Dim>>;
 
 /// In a box from 0 to `extent` (of which the third is unused in 2D), a radius in [0.1, 0.5).
 template <int Dim>
@@ -45,4 +45,4 @@ grid::Bounds<Dim> bounds_of(const Spheres<Dim>& spheres) {
   return bounds;
 }
 
-}  // namespace abut::engine
+}  // namespace abut::testing

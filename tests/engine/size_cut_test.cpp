@@ -6,11 +6,11 @@
 #include <initializer_list>
 #include <utility>
 
-namespace abut::engine {
+namespace abut::testing {
 namespace {
 
-RadiusHistogram histogram_of(std::initializer_list<std::pair<double, int>> radii) {
-  RadiusHistogram histogram;
+engine::RadiusHistogram histogram_of(std::initializer_list<std::pair<double, int>> radii) {
+  engine::RadiusHistogram histogram;
   for (const auto& [radius, count] : radii) {
     for (int k = 0; k < count; ++k) histogram.add(radius);
   }
@@ -18,14 +18,15 @@ RadiusHistogram histogram_of(std::initializer_list<std::pair<double, int>> radii
 }
 
 TEST(RadiusHistogram, ClassesAreHalfAnOctaveWide) {
-  EXPECT_EQ(RadiusHistogram::class_of(1.0), RadiusHistogram::class_of(1.49));
-  EXPECT_NE(RadiusHistogram::class_of(1.49), RadiusHistogram::class_of(1.5));
-  EXPECT_NE(RadiusHistogram::class_of(1.99), RadiusHistogram::class_of(2.0));
-  EXPECT_EQ(RadiusHistogram::upper_end(RadiusHistogram::class_of(1.0)), 1.5);
-  EXPECT_EQ(RadiusHistogram::upper_end(RadiusHistogram::class_of(1.5)), 2.0);
+  EXPECT_EQ(engine::RadiusHistogram::class_of(1.0), engine::RadiusHistogram::class_of(1.49));
+  EXPECT_NE(engine::RadiusHistogram::class_of(1.49), engine::RadiusHistogram::class_of(1.5));
+  EXPECT_NE(engine::RadiusHistogram::class_of(1.99), engine::RadiusHistogram::class_of(2.0));
+  EXPECT_EQ(engine::RadiusHistogram::upper_end(engine::RadiusHistogram::class_of(1.0)), 1.5);
+  EXPECT_EQ(engine::RadiusHistogram::upper_end(engine::RadiusHistogram::class_of(1.5)), 2.0);
   for (const double radius : {0.0, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp+1023}) {
-    EXPECT_LT(RadiusHistogram::class_of(radius), RadiusHistogram::classes);
-    EXPECT_GT(RadiusHistogram::upper_end(RadiusHistogram::class_of(radius)), radius);
+    EXPECT_LT(engine::RadiusHistogram::class_of(radius), engine::RadiusHistogram::classes);
+    EXPECT_GT(engine::RadiusHistogram::upper_end(engine::RadiusHistogram::class_of(radius)),
+              radius);
   }
 }
 
@@ -34,7 +35,7 @@ void expect_a_cut_between(double small, double large, int smalls, int larges) {
   const auto histogram = histogram_of({{small, smalls}, {large, larges}});
   // Dense: the small ones alone fill the box.
   const double volume = smalls * std::pow(small / large, Dim) + larges;
-  const auto cut = choose_size_cut<Dim>(histogram, {large, small, 0.0, volume});
+  const auto cut = engine::choose_size_cut<Dim>(histogram, {large, small, 0.0, volume});
   ASSERT_TRUE(cut.has_value());
   EXPECT_GT(*cut, small);
   EXPECT_LE(*cut, large);
@@ -50,29 +51,29 @@ TEST(SizeCut, FewLargeOnesAreTakenOut) {
 TEST(SizeCut, NoneWhereSizesAreMuchTheSame) {
   for (const double large : {1.0, 1.2, 1.6}) {
     const auto histogram = histogram_of({{1.0, 5000}, {large, 5000}});
-    EXPECT_FALSE(choose_size_cut<2>(histogram, {large, 1.0, 0.0, 5000.0}));
-    EXPECT_FALSE(choose_size_cut<3>(histogram, {large, 1.0, 0.0, 5000.0}));
+    EXPECT_FALSE(engine::choose_size_cut<2>(histogram, {large, 1.0, 0.0, 5000.0}));
+    EXPECT_FALSE(engine::choose_size_cut<3>(histogram, {large, 1.0, 0.0, 5000.0}));
   }
 }
 
 TEST(SizeCut, NoneWhereTheMarginIsTheReach) {
   const auto histogram = histogram_of({{1e-6, 50000}, {1e-3, 50}});
-  EXPECT_FALSE(choose_size_cut<3>(histogram, {1e-3, 1e-6, 1.0, 50000.0}));
+  EXPECT_FALSE(engine::choose_size_cut<3>(histogram, {1e-3, 1e-6, 1.0, 50000.0}));
 }
 
 TEST(SizeCut, NoneForAFewElements) {
   const auto histogram = histogram_of({{1.0, 10}, {100.0, 2}});
-  EXPECT_FALSE(choose_size_cut<3>(histogram, {100.0, 1.0, 0.0, 1000.0}));
+  EXPECT_FALSE(engine::choose_size_cut<3>(histogram, {100.0, 1.0, 0.0, 1000.0}));
 }
 
 TEST(SizeCut, ACutLeavesElementsOnBothSides) {
-  RadiusHistogram histogram;
+  engine::RadiusHistogram histogram;
   for (int k = 0; k < 100000; ++k) histogram.add(std::ldexp(1.0 + (k % 7) / 7.0, k % 10));
-  const auto cut = choose_size_cut<3>(histogram, {1023.0, 1.0, 0.0, 50.0});
+  const auto cut = engine::choose_size_cut<3>(histogram, {1023.0, 1.0, 0.0, 50.0});
   ASSERT_TRUE(cut.has_value());
   EXPECT_GT(*cut, 1.0);
   EXPECT_LE(*cut, 1023.0);
 }
 
 }  // namespace
-}  // namespace abut::engine
+}  // namespace abut::testing

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace abut::engine {
+namespace abut::testing {
 namespace {
 
 template <class Dimension>
@@ -30,7 +30,7 @@ class SortedTileOf : public ::testing::Test {
     radii.clear();
     const std::array<float, 3> sides{1.0f, 0.75f, 0.5f};
     for (std::size_t k = 0; k < own_count + copy_count; ++k) {
-      Record<dim> record{};
+      engine::Record<dim> record{};
       for (std::size_t axis = 0; axis < dim; ++axis) {
         record.center[axis] = sides[axis] * static_cast<float>(random.uniform());
         if (random.below(8) == 0) record.center[axis] = random.below(2) == 0 ? 0.0f : sides[axis];
@@ -45,29 +45,29 @@ class SortedTileOf : public ::testing::Test {
       record.number = static_cast<std::uint32_t>(1000 + k);
       records.push_back(record);
     }
-    TileGrid<dim> grid;
+    engine::TileGrid<dim> grid;
     grid.cell_size = 0.05;
     for (std::size_t axis = 0; axis < dim; ++axis) grid.size[axis] = sides[axis];
-    cells = choose_tile_cells(grid, 1.0, 100000);
+    cells = engine::choose_tile_cells(grid, 1.0, 100000);
   }
 
   /// With something behind the last record, as vectors may read there.
-  [[nodiscard]] std::span<const Record<dim>> all() {
+  [[nodiscard]] std::span<const engine::Record<dim>> all() {
     records.reserve(records.size() + 1);
     return records;
   }
 
-  void sort(SortedTile<dim>& tile, const RecordSizes& sizes, Simd level) {
+  void sort(engine::SortedTile<dim>& tile, const engine::RecordSizes& sizes, Simd level) {
     const auto kernels = kernels::element_kernels(level);
     abut::testing::NobodyAsked nobody;
     tile.count(all(), own, cells, kernels, nobody.work);
     tile.sort(all(), sizes, kernels, nobody.work);
   }
 
-  std::vector<Record<dim>> records;
+  std::vector<engine::Record<dim>> records;
   std::vector<float> radii;
   std::size_t own = 0;
-  TileCells<dim> cells;
+  engine::TileCells<dim> cells;
   base::MemoryMeter memory;
 };
 
@@ -96,7 +96,7 @@ std::int32_t cells_in(const kernels::TileView& view) {
 /// Own elements are in own cells, copies in the frame, each once and near where it lies; rows end
 /// with padding.
 TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
-  SortedTile<TypeParam::value> tile(this->memory);
+  engine::SortedTile<TypeParam::value> tile(this->memory);
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
     this->make(seed, 700 * seed, 300);
     this->sort(tile, {kernels::TileShape::spheres, this->radii, 0.0f}, Simd::scalar);
@@ -138,7 +138,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
       }
     }
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
-    EXPECT_EQ(tile.crowding(), crowding);
+    EXPECT_EQ(tile.squared_occupancy(), crowding);
     EXPECT_EQ(tile.size(), this->records.size());
     EXPECT_EQ(view.shape, kernels::TileShape::spheres);
   }
@@ -146,7 +146,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
 
 /// Records of a cell keep their order: pairs come in the same order whatever came before.
 TYPED_TEST(SortedTileOf, TheSortIsStable) {
-  SortedTile<TypeParam::value> tile(this->memory);
+  engine::SortedTile<TypeParam::value> tile(this->memory);
   this->make(9, 2000, 200);
   this->sort(tile, {kernels::TileShape::equal_spheres, {}, 0.25f}, Simd::scalar);
   const kernels::TileView& view = tile.view();
@@ -159,14 +159,14 @@ TYPED_TEST(SortedTileOf, TheSortIsStable) {
 }
 
 TYPED_TEST(SortedTileOf, VectorsSortAlike) {
-  SortedTile<TypeParam::value> plain(this->memory);
+  engine::SortedTile<TypeParam::value> plain(this->memory);
   this->make(10, 3001, 203);
   this->sort(plain, {kernels::TileShape::spheres, this->radii, 0.0f}, Simd::scalar);
   const kernels::TileView& expected = plain.view();
   const std::int32_t total = cells_in<TypeParam::value>(expected);
   for (const Simd level : testing::simd_levels_here()) {
     SCOPED_TRACE(std::string(name_of(level)));
-    SortedTile<TypeParam::value> tile(this->memory);
+    engine::SortedTile<TypeParam::value> tile(this->memory);
     this->sort(tile, {kernels::TileShape::spheres, this->radii, 0.0f}, level);
     const kernels::TileView& view = tile.view();
     ASSERT_TRUE(std::equal(view.cell_begin, view.cell_begin + total + 1, expected.cell_begin));
@@ -186,4 +186,4 @@ TYPED_TEST(SortedTileOf, VectorsSortAlike) {
 }
 
 }  // namespace
-}  // namespace abut::engine
+}  // namespace abut::testing

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace abut::engine {
+namespace abut::testing {
 namespace {
 
 template <class Dimension>
@@ -15,8 +15,8 @@ TYPED_TEST_SUITE(TileCellsOf, Dimensions);
 
 /// A grid of one tile with the given sides in cells.
 template <int Dim>
-TileGrid<Dim> one_tile(const std::array<double, 3>& sides) {
-  TileGrid<Dim> grid;
+engine::TileGrid<Dim> one_tile(const std::array<double, 3>& sides) {
+  engine::TileGrid<Dim> grid;
   grid.cell_size = 1.0;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     grid.size[axis] = sides[axis];
@@ -37,7 +37,7 @@ TYPED_TEST(TileCellsOf, AreNeitherTooSmallNorTooMany) {
     const auto grid = one_tile<TypeParam::value>(sides);
     const double unit = 0x1p-24;
     const std::size_t elements = random.below(5000);
-    const auto cells = choose_tile_cells(grid, unit, elements);
+    const auto cells = engine::choose_tile_cells(grid, unit, elements);
     double total = 1.0;
     double finest = 1.0;
     for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
@@ -59,7 +59,7 @@ TYPED_TEST(TileCellsOf, AreNeitherTooSmallNorTooMany) {
 
 TYPED_TEST(TileCellsOf, VolumeIsThatOfACell) {
   const auto grid = one_tile<TypeParam::value>({8.0, 4.0, 2.0});
-  const auto cells = choose_tile_cells(grid, 0.125, 100000);
+  const auto cells = engine::choose_tile_cells(grid, 0.125, 100000);
   EXPECT_FALSE(cells.coarse);
   EXPECT_EQ(cells.count[0], 8);
   EXPECT_EQ(cells.count[1], 4);
@@ -67,4 +67,4 @@ TYPED_TEST(TileCellsOf, VolumeIsThatOfACell) {
 }
 
 }  // namespace
-}  // namespace abut::engine
+}  // namespace abut::testing

@@ -10,14 +10,14 @@
 #include <cstdint>
 #include <vector>
 
-namespace abut::engine {
+namespace abut::testing {
 namespace {
 
 template <class Dimension>
 class TileGridOf : public ::testing::Test {
  protected:
   static constexpr int dim = Dimension::value;
-  using Grid = TileGrid<dim>;
+  using Grid = engine::TileGrid<dim>;
 
   /// Tile along each axis, counted from 0 in the box.
   static std::array<std::int32_t, dim> along_axes(const Grid& grid, std::uint32_t tile) {
@@ -52,7 +52,8 @@ TYPED_TEST(TileGridOf, NoTileIsNarrowerThanAskedForAndNoMoreThanAskedFor) {
     const double cell = std::ldexp(random.uniform(0.5, 1.0), -static_cast<int>(random.below(6)));
     const double least = random.uniform(1.0, 20.0);
     const double most = std::ldexp(1.0, static_cast<int>(random.below(20)));
-    const auto grid = TileGrid<TypeParam::value>::over(this->box({}, upper), cell, least, most);
+    const auto grid =
+        engine::TileGrid<TypeParam::value>::over(this->box({}, upper), cell, least, most);
     EXPECT_LE(grid.tiles_in_box(), most);
     std::size_t framed = 1;
     for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
@@ -71,11 +72,11 @@ TYPED_TEST(TileGridOf, NoTileIsNarrowerThanAskedForAndNoMoreThanAskedFor) {
 /// A larger position is never in an earlier tile; the ends of the box are in the first and last.
 TYPED_TEST(TileGridOf, PlacesAreMonotone) {
   const double upper = 1000.0 / 3.0;
-  const auto grid = TileGrid<TypeParam::value>::over(
+  const auto grid = engine::TileGrid<TypeParam::value>::over(
       this->box({-7.3, -7.3, -7.3}, {upper, upper, upper}), 1.0, 18.0, 1e6);
   for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
     ASSERT_GT(grid.count[axis], 10);
-    base::Sphere<TypeParam::value> sphere{};
+    exact::Sphere<TypeParam::value> sphere{};
     std::int32_t last = 0;
     for (std::int32_t face = 0; face <= grid.count[axis]; ++face) {
       double x = std::max(-7.3, std::min(upper, grid.lower[axis] + face * grid.size[axis]));
@@ -102,7 +103,8 @@ TYPED_TEST(TileGridOf, PlacesAreMonotone) {
 /// none.
 TYPED_TEST(TileGridOf, NearIsWithinACell) {
   Random random(2);
-  const auto grid = TileGrid<TypeParam::value>::over(this->box({}, {90, 90, 90}), 1.0, 18.0, 1e6);
+  const auto grid =
+      engine::TileGrid<TypeParam::value>::over(this->box({}, {90, 90, 90}), 1.0, 18.0, 1e6);
   for (int k = 0; k < 20000; ++k) {
     const auto sphere = random_spheres<TypeParam::value>(random, 1, {90, 90, 90})[0];
     const auto [tile, near_faces] = grid.place(sphere);
@@ -120,12 +122,13 @@ TYPED_TEST(TileGridOf, NearIsWithinACell) {
 TYPED_TEST(TileGridOf, FlatAndPointLikeBoxes) {
   for (const std::array<double, 3>& upper :
        {std::array{0.0, 0.0, 0.0}, std::array{100.0, 0.0, 0.0}, std::array{0.0, 100.0, 0.0}}) {
-    const auto grid = TileGrid<TypeParam::value>::over(this->box({}, upper), 1.0, 18.0, 64.0);
+    const auto grid =
+        engine::TileGrid<TypeParam::value>::over(this->box({}, upper), 1.0, 18.0, 64.0);
     for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
       EXPECT_EQ(grid.count[axis], upper[axis] == 0.0 ? 1 : 5);
       EXPECT_GT(grid.size[axis], 0.0);
       EXPECT_TRUE(std::isfinite(grid.inverse_size[axis]));
-      base::Sphere<TypeParam::value> end{};
+      exact::Sphere<TypeParam::value> end{};
       end.center[axis] = upper[axis];
       EXPECT_EQ(this->along_axes(grid, grid.place(end).tile)[axis], grid.count[axis] - 1);
     }
@@ -133,21 +136,21 @@ TYPED_TEST(TileGridOf, FlatAndPointLikeBoxes) {
 }
 
 /// What lies outside the box is in the frame, near faces towards the box only.
-TYPED_TEST(TileGridOf, ForeignsAreInTheFrame) {
+TYPED_TEST(TileGridOf, HaloElementsAreInTheFrame) {
   Random random(3);
   const auto bounds = this->box({}, {60, 60, 60});
-  const auto grid = TileGrid<TypeParam::value>::over(bounds, 1.0, 18.0, 1e6);
+  const auto grid = engine::TileGrid<TypeParam::value>::over(bounds, 1.0, 18.0, 1e6);
   for (int k = 0; k < 20000; ++k) {
     auto sphere = random_spheres<TypeParam::value>(random, 1, {60, 60, 60})[0];
     const std::size_t axis = random.below(TypeParam::value);
     const bool below = random.below(2) == 0;
     const double beyond = random.uniform(1e-12, 1.0);
     sphere.center[axis] = below ? -beyond : 60.0 + beyond;
-    const auto [tile, near_faces] = grid.place_of_foreign(sphere, bounds);
+    const auto [tile, near_faces] = grid.place_of_halo(sphere, bounds);
     EXPECT_EQ(this->along_axes(grid, tile)[axis], below ? -1 : grid.count[axis]);
     EXPECT_EQ(near_faces >> (2 * axis) & 3u, below ? 2u : 1u);
     sphere.center[axis] = below ? -3.0 : 63.0;
-    EXPECT_EQ(grid.place_of_foreign(sphere, bounds).near_faces >> (2 * axis) & 3u, 0u);
+    EXPECT_EQ(grid.place_of_halo(sphere, bounds).near_faces >> (2 * axis) & 3u, 0u);
   }
 }
 
@@ -156,7 +159,7 @@ TYPED_TEST(TileGridOf, VectorsPlaceTheSame) {
   Random random(4);
   const auto spheres = random_spheres<TypeParam::value>(random, 5003, {90, 70, 50});
   const auto grid =
-      TileGrid<TypeParam::value>::over(bounds_of<TypeParam::value>(spheres), 1.0, 2.0, 1e6);
+      engine::TileGrid<TypeParam::value>::over(bounds_of<TypeParam::value>(spheres), 1.0, 2.0, 1e6);
   for (const Simd level : testing::simd_levels_here()) {
     std::vector<std::uint32_t> places(spheres.size());
     const std::size_t placed = kernels::element_kernels(level).place(
@@ -171,4 +174,4 @@ TYPED_TEST(TileGridOf, VectorsPlaceTheSame) {
 }
 
 }  // namespace
-}  // namespace abut::engine
+}  // namespace abut::testing

@@ -14,33 +14,34 @@
 #include <span>
 #include <vector>
 
-namespace abut::engine {
+namespace abut::testing {
 namespace {
 
 template <class Dimension>
 class TilesOf : public ::testing::Test {
  protected:
   static constexpr int dim = Dimension::value;
-  static constexpr std::size_t natives = 6000;
-  static constexpr std::size_t foreigns = 500;
-  static constexpr std::size_t visitors = 60;
+  static constexpr std::size_t locals = 6000;
+  static constexpr std::size_t halo = 500;
+  static constexpr std::size_t coarse_elements = 60;
 
-  /// Natives in the box, foreigns less than a cell outside it, visitors of any size anywhere.
+  /// Locals in the box, halo elements less than a cell outside it, coarse elements of any size
+  /// anywhere.
   TilesOf() {
     Random random(6);
     const std::array<double, 3> extent{60, 50, 40};
-    spheres = random_spheres<dim>(random, natives, extent);
-    group.bounds = bounds_of<dim>(spheres);
-    group.bounds.largest_radius = 0.5;
-    for (std::size_t k = 0; k < foreigns; ++k) {
+    spheres = random_spheres<dim>(random, locals, extent);
+    set.bounds = bounds_of<dim>(spheres);
+    set.bounds.largest_radius = 0.5;
+    for (std::size_t k = 0; k < halo; ++k) {
       auto sphere = random_spheres<dim>(random, 1, extent)[0];
       const std::size_t axis = random.below(dim);
       const double beyond = random.uniform(1e-9, cell);
-      sphere.center[axis] = random.below(2) == 0 ? group.bounds.lower[axis] - beyond
-                                                 : group.bounds.upper[axis] + beyond;
+      sphere.center[axis] =
+          random.below(2) == 0 ? set.bounds.lower[axis] - beyond : set.bounds.upper[axis] + beyond;
       spheres.push_back(sphere);
     }
-    for (std::size_t k = 0; k < visitors; ++k) {
+    for (std::size_t k = 0; k < coarse_elements; ++k) {
       auto sphere = random_spheres<dim>(random, 1, {100, 100, 100})[0];
       sphere.radius = std::ldexp(1.0, static_cast<int>(random.below(12)) - 4);
       sphere.center[random.below(dim)] -= 1.5 * sphere.radius * random.uniform();
@@ -48,41 +49,41 @@ class TilesOf : public ::testing::Test {
     }
     numbers.resize(spheres.size());
     std::iota(numbers.begin(), numbers.end(), 0U);
-    group.natives = Numbers(natives);
-    group.foreigns = Numbers(numbers.data() + natives, foreigns);
-    group.visitors = Numbers(numbers.data() + natives + foreigns, visitors);
-    grid = TileGrid<dim>::over(group.bounds, cell, 6.0, 1e6);
+    set.locals = engine::Numbers(locals);
+    set.halo = engine::Numbers(numbers.data() + locals, halo);
+    set.coarse_elements = engine::Numbers(numbers.data() + locals + halo, coarse_elements);
+    grid = engine::TileGrid<dim>::over(set.bounds, cell, 6.0, 1e6);
   }
 
   abut::testing::NobodyAsked nobody;
 
-  void partition(Tiles<dim>& tiles, std::size_t workers, Simd level = Simd::scalar) {
-    tiles.partition({spheres, {}}, group, grid, margin, kernels::element_kernels(level), workers,
+  void partition(engine::Tiles<dim>& tiles, std::size_t workers, Simd level = Simd::scalar) {
+    tiles.partition({spheres, {}}, set, grid, margin, kernels::element_kernels(level), workers,
                     nobody.work);
   }
 
   /// Own elements and copies of a tile by the rule, element by element.
   std::vector<std::uint32_t> expected_of(std::size_t tile, bool own) {
-    const TileNeighbors<dim> neighbors(grid);
+    const engine::TileNeighbors<dim> neighbors(grid);
     std::vector<std::uint32_t> result;
     const auto reaches = [&](std::size_t from, auto steps) {
       return std::any_of(steps.begin(), steps.end(),
                          [&](auto k) { return neighbors.from(from, k) == tile; });
     };
-    for (std::uint32_t k = 0; k < natives + foreigns; ++k) {
-      const bool native = k < natives;
+    for (std::uint32_t k = 0; k < locals + halo; ++k) {
+      const bool local = k < locals;
       const auto place =
-          native ? grid.place(spheres[k]) : grid.place_of_foreign(spheres[k], group.bounds);
-      const bool is_own = native && place.tile == tile;
-      const bool is_copy = native ? group.wanted == Wanted::all_pairs &&
-                                        reaches(place.tile, neighbors.of_native(place.near_faces))
-                                  : reaches(place.tile, neighbors.of_foreign(place.near_faces));
+          local ? grid.place(spheres[k]) : grid.place_of_halo(spheres[k], set.bounds);
+      const bool is_own = local && place.tile == tile;
+      const bool is_copy = local ? set.wanted == engine::Wanted::all_pairs &&
+                                       reaches(place.tile, neighbors.of_local(place.near_faces))
+                                 : reaches(place.tile, neighbors.of_halo(place.near_faces));
       if (own ? is_own : is_copy) result.push_back(k);
     }
     return result;
   }
 
-  static std::vector<std::uint32_t> numbers_of(std::span<const Record<dim>> records) {
+  static std::vector<std::uint32_t> numbers_of(std::span<const engine::Record<dim>> records) {
     std::vector<std::uint32_t> result;
     for (const auto& record : records) result.push_back(record.number);
     std::sort(result.begin(), result.end());
@@ -93,17 +94,17 @@ class TilesOf : public ::testing::Test {
   static constexpr double margin = 0.05;
   Spheres<dim> spheres;
   std::vector<std::uint32_t> numbers;
-  Group<dim> group;
-  TileGrid<dim> grid;
+  engine::SearchSet<dim> set;
+  engine::TileGrid<dim> grid;
   base::MemoryMeter memory;
 };
 
 TYPED_TEST_SUITE(TilesOf, Dimensions);
 
 TYPED_TEST(TilesOf, OwnElementsAndCopiesFollowTheRule) {
-  for (const Wanted wanted : {Wanted::all_pairs, Wanted::pairs_of_visitors}) {
-    this->group.wanted = wanted;
-    Tiles<TypeParam::value> tiles(this->memory);
+  for (const engine::Wanted wanted : {engine::Wanted::all_pairs, engine::Wanted::pairs_of_coarse}) {
+    this->set.wanted = wanted;
+    engine::Tiles<TypeParam::value> tiles(this->memory);
     this->partition(tiles, 3);
     std::size_t own = 0;
     std::size_t copies = 0;
@@ -119,13 +120,13 @@ TYPED_TEST(TilesOf, OwnElementsAndCopiesFollowTheRule) {
       copies += records.size() - own_here;
       ASSERT_EQ(this->numbers_of(records.subspan(own_here)), this->expected_of(tile, false));
     }
-    EXPECT_EQ(own, this->natives);
+    EXPECT_EQ(own, this->locals);
     EXPECT_GT(copies, 100U);
   }
 }
 
 TYPED_TEST(TilesOf, RecordsAreTheElementsInSinglePrecision) {
-  Tiles<TypeParam::value> tiles(this->memory);
+  engine::Tiles<TypeParam::value> tiles(this->memory);
   this->partition(tiles, 1);
   const double unit = tiles.unit();
   int exponent = 0;
@@ -150,8 +151,8 @@ TYPED_TEST(TilesOf, RecordsAreTheElementsInSinglePrecision) {
 }
 
 TYPED_TEST(TilesOf, EqualRadiiNeedNoColumn) {
-  this->group.bounds.smallest_radius = this->group.bounds.largest_radius;
-  Tiles<TypeParam::value> tiles(this->memory);
+  this->set.bounds.smallest_radius = this->set.bounds.largest_radius;
+  engine::Tiles<TypeParam::value> tiles(this->memory);
   this->partition(tiles, 1);
   for (std::size_t tile = 0; tile < this->grid.tile_count; ++tile) {
     EXPECT_TRUE(tiles.sizes(tile).empty());
@@ -159,11 +160,11 @@ TYPED_TEST(TilesOf, EqualRadiiNeedNoColumn) {
 }
 
 TYPED_TEST(TilesOf, LayoutDoesNotDependOnWorkersAndVectors) {
-  Tiles<TypeParam::value> first(this->memory);
+  engine::Tiles<TypeParam::value> first(this->memory);
   this->partition(first, 1);
   for (const Simd level : testing::simd_levels_here()) {
     for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
-      Tiles<TypeParam::value> other(this->memory);
+      engine::Tiles<TypeParam::value> other(this->memory);
       this->partition(other, workers, level);
       for (std::size_t tile = 0; tile < this->grid.tile_count; ++tile) {
         const auto a = first.records(tile);
@@ -172,34 +173,34 @@ TYPED_TEST(TilesOf, LayoutDoesNotDependOnWorkersAndVectors) {
         ASSERT_EQ(first.own_count(tile), other.own_count(tile));
         ASSERT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
         ASSERT_TRUE(std::ranges::equal(first.sizes(tile), other.sizes(tile)));
-        ASSERT_TRUE(std::ranges::equal(first.visitors(tile), other.visitors(tile)));
+        ASSERT_TRUE(std::ranges::equal(first.coarse_elements(tile), other.coarse_elements(tile)));
       }
     }
   }
 }
 
-/// Every tile that has an own element within reach of a visitor lists it; each once.
-TYPED_TEST(TilesOf, VisitorsAreListedWhereTheyReach) {
-  Tiles<TypeParam::value> tiles(this->memory);
+/// Every tile that has an own element within reach of a coarse element lists it; each once.
+TYPED_TEST(TilesOf, CoarseElementsAreListedWhereTheyReach) {
+  engine::Tiles<TypeParam::value> tiles(this->memory);
   this->partition(tiles, 2);
   std::size_t listed = 0;
   std::size_t needed = 0;
   for (std::size_t tile = 0; tile < this->grid.tile_count; ++tile) {
-    const auto listed_here = tiles.visitors(tile);
+    const auto listed_here = tiles.coarse_elements(tile);
     std::vector<std::uint32_t> sorted(listed_here.begin(), listed_here.end());
     std::sort(sorted.begin(), sorted.end());
     ASSERT_EQ(std::adjacent_find(sorted.begin(), sorted.end()), sorted.end());
     listed += sorted.size();
-    for (std::size_t v = 0; v < this->group.visitors.size(); ++v) {
-      const std::uint32_t visitor = this->group.visitors[v];
+    for (std::size_t v = 0; v < this->set.coarse_elements.size(); ++v) {
+      const std::uint32_t coarse = this->set.coarse_elements[v];
       const auto own = tiles.records(tile).first(tiles.own_count(tile));
       const bool reaches = std::any_of(own.begin(), own.end(), [&](const auto& record) {
-        return base::within_reach_exactly(this->spheres[visitor], this->spheres[record.number],
-                                          this->margin);
+        return exact::within_reach_exactly(this->spheres[coarse], this->spheres[record.number],
+                                           this->margin);
       });
       if (!reaches) continue;
       ++needed;
-      EXPECT_TRUE(std::binary_search(sorted.begin(), sorted.end(), visitor));
+      EXPECT_TRUE(std::binary_search(sorted.begin(), sorted.end(), coarse));
     }
   }
   EXPECT_GT(needed, 100U);
@@ -207,4 +208,4 @@ TYPED_TEST(TilesOf, VisitorsAreListedWhereTheyReach) {
 }
 
 }  // namespace
-}  // namespace abut::engine
+}  // namespace abut::testing

@@ -14,25 +14,25 @@
 #include <limits>
 #include <optional>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using base::Box;
-using base::BoxSides;
-using base::Sphere;
+using exact::Box;
+using exact::BoxSides;
+using exact::Sphere;
 
 /// The box is moved by the shift of a lattice.
 template <int Dim>
 std::optional<BoxSides<Dim>> sides_by_rationals(const Sphere<Dim>& sphere, const Box<Dim>& box,
                                                 double margin, const ImageShift& shift = {},
-                                                const base::Lattice& lattice = {}) {
+                                                const exact::Lattice& lattice = {}) {
   mpq_class squared = 0;
   BoxSides<Dim> sides{};
   for (int axis = 0; axis < Dim; ++axis) {
     mpq_class x = sphere.center[axis];
     for (std::size_t k = 0; k < Dim; ++k) {
       if (!lattice.periodic[k]) continue;
-      x -= base::numbers(shift)[k] * mpq_class(lattice.vectors[k][static_cast<std::size_t>(axis)]);
+      x -= exact::numbers(shift)[k] * mpq_class(lattice.vectors[k][static_cast<std::size_t>(axis)]);
     }
     const mpq_class below = mpq_class(box.lower[axis]) - x;
     const mpq_class above = x - mpq_class(box.upper[axis]);
@@ -65,7 +65,7 @@ int compare(int cases, Draw&& draw) {
     const double margin = k % 2 == 0 ? 0.0 : std::fabs(draw());
     std::uint64_t exact_decisions = 0;
     const auto expected = sides_by_rationals(sphere, box, margin);
-    EXPECT_EQ(base::sides_within_reach(sphere, box, margin, exact_decisions), expected);
+    EXPECT_EQ(exact::sides_within_reach(sphere, box, margin, exact_decisions), expected);
     within += expected ? 1 : 0;
   }
   return within;
@@ -89,7 +89,7 @@ TEST(BoxFeature, ExactTiesTouch) {
   const Box<3> box{{-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}};
   std::uint64_t count = 0;
   const auto sides = [&](const Sphere<3>& sphere) {
-    return base::sides_within_reach(sphere, box, 0.0, count);
+    return exact::sides_within_reach(sphere, box, 0.0, count);
   };
   using Sides = BoxSides<3>;
   EXPECT_EQ(sides({{3.0, 5.0, 9.0}, 7.0}), (Sides{1, 1, 1}));
@@ -118,7 +118,7 @@ int compare_moved(const PeriodicPair<Dim>& pair, std::uint64_t& exact_decisions,
   const double margin = pair.spheres.margin;
   const auto expected = sides_by_rationals(sphere, box, margin, pair.shift, pair.lattice);
   EXPECT_EQ(
-      base::sides_within_reach(sphere, box, pair.shift, pair.lattice, margin, exact_decisions),
+      exact::sides_within_reach(sphere, box, pair.shift, pair.lattice, margin, exact_decisions),
       expected)
       << pair;
   return expected ? 1 : 0;
@@ -157,8 +157,8 @@ TEST(BoxFeature, OfBoxesThatALatticeMoves) {
 /// Moved back, the center lies on a bound, in the corner of the box, or between.
 TEST(BoxFeature, MovedCentersOnBounds) {
   Random random(44);
-  const base::Lattice lattice{{{{3.0, 0.5, 0.0}, {-1.0, 4.0, 0.25}, {0.0, 0.0, 2.5}}},
-                              {true, true, true}};
+  const exact::Lattice lattice{{{{3.0, 0.5, 0.0}, {-1.0, 4.0, 0.25}, {0.0, 0.0, 2.5}}},
+                               {true, true, true}};
   std::uint64_t exact_decisions = 0;
   for (int k = 0; k < 20000; ++k) {
     const ImageShift shift{random_number_of_cells(random, 1 + k % 20),
@@ -171,14 +171,14 @@ TEST(BoxFeature, MovedCentersOnBounds) {
       box.upper[axis] = box.lower[axis] + static_cast<double>(random() % 3);
       sphere.center[axis] = static_cast<double>(random() % 10) * 0.5;
       for (std::size_t n = 0; n < 3; ++n) {
-        sphere.center[axis] += base::numbers(shift)[n] * lattice.vectors[n][axis];
+        sphere.center[axis] += exact::numbers(shift)[n] * lattice.vectors[n][axis];
       }
     }
-    EXPECT_EQ(base::sides_within_reach(sphere, box, shift, lattice, 0.0, exact_decisions),
+    EXPECT_EQ(exact::sides_within_reach(sphere, box, shift, lattice, 0.0, exact_decisions),
               sides_by_rationals(sphere, box, 0.0, shift, lattice));
   }
   EXPECT_GT(exact_decisions, 5000U);
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

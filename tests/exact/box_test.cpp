@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace abut::base {
+namespace abut::testing {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
@@ -24,7 +24,7 @@ bool at_most_by_rationals(double a, double b, double margin) {
 
 bool at_most_here(double a, double b, double margin) {
   std::uint64_t exact_decisions = 0;
-  return at_most(a, b, margin, exact_decisions);
+  return exact::at_most(a, b, margin, exact_decisions);
 }
 
 TEST(BoxPredicate, EndsThatBreakRounding) {
@@ -46,12 +46,12 @@ TEST(BoxPredicate, EndsThatBreakRounding) {
 
 /// However many axes tie, it is one decision: Statistics counts pairs.
 TEST(BoxPredicate, CountsAPairOnce) {
-  const Box<3> box{{0, 0, 0}, {1, 1, 1}};
-  const Box<3> other{{2, 2, 2}, {3, 3, 3}};
+  const exact::Box<3> box{{0, 0, 0}, {1, 1, 1}};
+  const exact::Box<3> other{{2, 2, 2}, {3, 3, 3}};
   std::uint64_t exact_decisions = 0;
-  EXPECT_TRUE(within_reach(box, other, 1.0, exact_decisions));
+  EXPECT_TRUE(exact::within_reach(box, other, 1.0, exact_decisions));
   EXPECT_EQ(exact_decisions, 1U);
-  EXPECT_FALSE(within_reach(box, other, 0.5, exact_decisions));
+  EXPECT_FALSE(exact::within_reach(box, other, 0.5, exact_decisions));
   EXPECT_EQ(exact_decisions, 1U);
 }
 
@@ -68,7 +68,7 @@ TEST(BoxPredicate, MarginsBesideTheDifference) {
          {difference, std::nextafter(difference, 0.0), std::nextafter(difference, largest)}) {
       const bool expected = at_most_by_rationals(a, b, margin);
       within += expected ? 1 : 0;
-      ASSERT_EQ(at_most(a, b, margin, exact_decisions), expected)
+      ASSERT_EQ(exact::at_most(a, b, margin, exact_decisions), expected)
           << a << " <= " << b << " + " << margin;
     }
   }
@@ -80,7 +80,7 @@ TEST(BoxPredicate, MarginsBesideTheDifference) {
 TEST(BoxGap, IsTheLargestSeparationRoundedOnce) {
   scenes::Random random(92);
   for (int k = 0; k < 20000; ++k) {
-    Box<3> box[2];
+    exact::Box<3> box[2];
     for (auto& b : box) {
       for (int axis = 0; axis < 3; ++axis) {
         const double end[2] = {static_cast<double>(random.below(8)) / 10.0, random.uniform()};
@@ -96,27 +96,27 @@ TEST(BoxGap, IsTheLargestSeparationRoundedOnce) {
         if (here > separation) separation = here;
       }
     }
-    const double result = gap(box[0], box[1]);
-    ASSERT_EQ(result, gap(box[1], box[0]));
+    const double result = exact::gap(box[0], box[1]);
+    ASSERT_EQ(result, exact::gap(box[1], box[0]));
     std::uint64_t exact_decisions = 0;
-    ASSERT_EQ(result <= 0.0, within_reach(box[0], box[1], 0.0, exact_decisions));
+    ASSERT_EQ(result <= 0.0, exact::within_reach(box[0], box[1], 0.0, exact_decisions));
     const mpq_class error = abs(mpq_class(result) - separation);
     ASSERT_LE(error, abs(separation) * mpq_class(0x1p-53));
   }
 }
 
 TEST(BoxGap, StaysFiniteAndPositiveZero) {
-  const Box<2> left{{-largest, 0.0}, {-largest, 1.0}};
-  const Box<2> right{{largest, 0.0}, {largest, 1.0}};
-  EXPECT_EQ(gap(left, right), largest);
-  const Box<2> all{{-largest, -largest}, {largest, largest}};
-  EXPECT_EQ(gap(all, all), -largest);
-  const Box<2> unit{{-1.0, 0.0}, {-0.0, 1.0}};
-  const Box<2> next{{0.0, 0.0}, {1.0, 1.0}};
-  EXPECT_EQ(gap(unit, next), 0.0);
-  EXPECT_FALSE(std::signbit(gap(unit, next)));
-  EXPECT_FALSE(std::signbit(gap(next, unit)));
+  const exact::Box<2> left{{-largest, 0.0}, {-largest, 1.0}};
+  const exact::Box<2> right{{largest, 0.0}, {largest, 1.0}};
+  EXPECT_EQ(exact::gap(left, right), largest);
+  const exact::Box<2> all{{-largest, -largest}, {largest, largest}};
+  EXPECT_EQ(exact::gap(all, all), -largest);
+  const exact::Box<2> unit{{-1.0, 0.0}, {-0.0, 1.0}};
+  const exact::Box<2> next{{0.0, 0.0}, {1.0, 1.0}};
+  EXPECT_EQ(exact::gap(unit, next), 0.0);
+  EXPECT_FALSE(std::signbit(exact::gap(unit, next)));
+  EXPECT_FALSE(std::signbit(exact::gap(next, unit)));
 }
 
 }  // namespace
-}  // namespace abut::base
+}  // namespace abut::testing

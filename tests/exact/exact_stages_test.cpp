@@ -14,13 +14,13 @@
 #include <limits>
 #include <optional>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using base::decide_accumulated;
-using base::decide_doubled;
-using base::decide_if_nothing_rounded;
-using base::decide_scaled;
+using exact::decide_accumulated;
+using exact::decide_if_nothing_rounded;
+using exact::decide_in_double_double;
+using exact::decide_scaled;
 
 struct Decided {
   int by_first = 0;
@@ -35,7 +35,7 @@ void enter_each_stage(const HardPair<Dim>& pair, Decided& decided) {
   const auto first = decide_if_nothing_rounded(pair.a, pair.b, pair.margin);
   const auto second = decide_scaled(pair.a, pair.b, pair.margin);
   ASSERT_EQ(first.value_or(expected), expected) << "nothing rounded: " << pair;
-  ASSERT_EQ(decide_doubled(pair.a, pair.b, pair.margin).value_or(expected), expected)
+  ASSERT_EQ(decide_in_double_double(pair.a, pair.b, pair.margin).value_or(expected), expected)
       << "doubled precision: " << pair;
   ASSERT_EQ(second.value_or(expected), expected) << "scaled integers: " << pair;
   ASSERT_EQ(decide_accumulated(pair.a, pair.b, pair.margin), expected) << "accumulator: " << pair;
@@ -55,7 +55,7 @@ void expect_near_ties_decided_by_doubled_precision(double margin) {
     pair.margin += margin * pair.a.radius;
     pair.b.radius -= std::min(pair.b.radius, margin * pair.a.radius);
     const bool expected = within_reach_by_rationals(pair.a, pair.b, pair.margin);
-    const auto found = decide_doubled(pair.a, pair.b, pair.margin);
+    const auto found = decide_in_double_double(pair.a, pair.b, pair.margin);
     ASSERT_EQ(found.value_or(expected), expected) << pair;
     decided += found.has_value() ? 1 : 0;
   }
@@ -68,7 +68,7 @@ double rounded_to(double value, int bits) {
 }
 
 template <class Dimension>
-class ExactStages : public testing::Test {};
+class ExactStages : public ::testing::Test {};
 
 TYPED_TEST_SUITE(ExactStages, Dimensions);
 
@@ -138,7 +138,7 @@ TYPED_TEST(ExactStages, TheFirstIsRightWhereNumbersAreAboutAsLongAsItTakes) {
   for (int k = 0; k < 20000; ++k) {
     auto pair = borderline_pair<TypeParam::value>(random, 0);
     const int bits = 20 + k % 12;
-    for (base::Sphere<TypeParam::value>* sphere : {&pair.a, &pair.b}) {
+    for (exact::Sphere<TypeParam::value>* sphere : {&pair.a, &pair.b}) {
       for (double& x : sphere->center) x = rounded_to(x, bits);
       sphere->radius = rounded_to(sphere->radius, bits);
     }
@@ -160,7 +160,7 @@ TYPED_TEST(ExactStages, TheFirstAcceptsCoordinatesThatAreZero) {
 }
 
 TEST(ExactStagesCases, TheFirstRefusesWhatRounds) {
-  const auto refused = [](const base::Sphere<2>& a, const base::Sphere<2>& b, double margin) {
+  const auto refused = [](const exact::Sphere<2>& a, const exact::Sphere<2>& b, double margin) {
     return !decide_if_nothing_rounded(a, b, margin).has_value();
   };
   EXPECT_FALSE(refused({{3, 4}, 2}, {{0, 0}, 3}, 0));
@@ -187,11 +187,11 @@ TEST(ExactStagesCases, TheSecondTakes61BitsAndNotMore) {
   EXPECT_TRUE(taken(0.0, 0.0));
   // The largest numbers that fit, everywhere at once.
   const double most = 0x1.fffffffffffffp60;
-  const base::Sphere<3> a{{most, most, most}, most};
-  const base::Sphere<3> b{{-most, -most, -most}, most};
+  const exact::Sphere<3> a{{most, most, most}, most};
+  const exact::Sphere<3> b{{-most, -most, -most}, most};
   EXPECT_EQ(decide_scaled(a, b, most), std::optional(within_reach_by_rationals(a, b, most)));
   EXPECT_EQ(decide_scaled(a, b, 0x1p8), std::optional(within_reach_by_rationals(a, b, 0x1p8)));
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

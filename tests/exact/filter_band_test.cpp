@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 constexpr double u = 0x1p-53;
@@ -65,7 +65,7 @@ HardPair<Dim> climb(HardPair<Dim> pair, double sign, Random& random, int steps) 
   double best = sign * error_of_square(pair);
   for (int step = 0; step < steps; ++step) {
     auto changed = pair;
-    base::Sphere<Dim>& sphere = random() % 2 == 0 ? changed.a : changed.b;
+    exact::Sphere<Dim>& sphere = random() % 2 == 0 ? changed.a : changed.b;
     double& x = sphere.center[random() % Dim];
     x *= 1.0 + uniform(random, -1.0, 1.0) * std::ldexp(1.0, -static_cast<int>(random() % 40));
     const double error = sign * error_of_square(changed);
@@ -77,7 +77,7 @@ HardPair<Dim> climb(HardPair<Dim> pair, double sign, Random& random, int steps) 
 }
 
 template <class Dimension>
-class FilterBand : public testing::Test {};
+class FilterBand : public ::testing::Test {};
 
 TYPED_TEST_SUITE(FilterBand, Dimensions);
 
@@ -90,10 +90,10 @@ TYPED_TEST(FilterBand, IsNeverWrongNearTheReach) {
   for (int k = 0; k < pairs; ++k) {
     const auto pair = borderline_pair<dim>(random, 24);
     const std::uint64_t before = undecided;
-    const bool decided = base::within_reach(pair.a, pair.b, pair.margin, undecided);
+    const bool decided = exact::within_reach(pair.a, pair.b, pair.margin, undecided);
     within += decided ? 1 : 0;
-    ASSERT_EQ(decided, base::decide_accumulated(pair.a, pair.b, pair.margin)) << pair;
-    ASSERT_EQ(undecided > before, !filter(pair, base::band).has_value())
+    ASSERT_EQ(decided, exact::decide_accumulated(pair.a, pair.b, pair.margin)) << pair;
+    ASSERT_EQ(undecided > before, !filter(pair, exact::band).has_value())
         << "this test's copy of the filter is not the library's: " << pair;
   }
   // Reaches up to 24 units in the last place off leave both kinds in plenty.
@@ -127,8 +127,8 @@ TYPED_TEST(FilterBand, HoldsWhereTheSquaresAreWorst) {
     const double distance = std::sqrt(computed_distance_squared(pair));
     for (int k = 0; k < 10000; ++k) {
       share_out(pair, moved_by_ulps(distance, static_cast<int>(random() % 41) - 20), random);
-      const bool exact = base::decide_accumulated(pair.a, pair.b, pair.margin);
-      const auto decided = filter(pair, base::band);
+      const bool exact = exact::decide_accumulated(pair.a, pair.b, pair.margin);
+      const auto decided = filter(pair, exact::band);
       ASSERT_EQ(decided.value_or(exact), exact) << pair;
       const auto narrow = filter(pair, 4 * u);
       wrong_with_narrow_band += narrow.value_or(exact) != exact ? 1 : 0;
@@ -150,7 +150,7 @@ TYPED_TEST(FilterBand, DecidesWhatIsClear) {
     if (std::fabs(off) < 32.0) continue;
     ++clear;
     std::uint64_t undecided = 0;
-    static_cast<void>(base::within_reach(pair.a, pair.b, pair.margin, undecided));
+    static_cast<void>(exact::within_reach(pair.a, pair.b, pair.margin, undecided));
     ASSERT_EQ(undecided, 0u) << off << " u off: " << pair;
   }
   EXPECT_GT(clear, 10000u);
@@ -164,10 +164,10 @@ TYPED_TEST(FilterBand, AbstainsOutsideItsRange) {
        {std::pair{0x1p-480, 0u}, {0x1.fffffffffffffp-481, 1u}, {0x1p500, 0u}, {0x1.001p500, 1u}}) {
     pair.a.radius = radius;
     std::uint64_t undecided = 0;
-    EXPECT_TRUE(base::within_reach(pair.a, pair.b, 0.0, undecided));
+    EXPECT_TRUE(exact::within_reach(pair.a, pair.b, 0.0, undecided));
     EXPECT_EQ(undecided, expected) << radius;
   }
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -10,14 +10,14 @@
 #include <random>
 
 /// Pairs of spheres that are hard to decide.
-namespace abut::test {
+namespace abut::testing {
 
 using Random = std::mt19937_64;
 
 template <int Dim>
 struct HardPair {
-  base::Sphere<Dim> a;
-  base::Sphere<Dim> b;
+  exact::Sphere<Dim> a;
+  exact::Sphere<Dim> b;
   double margin;
 
   friend std::ostream& operator<<(std::ostream& out, const HardPair& pair) {
@@ -47,7 +47,7 @@ struct HardPair {
 
 template <int Dim>
 void scale(HardPair<Dim>& pair, int exponent) {
-  for (base::Sphere<Dim>* sphere : {&pair.a, &pair.b}) {
+  for (exact::Sphere<Dim>* sphere : {&pair.a, &pair.b}) {
     for (double& x : sphere->center) x = std::ldexp(x, exponent);
     sphere->radius = std::ldexp(sphere->radius, exponent);
   }
@@ -58,7 +58,7 @@ void scale(HardPair<Dim>& pair, int exponent) {
 template <int Dim>
 [[nodiscard]] HardPair<Dim> ordinary_pair(Random& random) {
   HardPair<Dim> pair{};
-  for (base::Sphere<Dim>* sphere : {&pair.a, &pair.b}) {
+  for (exact::Sphere<Dim>* sphere : {&pair.a, &pair.b}) {
     for (double& x : sphere->center) x = uniform(random, -1.0, 1.0);
     sphere->radius = uniform(random, 0.0, 1.0);
   }
@@ -151,7 +151,7 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] HardPair<Dim> extreme_pair(Random& random) {
   HardPair<Dim> pair{};
-  for (base::Sphere<Dim>* sphere : {&pair.a, &pair.b}) {
+  for (exact::Sphere<Dim>* sphere : {&pair.a, &pair.b}) {
     for (double& x : sphere->center) x = extreme_number(random);
     sphere->radius = std::fabs(extreme_number(random));
   }
@@ -159,4 +159,4 @@ template <int Dim>
   return pair;
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

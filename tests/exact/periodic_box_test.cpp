@@ -16,15 +16,15 @@
 #include <random>
 #include <utility>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
 
 template <int Dim>
 struct BoxPair {
-  std::array<base::Box<Dim>, 2> box{};
-  base::Lattice lattice;
+  std::array<exact::Box<Dim>, 2> box{};
+  exact::Lattice lattice;
   ImageShift shift;
   double margin = 0.0;
 
@@ -50,7 +50,7 @@ mpq_class moved_by(const BoxPair<Dim>& pair, std::size_t axis) {
   mpq_class moved = 0;
   for (std::size_t k = 0; k < Dim; ++k) {
     if (!pair.lattice.periodic[k]) continue;
-    moved += base::numbers(pair.shift)[k] * mpq_class(pair.lattice.vectors[k][axis]);
+    moved += exact::numbers(pair.shift)[k] * mpq_class(pair.lattice.vectors[k][axis]);
   }
   return moved;
 }
@@ -85,8 +85,8 @@ struct Count {
 
 template <int Dim>
 bool decide(const BoxPair<Dim>& pair, std::uint64_t& exact_decisions) {
-  return base::within_reach(pair.box[0], pair.box[1], pair.shift, pair.lattice, pair.margin,
-                            exact_decisions);
+  return exact::within_reach(pair.box[0], pair.box[1], pair.shift, pair.lattice, pair.margin,
+                             exact_decisions);
 }
 
 /// Whether `rounded` is the nearest double to `exact`, to even between two; the largest stands for
@@ -107,15 +107,15 @@ void compare(const BoxPair<Dim>& pair, Count& count) {
   std::uint64_t again = 0;
   ASSERT_EQ(decide(pair, count.exact_decisions), expected) << pair;
   ASSERT_EQ(decide(exchanged(pair), again), expected) << "exchanged: " << pair;
-  const base::LatticeSteps<Dim> steps(pair.shift, pair.lattice);
-  ASSERT_EQ(base::within_reach_exactly(pair.box[0], pair.box[1], steps, pair.margin), expected)
+  const exact::LatticeSteps<Dim> steps(pair.shift, pair.lattice);
+  ASSERT_EQ(exact::within_reach_exactly(pair.box[0], pair.box[1], steps, pair.margin), expected)
       << pair;
-  const double computed = base::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice);
+  const double computed = exact::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice);
   ASSERT_TRUE(is_rounded(gap, computed)) << computed << ": " << pair;
   ASSERT_EQ(computed <= 0.0, gap <= 0) << computed << ": " << pair;
   ASSERT_FALSE(computed == 0.0 && std::signbit(computed)) << pair;
   const auto back = exchanged(pair);
-  ASSERT_EQ(computed, base::gap(back.box[0], back.box[1], back.shift, back.lattice)) << pair;
+  ASSERT_EQ(computed, exact::gap(back.box[0], back.box[1], back.shift, back.lattice)) << pair;
   count.within += expected ? 1 : 0;
   ++count.pairs;
 }
@@ -189,7 +189,7 @@ void scale(BoxPair<Dim>& pair, int exponent) {
 }
 
 template <class Dimension>
-class PeriodicBoxes : public testing::Test {};
+class PeriodicBoxes : public ::testing::Test {};
 
 TYPED_TEST_SUITE(PeriodicBoxes, Dimensions);
 
@@ -269,7 +269,7 @@ TYPED_TEST(PeriodicBoxes, ANarrowerBandWouldBeWrong) {
     for (std::size_t axis = 0; axis < dim; ++axis) {
       double moved = 0.0;
       double magnitude = 0.0;
-      for (const auto& step : base::LatticeSteps<dim>(pair.shift, pair.lattice)) {
+      for (const auto& step : exact::LatticeSteps<dim>(pair.shift, pair.lattice)) {
         moved += step.number * step.vector[axis];
         magnitude += std::fabs(step.number * step.vector[axis]);
       }
@@ -280,8 +280,8 @@ TYPED_TEST(PeriodicBoxes, ANarrowerBandWouldBeWrong) {
       const mpq_class exact = mpq_class(a.lower[axis]) - mpq_class(b.upper[axis]) -
                               moved_by(pair, axis) - mpq_class(pair.margin);
       const mpq_class error = abs(mpq_class(computed) - exact);
-      ASSERT_LT(error, mpq_class(base::box_band * magnitude)) << pair;
-      wrong += error > mpq_class(base::box_band / 16 * magnitude) ? 1 : 0;
+      ASSERT_LT(error, mpq_class(exact::box_band * magnitude)) << pair;
+      wrong += error > mpq_class(exact::box_band / 16 * magnitude) ? 1 : 0;
     }
   }
   EXPECT_GT(wrong, 0U);
@@ -300,10 +300,10 @@ TYPED_TEST(PeriodicBoxes, TheLargestShifts) {
     pair.box[1].upper[0] = 0.75 - number;
     std::uint64_t undecided = 0;
     EXPECT_TRUE(decide(pair, undecided)) << pair;
-    EXPECT_EQ(base::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice), 0.0);
+    EXPECT_EQ(exact::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice), 0.0);
     pair.box[0].upper[0] = std::nextafter(0.25, 0.0);
     EXPECT_FALSE(decide(pair, undecided)) << pair;
-    EXPECT_GT(base::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice), 0.0);
+    EXPECT_GT(exact::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice), 0.0);
     EXPECT_EQ(undecided, 2U);
   }
 }
@@ -320,24 +320,24 @@ TYPED_TEST(PeriodicBoxes, VectorsOfOpenAxesMeanNothing) {
   EXPECT_TRUE(decide(pair, undecided));
   pair.shift = {0, 5, 0};
   EXPECT_FALSE(decide(pair, undecided));
-  EXPECT_EQ(base::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice),
-            base::gap(pair.box[0], pair.box[1]));
+  EXPECT_EQ(exact::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice),
+            exact::gap(pair.box[0], pair.box[1]));
 }
 
 TEST(PeriodicBoxGap, PlainNumbersAndTheLargest) {
-  base::Lattice lattice;
+  exact::Lattice lattice;
   lattice.vectors = {{{10, 0, 0}, {0, 20, 0}, {}}};
   lattice.periodic = {true, true, false};
-  const base::Box<2> a{{1, 1}, {2, 2}};
-  const base::Box<2> b{{8, 17}, {9, 18}};
-  EXPECT_EQ(base::gap(a, b, {-1, -1, 0}, lattice), 3.0);
-  EXPECT_EQ(base::gap(a, b, {-1, 0, 0}, lattice), 15.0);
-  EXPECT_EQ(base::gap(a, a, {1, 0, 0}, lattice), 9.0);
+  const exact::Box<2> a{{1, 1}, {2, 2}};
+  const exact::Box<2> b{{8, 17}, {9, 18}};
+  EXPECT_EQ(exact::gap(a, b, {-1, -1, 0}, lattice), 3.0);
+  EXPECT_EQ(exact::gap(a, b, {-1, 0, 0}, lattice), 15.0);
+  EXPECT_EQ(exact::gap(a, a, {1, 0, 0}, lattice), 9.0);
   lattice.vectors[0][0] = largest;
-  EXPECT_EQ(base::gap(a, b, {std::numeric_limits<std::int32_t>::max(), 0, 0}, lattice), largest);
-  const base::Box<2> all{{-largest, -largest}, {largest, largest}};
-  EXPECT_EQ(base::gap(all, all, {0, 1, 0}, lattice), -largest);
+  EXPECT_EQ(exact::gap(a, b, {std::numeric_limits<std::int32_t>::max(), 0, 0}, lattice), largest);
+  const exact::Box<2> all{{-largest, -largest}, {largest, largest}};
+  EXPECT_EQ(exact::gap(all, all, {0, 1, 0}, lattice), -largest);
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -11,14 +11,14 @@
 #include <cstdint>
 #include <limits>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 constexpr double u = 0x1p-53;
 
 template <int Dim>
 double gap_of(const PeriodicPair<Dim>& pair) {
-  return base::gap(pair.spheres.a, pair.spheres.b, pair.shift, pair.lattice);
+  return exact::gap(pair.spheres.a, pair.spheres.b, pair.shift, pair.lattice);
 }
 
 std::uint64_t bits(double value) {
@@ -26,7 +26,7 @@ std::uint64_t bits(double value) {
 }
 
 template <class Dimension>
-class PeriodicGap : public testing::Test {};
+class PeriodicGap : public ::testing::Test {};
 
 TYPED_TEST_SUITE(PeriodicGap, Dimensions);
 
@@ -84,30 +84,30 @@ TYPED_TEST(PeriodicGap, WithoutAShiftIsThatOfOpenSpace) {
                               : extreme_pair<TypeParam::value>(random);
     set_lattice<TypeParam::value>(pair, extreme_number, random);
     pair.lattice.periodic = {true, true, true};
-    ASSERT_EQ(bits(gap_of(pair)), bits(base::gap(pair.spheres.a, pair.spheres.b))) << pair;
+    ASSERT_EQ(bits(gap_of(pair)), bits(exact::gap(pair.spheres.a, pair.spheres.b))) << pair;
   }
 }
 
 TEST(PeriodicGapCases, PlainNumbers) {
-  base::Lattice lattice;
+  exact::Lattice lattice;
   lattice.vectors = {{{10, 0, 0}, {0, 20, 0}, {}}};
   lattice.periodic = {true, true, false};
-  const base::Sphere<2> a{{1, 1}, 1};
-  const base::Sphere<2> b{{8, 17}, 1};
-  EXPECT_EQ(base::gap(a, b, {-1, -1, 0}, lattice), 3.0);
-  EXPECT_EQ(base::gap(a, b, {-1, 0, 0}, lattice), std::sqrt(9.0 + 256.0) - 2.0);
-  EXPECT_EQ(base::gap(a, a, {1, 0, 0}, lattice), 8.0);
+  const exact::Sphere<2> a{{1, 1}, 1};
+  const exact::Sphere<2> b{{8, 17}, 1};
+  EXPECT_EQ(exact::gap(a, b, {-1, -1, 0}, lattice), 3.0);
+  EXPECT_EQ(exact::gap(a, b, {-1, 0, 0}, lattice), std::sqrt(9.0 + 256.0) - 2.0);
+  EXPECT_EQ(exact::gap(a, a, {1, 0, 0}, lattice), 8.0);
 }
 
 TEST(PeriodicGapCases, AGapThatNoDoubleHoldsIsTheLargest) {
   constexpr double huge = std::numeric_limits<double>::max();
-  base::Lattice lattice;
+  exact::Lattice lattice;
   lattice.vectors = {{{huge, 0, 0}, {}, {}}};
   lattice.periodic = {true, false, false};
-  const base::Sphere<2> a{{0, 0}, 0};
-  EXPECT_EQ(base::gap(a, a, {std::numeric_limits<std::int32_t>::max(), 0, 0}, lattice), huge);
-  EXPECT_EQ(base::gap(a, a, {1, 0, 0}, lattice), huge);
+  const exact::Sphere<2> a{{0, 0}, 0};
+  EXPECT_EQ(exact::gap(a, a, {std::numeric_limits<std::int32_t>::max(), 0, 0}, lattice), huge);
+  EXPECT_EQ(exact::gap(a, a, {1, 0, 0}, lattice), huge);
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -16,12 +16,12 @@
 
 /// Pairs of spheres with a lattice between them that are hard to decide, and what rational numbers
 /// say to them.
-namespace abut::test {
+namespace abut::testing {
 
 template <int Dim>
 struct PeriodicPair {
   HardPair<Dim> spheres;
-  base::Lattice lattice;
+  exact::Lattice lattice;
   ImageShift shift;
 
   friend std::ostream& operator<<(std::ostream& out, const PeriodicPair& pair) {
@@ -42,7 +42,7 @@ template <int Dim>
       mpq_class(pair.spheres.a.center[axis]) - mpq_class(pair.spheres.b.center[axis]);
   for (std::size_t k = 0; k < Dim; ++k) {
     if (!pair.lattice.periodic[k]) continue;
-    result -= base::numbers(pair.shift)[k] * mpq_class(pair.lattice.vectors[k][axis]);
+    result -= exact::numbers(pair.shift)[k] * mpq_class(pair.lattice.vectors[k][axis]);
   }
   return result;
 }
@@ -139,7 +139,7 @@ template <int Dim>
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       pair.lattice.vectors[k][axis] = (static_cast<double>(random() % 100) - 50.0) * unit;
       if (!pair.lattice.periodic[k]) continue;
-      pair.spheres.b.center[axis] -= base::numbers(pair.shift)[k] * pair.lattice.vectors[k][axis];
+      pair.spheres.b.center[axis] -= exact::numbers(pair.shift)[k] * pair.lattice.vectors[k][axis];
     }
   }
   return pair;
@@ -163,4 +163,4 @@ void scale(PeriodicPair<Dim>& pair, int exponent) {
   }
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -13,7 +13,7 @@
 #include <limits>
 #include <optional>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 struct Count {
@@ -26,8 +26,8 @@ struct Count {
 
 template <int Dim>
 bool decide(const PeriodicPair<Dim>& pair, std::uint64_t& exact_decisions) {
-  return base::within_reach(pair.spheres.a, pair.spheres.b, pair.shift, pair.lattice,
-                            pair.spheres.margin, exact_decisions);
+  return exact::within_reach(pair.spheres.a, pair.spheres.b, pair.shift, pair.lattice,
+                             pair.spheres.margin, exact_decisions);
 }
 
 /// Stops at the first pair that some stage decides otherwise than the rational numbers.
@@ -38,11 +38,11 @@ void compare(const PeriodicPair<Dim>& pair, Count& count) {
   std::uint64_t again = 0;
   ASSERT_EQ(decide(pair, count.exact_decisions), expected) << pair;
   ASSERT_EQ(decide(exchanged(pair), again), expected) << "exchanged: " << pair;
-  const base::LatticeSteps<Dim> steps(pair.shift, pair.lattice);
-  ASSERT_EQ(base::decide_accumulated(a, b, steps, margin), expected) << pair;
-  const auto with_exact_difference = base::decide_if_difference_is_exact(a, b, steps, margin);
+  const exact::LatticeSteps<Dim> steps(pair.shift, pair.lattice);
+  ASSERT_EQ(exact::decide_accumulated(a, b, steps, margin), expected) << pair;
+  const auto with_exact_difference = exact::decide_if_difference_is_exact(a, b, steps, margin);
   ASSERT_EQ(with_exact_difference.value_or(expected), expected) << pair;
-  const auto doubled = base::decide_doubled(a, b, steps, margin);
+  const auto doubled = exact::decide_in_double_double(a, b, steps, margin);
   ASSERT_EQ(doubled.value_or(expected), expected) << pair;
   count.with_exact_difference += with_exact_difference.has_value() ? 1 : 0;
   count.doubled += doubled.has_value() ? 1 : 0;
@@ -51,7 +51,7 @@ void compare(const PeriodicPair<Dim>& pair, Count& count) {
 }
 
 template <class Dimension>
-class PeriodicPredicate : public testing::Test {};
+class PeriodicPredicate : public ::testing::Test {};
 
 TYPED_TEST_SUITE(PeriodicPredicate, Dimensions);
 
@@ -191,7 +191,7 @@ std::optional<bool> filter(const PeriodicPair<Dim>& pair, double band) {
   for (int axis = 0; axis < Dim; ++axis) {
     double difference = a.center[axis] - b.center[axis];
     magnitude += std::fabs(a.center[axis]) + std::fabs(b.center[axis]);
-    for (const auto& step : base::LatticeSteps<Dim>(pair.shift, pair.lattice)) {
+    for (const auto& step : exact::LatticeSteps<Dim>(pair.shift, pair.lattice)) {
       difference -= step.number * step.vector[axis];
       magnitude += std::fabs(step.number * step.vector[axis]);
     }
@@ -209,18 +209,18 @@ TYPED_TEST(PeriodicPredicate, ANarrowerBandWouldBeWrong) {
   std::uint64_t wrong = 0;
   for (int k = 0; k < 60000; ++k) {
     const auto pair = cancelling_pair<TypeParam::value>(random, 6);
-    const base::LatticeSteps<TypeParam::value> steps(pair.shift, pair.lattice);
+    const exact::LatticeSteps<TypeParam::value> steps(pair.shift, pair.lattice);
     if (steps.empty()) continue;
     const bool exact =
-        base::decide_accumulated(pair.spheres.a, pair.spheres.b, steps, pair.spheres.margin);
+        exact::decide_accumulated(pair.spheres.a, pair.spheres.b, steps, pair.spheres.margin);
     std::uint64_t undecided = 0;
     ASSERT_EQ(decide(pair, undecided), exact) << pair;
-    ASSERT_EQ(undecided == 0, filter(pair, base::absolute_band).has_value())
+    ASSERT_EQ(undecided == 0, filter(pair, exact::absolute_band).has_value())
         << "this test's copy of the filter is not the library's: " << pair;
-    wrong += filter(pair, base::absolute_band / 16).value_or(exact) != exact ? 1 : 0;
+    wrong += filter(pair, exact::absolute_band / 16).value_or(exact) != exact ? 1 : 0;
   }
   EXPECT_GT(wrong, 0u);
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -11,15 +11,15 @@
 #include <fstream>
 #include <optional>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using base::Sphere;
-using base::Triangle;
-using base::TrianglePart;
+using exact::Sphere;
+using exact::Triangle;
+using exact::TrianglePart;
 
 struct Case : TriangleCase {
-  base::Lattice lattice;
+  exact::Lattice lattice;
   ImageShift shift;
 
   friend std::ostream& operator<<(std::ostream& out, const Case& c) {
@@ -39,12 +39,12 @@ void compare(const Case& c, Count& count) {
   const RationalPoint center = moved_back(c.sphere.center, c.shift, c.lattice);
   const auto expected =
       part_within_reach_by_rationals(center, c.sphere.radius, c.triangle, c.margin);
-  ASSERT_EQ(base::part_within_reach(c.sphere, c.triangle, c.shift, c.lattice, c.margin,
-                                    count.exact_decisions),
+  ASSERT_EQ(exact::part_within_reach(c.sphere, c.triangle, c.shift, c.lattice, c.margin,
+                                     count.exact_decisions),
             expected)
       << c;
-  const base::LatticeSteps<3> steps(c.shift, c.lattice);
-  ASSERT_EQ(base::part_within_reach_exactly(c.sphere, c.triangle, steps, c.margin), expected) << c;
+  const exact::LatticeSteps<3> steps(c.shift, c.lattice);
+  ASSERT_EQ(exact::part_within_reach_exactly(c.sphere, c.triangle, steps, c.margin), expected) << c;
   count.note(expected);
 }
 
@@ -188,11 +188,11 @@ TEST(PeriodicTriangle, WithoutAShiftItIsTheQuestionOfOpenSpace) {
     c.shift = {};
     std::uint64_t of_images = 0, of_open = 0;
     EXPECT_EQ(
-        base::part_within_reach(c.sphere, c.triangle, c.shift, c.lattice, c.margin, of_images),
-        base::part_within_reach(c.sphere, c.triangle, c.margin, of_open));
+        exact::part_within_reach(c.sphere, c.triangle, c.shift, c.lattice, c.margin, of_images),
+        exact::part_within_reach(c.sphere, c.triangle, c.margin, of_open));
     EXPECT_EQ(of_images, of_open);
   }
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -11,23 +11,23 @@
 #include <cstdint>
 #include <limits>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 constexpr double u = 0x1p-53;
 
 template <class Dimension>
-class SphereGap : public testing::Test {};
+class SphereGap : public ::testing::Test {};
 
 TYPED_TEST_SUITE(SphereGap, Dimensions);
 
 /// Finite, of the right sign, and the same bits when the two are exchanged.
 template <int Dim>
 void expect_sound(const HardPair<Dim>& pair) {
-  const double gap = base::gap(pair.a, pair.b);
+  const double gap = exact::gap(pair.a, pair.b);
   ASSERT_TRUE(std::isfinite(gap)) << pair;
   ASSERT_EQ(gap <= 0.0, within_reach_by_rationals(pair.a, pair.b, 0.0)) << gap << ": " << pair;
-  const double exchanged = base::gap(pair.b, pair.a);
+  const double exchanged = exact::gap(pair.b, pair.a);
   ASSERT_EQ(std::bit_cast<std::uint64_t>(gap), std::bit_cast<std::uint64_t>(exchanged)) << pair;
 }
 
@@ -49,7 +49,7 @@ double error_of_gap(const HardPair<Dim>& pair) {
   const mpf_class real = real_gap(pair);
   mpf_class reach(0, 400);
   reach = exact_reach(pair.a, pair.b, 0.0);
-  const mpf_class error = (base::gap(pair.a, pair.b) - real) / (real + 2 * reach);
+  const mpf_class error = (exact::gap(pair.a, pair.b) - real) / (real + 2 * reach);
   return std::fabs(error.get_d()) / u;
 }
 
@@ -61,7 +61,7 @@ TYPED_TEST(SphereGap, HasTheSignOfThePredicate) {
     pair.margin = 0.0;
     if (k % 4 == 0) scale(pair, static_cast<int>(random() % 2000) - 1050);
     ASSERT_NO_FATAL_FAILURE(expect_sound(pair));
-    const double gap = base::gap(pair.a, pair.b);
+    const double gap = exact::gap(pair.a, pair.b);
     of_zero_width += gap == 0.0 || gap == std::numeric_limits<double>::denorm_min() ? 1 : 0;
   }
   EXPECT_GT(of_zero_width, 100) << "the sign must have been corrected now and then";
@@ -79,7 +79,7 @@ TYPED_TEST(SphereGap, ExactTiesHaveNoGap) {
   Random random(43);
   for (int k = 0; k < 2000; ++k) {
     const auto tie = exact_tie<TypeParam::value>(random, 12);
-    ASSERT_EQ(base::gap(tie.a, tie.b), 0.0) << tie;
+    ASSERT_EQ(exact::gap(tie.a, tie.b), 0.0) << tie;
   }
 }
 
@@ -105,32 +105,32 @@ TYPED_TEST(SphereGap, IsAccurateRelativeToItselfWhereNothingCancels) {
     HardPair<TypeParam::value> far = ordinary_pair<TypeParam::value>(random);
     far.a.center[0] += 100.0;
     const mpf_class real = real_gap(far);
-    const mpf_class error = (base::gap(far.a, far.b) - real) / real;
+    const mpf_class error = (exact::gap(far.a, far.b) - real) / real;
     ASSERT_LT(std::fabs(error.get_d()), 6 * u) << far;
   }
 }
 
 TEST(SphereGapCases, PlainNumbers) {
-  EXPECT_EQ(base::gap<2>({{0, 0}, 1}, {{3, 4}, 1}), 3.0);
-  EXPECT_EQ(base::gap<2>({{0, 0}, 4}, {{3, 4}, 1}), 0.0);
-  EXPECT_EQ(base::gap<2>({{0, 0}, 4}, {{3, 4}, 4}), -3.0);
-  EXPECT_EQ(base::gap<3>({{1, 1, 1}, 2}, {{1, 1, 1}, 0.5}), -2.5);
-  EXPECT_EQ(base::gap<3>({{1, 1, 1}, 0}, {{1, 1, 1}, 0}), 0.0);
+  EXPECT_EQ(exact::gap<2>({{0, 0}, 1}, {{3, 4}, 1}), 3.0);
+  EXPECT_EQ(exact::gap<2>({{0, 0}, 4}, {{3, 4}, 1}), 0.0);
+  EXPECT_EQ(exact::gap<2>({{0, 0}, 4}, {{3, 4}, 4}), -3.0);
+  EXPECT_EQ(exact::gap<3>({{1, 1, 1}, 2}, {{1, 1, 1}, 0.5}), -2.5);
+  EXPECT_EQ(exact::gap<3>({{1, 1, 1}, 0}, {{1, 1, 1}, 0}), 0.0);
 }
 
 TEST(SphereGapCases, NoGapIsNeverNegativeZero) {
   // sqrt(3) - 2 smallest doubles: less than half of one below zero.
-  const base::Sphere<3> a{{0.0, 0.0, 0.0}, 0x1p-1074};
-  const base::Sphere<3> b{{0x1p-1074, 0x1p-1074, 0x1p-1074}, 0x1p-1074};
-  EXPECT_FALSE(std::signbit(base::gap(a, b)));
-  EXPECT_EQ(base::gap(a, b), 0.0);
+  const exact::Sphere<3> a{{0.0, 0.0, 0.0}, 0x1p-1074};
+  const exact::Sphere<3> b{{0x1p-1074, 0x1p-1074, 0x1p-1074}, 0x1p-1074};
+  EXPECT_FALSE(std::signbit(exact::gap(a, b)));
+  EXPECT_EQ(exact::gap(a, b), 0.0);
 }
 
 TEST(SphereGapCases, AGapThatNoDoubleHoldsIsTheLargest) {
   constexpr double huge = std::numeric_limits<double>::max();
-  EXPECT_EQ(base::gap<2>({{-huge, 0}, 0}, {{huge, 0}, 0}), huge);
-  EXPECT_EQ(base::gap<2>({{0, 0}, huge}, {{0, 0}, huge}), -huge);
+  EXPECT_EQ(exact::gap<2>({{-huge, 0}, 0}, {{huge, 0}, 0}), huge);
+  EXPECT_EQ(exact::gap<2>({{0, 0}, huge}, {{0, 0}, huge}), -huge);
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

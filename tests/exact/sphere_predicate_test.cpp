@@ -12,10 +12,10 @@
 #include <cstdint>
 #include <limits>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using base::within_reach;
+using exact::within_reach;
 
 struct Count {
   std::uint64_t pairs = 0;
@@ -29,14 +29,14 @@ void compare(const HardPair<Dim>& pair, Count& count) {
   const bool decided = within_reach(pair.a, pair.b, pair.margin, count.exact_decisions);
   std::uint64_t again = 0;
   ASSERT_EQ(decided, within_reach_by_rationals(pair.a, pair.b, pair.margin)) << pair;
-  ASSERT_EQ(decided, base::within_reach_exactly(pair.a, pair.b, pair.margin)) << pair;
+  ASSERT_EQ(decided, exact::within_reach_exactly(pair.a, pair.b, pair.margin)) << pair;
   ASSERT_EQ(decided, within_reach(pair.b, pair.a, pair.margin, again)) << "exchanged: " << pair;
   ++count.pairs;
   count.within += decided ? 1 : 0;
 }
 
 template <class Dimension>
-class SpherePredicate : public testing::Test {};
+class SpherePredicate : public ::testing::Test {};
 
 TYPED_TEST_SUITE(SpherePredicate, Dimensions);
 
@@ -150,4 +150,4 @@ TEST(SpherePredicateCases, SumsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -13,11 +13,11 @@
 #include <ostream>
 
 /// Spheres against triangles, in open space or with a lattice between them, and what was decided.
-namespace abut::test {
+namespace abut::testing {
 
 struct TriangleCase {
-  base::Sphere<3> sphere;
-  base::Triangle triangle;
+  exact::Sphere<3> sphere;
+  exact::Triangle triangle;
   double margin = 0.0;
 
   friend std::ostream& operator<<(std::ostream& out, const TriangleCase& c) {
@@ -57,9 +57,9 @@ struct PartCount {
   std::uint64_t cases = 0;
   std::uint64_t within = 0;
   std::uint64_t exact_decisions = 0;
-  std::map<base::TrianglePart, std::uint64_t> parts;
+  std::map<exact::TrianglePart, std::uint64_t> parts;
 
-  void note(const std::optional<base::TrianglePart>& part) {
+  void note(const std::optional<exact::TrianglePart>& part) {
     ++cases;
     if (!part) return;
     ++within;
@@ -69,9 +69,9 @@ struct PartCount {
 
 inline void expect_all_parts(const PartCount& count, std::uint64_t each) {
   for (int part = 0; part < 7; ++part) {
-    const auto found = count.parts.find(static_cast<base::TrianglePart>(part));
+    const auto found = count.parts.find(static_cast<exact::TrianglePart>(part));
     EXPECT_GE(found == count.parts.end() ? 0 : found->second, each) << "part " << part;
   }
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -11,7 +11,7 @@
 /// The point of a triangle nearest to a center, in rational numbers, by another way than the
 /// library's: of all points that may be it (the corners, the feet of perpendiculars within sides
 /// and face) the one at the smallest distance.
-namespace abut::test {
+namespace abut::testing {
 
 using RationalPoint = std::array<mpq_class, 3>;
 
@@ -30,20 +30,20 @@ using RationalPoint = std::array<mpq_class, 3>;
 }
 
 struct NearestPart {
-  base::TrianglePart part = base::TrianglePart::corner_0;
+  exact::TrianglePart part = exact::TrianglePart::corner_0;
   mpq_class distance_squared;
 };
 
 class NearestPartFinder {
  public:
   /// Corners are seen from the center.
-  NearestPartFinder(const RationalPoint& center, const base::Triangle& triangle)
+  NearestPartFinder(const RationalPoint& center, const exact::Triangle& triangle)
       : corner_{moved(rational(triangle.corner[0]), -1, center),
                 moved(rational(triangle.corner[1]), -1, center),
                 moved(rational(triangle.corner[2]), -1, center)} {}
 
   [[nodiscard]] NearestPart find() {
-    using base::TrianglePart;
+    using exact::TrianglePart;
     nearest_ = {TrianglePart::corner_0, dot(corner_[0], corner_[0])};
     consider(TrianglePart::corner_1, corner_[1]);
     consider(TrianglePart::corner_2, corner_[2]);
@@ -56,12 +56,12 @@ class NearestPartFinder {
 
  private:
   /// Of points at the same distance the first stays.
-  void consider(base::TrianglePart part, const RationalPoint& point) {
+  void consider(exact::TrianglePart part, const RationalPoint& point) {
     const mpq_class squared = dot(point, point);
     if (squared < nearest_.distance_squared) nearest_ = {part, squared};
   }
 
-  void consider_side(base::TrianglePart part, const RationalPoint& from, const RationalPoint& to) {
+  void consider_side(exact::TrianglePart part, const RationalPoint& from, const RationalPoint& to) {
     const RationalPoint edge = moved(to, -1, from);
     const mpq_class squared = dot(edge, edge);
     if (squared == 0) return;
@@ -80,7 +80,7 @@ class NearestPartFinder {
     const mpq_class s = (ae * ff - af * ef) / determinant;
     const mpq_class t = (af * ee - ae * ef) / determinant;
     if (s <= 0 || t <= 0 || s + t >= 1) return;
-    consider(base::TrianglePart::face, moved(moved(corner_[0], s, e), t, f));
+    consider(exact::TrianglePart::face, moved(moved(corner_[0], s, e), t, f));
   }
 
   RationalPoint corner_[3];
@@ -88,12 +88,12 @@ class NearestPartFinder {
 };
 
 [[nodiscard]] inline NearestPart nearest_part_by_rationals(const RationalPoint& center,
-                                                           const base::Triangle& triangle) {
+                                                           const exact::Triangle& triangle) {
   return NearestPartFinder(center, triangle).find();
 }
 
-[[nodiscard]] inline std::optional<base::TrianglePart> part_within_reach_by_rationals(
-    const RationalPoint& center, double radius, const base::Triangle& triangle, double margin) {
+[[nodiscard]] inline std::optional<exact::TrianglePart> part_within_reach_by_rationals(
+    const RationalPoint& center, double radius, const exact::Triangle& triangle, double margin) {
   const NearestPart nearest = nearest_part_by_rationals(center, triangle);
   const mpq_class reach = mpq_class(radius) + mpq_class(margin);
   if (nearest.distance_squared > reach * reach) return std::nullopt;
@@ -101,27 +101,26 @@ class NearestPartFinder {
 }
 
 [[nodiscard]] inline NearestPart nearest_part_by_rationals(const double (&center)[3],
-                                                           const base::Triangle& triangle) {
+                                                           const exact::Triangle& triangle) {
   return nearest_part_by_rationals(rational(center), triangle);
 }
 
-[[nodiscard]] inline std::optional<base::TrianglePart> part_within_reach_by_rationals(
-    const base::Sphere<3>& sphere, const base::Triangle& triangle, double margin) {
+[[nodiscard]] inline std::optional<exact::TrianglePart> part_within_reach_by_rationals(
+    const exact::Sphere<3>& sphere, const exact::Triangle& triangle, double margin) {
   return part_within_reach_by_rationals(rational(sphere.center), sphere.radius, triangle, margin);
 }
 
 /// Where a triangle moved by n A is seen from: x - n A.
-[[nodiscard]] inline RationalPoint moved_back(const double (&center)[3],
-                                              const base::ImageShift& shift,
-                                              const base::Lattice& lattice) {
+[[nodiscard]] inline RationalPoint moved_back(const double (&center)[3], const ImageShift& shift,
+                                              const exact::Lattice& lattice) {
   RationalPoint result = rational(center);
   for (std::size_t k = 0; k < 3; ++k) {
     if (!lattice.periodic[k]) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      result[axis] -= base::numbers(shift)[k] * mpq_class(lattice.vectors[k][axis]);
+      result[axis] -= exact::numbers(shift)[k] * mpq_class(lattice.vectors[k][axis]);
     }
   }
   return result;
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -11,22 +11,22 @@
 #include <cstdint>
 #include <optional>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using base::Sphere;
-using base::Triangle;
-using base::TrianglePart;
+using exact::Sphere;
+using exact::Triangle;
+using exact::TrianglePart;
 
 using Case = TriangleCase;
 using Count = PartCount;
 
 void compare(const Case& c, Count& count) {
   const auto expected = part_within_reach_by_rationals(c.sphere, c.triangle, c.margin);
-  ASSERT_EQ(base::part_within_reach(c.sphere, c.triangle, c.margin, count.exact_decisions),
+  ASSERT_EQ(exact::part_within_reach(c.sphere, c.triangle, c.margin, count.exact_decisions),
             expected)
       << c;
-  ASSERT_EQ(base::part_within_reach_exactly(c.sphere, c.triangle, c.margin), expected) << c;
+  ASSERT_EQ(exact::part_within_reach_exactly(c.sphere, c.triangle, c.margin), expected) << c;
   count.note(expected);
 }
 
@@ -184,7 +184,8 @@ TEST(TrianglePredicate, ExactTiesTouchOverCornerSideAndFace) {
         }
         c.sphere.radius = std::abs(7 * height);
         const int ends = (s == 0) + (t == 0) + (s + t == 6);
-        const auto part = base::part_within_reach(c.sphere, c.triangle, 0.0, count.exact_decisions);
+        const auto part =
+            exact::part_within_reach(c.sphere, c.triangle, 0.0, count.exact_decisions);
         ASSERT_TRUE(part) << c;
         EXPECT_EQ(*part == TrianglePart::face, ends == 0) << c;
         EXPECT_EQ(*part <= TrianglePart::corner_2, ends == 2) << c;
@@ -257,8 +258,8 @@ TEST(TrianglePredicate, TrianglesAgreeOnACommonSide) {
     Triangle other = c.triangle;
     for (double& x : other.corner[2])
       x = coarse ? static_cast<double>(random() % 4) : uniform(random, -1, 1);
-    const auto first = base::part_within_reach(c.sphere, c.triangle, 0.0, exact_decisions);
-    const auto second = base::part_within_reach(c.sphere, other, 0.0, exact_decisions);
+    const auto first = exact::part_within_reach(c.sphere, c.triangle, 0.0, exact_decisions);
+    const auto second = exact::part_within_reach(c.sphere, other, 0.0, exact_decisions);
     ASSERT_TRUE(first && second);
     if (*first != TrianglePart::side_01) continue;
     ++on_side;
@@ -269,4 +270,4 @@ TEST(TrianglePredicate, TrianglesAgreeOnACommonSide) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -31,7 +31,7 @@ Storage storage_of(ByteReader& reader, Precision precision) {
 
 void add_traits(ByteReader& reader, Traits& traits, unsigned kinds) {
   const unsigned bits = reader.byte();
-  if ((kinds & 1U) != 0) traits.groups.push_back(bits % group_count);
+  if ((kinds & 1U) != 0) traits.sets.push_back(bits % group_count);
   if ((kinds & 2U) != 0) traits.categories.push_back(bits >> 2 & 7U);
   if ((kinds & 4U) != 0) traits.accepts.push_back(bits >> 5 | (bits & 1U));
 }
@@ -42,7 +42,7 @@ void remove_traits(Traits& traits, std::size_t k) {
     values[k] = values.back();
     values.pop_back();
   };
-  take_last(traits.groups);
+  take_last(traits.sets);
   take_last(traits.categories);
   take_last(traits.accepts);
 }

@@ -50,7 +50,7 @@ void append_domain(std::string& text, const Domain& domain) {
 
 void append_rule(std::string& text, const Rule& rule) {
   for (const Traits& traits : rule.traits) {
-    if (!traits.groups.empty()) text += "groups " + listed(traits.groups) + "\n";
+    if (!traits.sets.empty()) text += "sets " + listed(traits.sets) + "\n";
     if (!traits.categories.empty()) text += "categories " + listed(traits.categories) + "\n";
     if (!traits.accepts.empty()) text += "accepts " + listed(traits.accepts) + "\n";
   }

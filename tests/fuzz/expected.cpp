@@ -11,9 +11,9 @@ constexpr std::uint64_t most_images = 2500;
 
 bool groups_allow(const Rule& rule, const Traits& a, const Traits& b, std::size_t i,
                   std::size_t j) {
-  if (a.groups.empty() || b.groups.empty()) return true;
-  if (rule.table) return rule.table->allows(a.groups[i], b.groups[j]);
-  return a.groups[i] != b.groups[j];
+  if (a.sets.empty() || b.sets.empty()) return true;
+  if (rule.table) return rule.table->allows(a.sets[i], b.sets[j]);
+  return a.sets[i] != b.sets[j];
 }
 
 bool masks_allow(const Traits& a, const Traits& b, std::size_t i, std::size_t j) {
@@ -26,7 +26,7 @@ bool masks_allow(const Traits& a, const Traits& b, std::size_t i, std::size_t j)
 
 bool pairs_all(const System& system) {
   const Traits& traits = system.rule.traits[0];
-  return traits.groups.empty() && traits.categories.empty() && !system.rule.excluded;
+  return traits.sets.empty() && traits.categories.empty() && !system.rule.excluded;
 }
 
 }  // namespace

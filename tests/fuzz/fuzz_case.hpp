@@ -29,11 +29,11 @@ struct Storage {
 
 /// Owns what PairTraits views.
 struct Traits {
-  std::vector<std::uint32_t> groups;
+  std::vector<std::uint32_t> sets;
   std::vector<std::uint64_t> categories;
   std::vector<std::uint64_t> accepts;
 
-  [[nodiscard]] PairTraits view() const { return {groups, categories, accepts}; }
+  [[nodiscard]] PairTraits view() const { return {sets, categories, accepts}; }
 };
 
 struct Rule {

@@ -6,19 +6,19 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace abut::grid {
+namespace abut::testing {
 namespace {
 
-AxisMap map_of(base::MemoryMeter& meter, double scale, double cell_size,
-               std::initializer_list<Segment> segments) {
-  auto array = base::make_array_for_overwrite<Segment>(meter, 0);
+grid::AxisMap map_of(base::MemoryMeter& meter, double scale, double cell_size,
+                     std::initializer_list<grid::Segment> segments) {
+  auto array = base::make_array_for_overwrite<grid::Segment>(meter, 0);
   array.insert(array.end(), segments.begin(), segments.end());
   return {scale, cell_size, std::move(array)};
 }
 
 TEST(AxisMap, IsFloorBesideEveryFaceOnBothSidesOfZero) {
   base::MemoryMeter meter;
-  const AxisMap map = map_of(meter, 1.0, 1.0, {{-1000.0, 0}});
+  const grid::AxisMap map = map_of(meter, 1.0, 1.0, {{-1000.0, 0}});
   for (int k = -1000; k <= 1000; ++k) {
     const double face = k;
     for (const double x : {std::nextafter(face, -HUGE_VAL), face, std::nextafter(face, HUGE_VAL)}) {
@@ -31,7 +31,7 @@ TEST(AxisMap, IsFloorBesideEveryFaceOnBothSidesOfZero) {
 
 TEST(AxisMap, OneSegment) {
   base::MemoryMeter meter;
-  const AxisMap map = map_of(meter, 1.0, 0.5, {{-1.0, 0}});
+  const grid::AxisMap map = map_of(meter, 1.0, 0.5, {{-1.0, 0}});
   EXPECT_EQ(map.cell(-1.0), 0);
   EXPECT_EQ(map.cell(std::nextafter(-0.5, -1.0)), 0);
   EXPECT_EQ(map.cell(-0.5), 1);
@@ -42,7 +42,7 @@ TEST(AxisMap, OneSegment) {
 
 TEST(AxisMap, SeveralSegmentsContinueTheirNumbers) {
   base::MemoryMeter meter;
-  const AxisMap map = map_of(meter, 1.0, 1.0, {{-1e300, 0}, {0.0, 2}, {1e300, 9}});
+  const grid::AxisMap map = map_of(meter, 1.0, 1.0, {{-1e300, 0}, {0.0, 2}, {1e300, 9}});
   EXPECT_EQ(map.cell(-1e300), 0);
   EXPECT_EQ(map.cell(0.0), 2);
   EXPECT_EQ(map.cell(-0.0), 2);
@@ -52,11 +52,11 @@ TEST(AxisMap, SeveralSegmentsContinueTheirNumbers) {
 
 TEST(AxisMap, ScalesFirst) {
   base::MemoryMeter meter;
-  const AxisMap map = map_of(meter, 0.25, 1.0, {{1.0, 0}});
+  const grid::AxisMap map = map_of(meter, 0.25, 1.0, {{1.0, 0}});
   EXPECT_EQ(map.cell(4.0), 0);
   EXPECT_EQ(map.cell(7.9), 0);
   EXPECT_EQ(map.cell(8.0), 1);
 }
 
 }  // namespace
-}  // namespace abut::grid
+}  // namespace abut::testing

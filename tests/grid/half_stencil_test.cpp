@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <set>
 
-namespace abut::grid {
+namespace abut::testing {
 namespace {
 
 /// The mask and its reflection are disjoint and together all neighbours of a cell.
@@ -16,7 +16,7 @@ template <int Dim>
 void expect_half_of_all_neighbors(std::size_t neighbors) {
   using Offset = std::array<std::int32_t, Dim>;
   std::set<Offset> both;
-  for (const Offset& offset : HalfStencil<Dim>::offsets) {
+  for (const Offset& offset : grid::HalfStencil<Dim>::offsets) {
     Offset reflected = offset;
     for (std::int32_t& step : reflected) step = -step;
     EXPECT_TRUE(both.insert(offset).second);
@@ -36,11 +36,11 @@ TEST(HalfStencil, IsHalfOfTheNeighborsIn3d) {
 
 TEST(HalfStencil, IsTheMaskOfTheBook) {
   // Eq. 3.39; eq. 3.73: the layer below whole, and the mask of 2D in the central layer.
-  const auto& flat = HalfStencil<2>::offsets;
+  const auto& flat = grid::HalfStencil<2>::offsets;
   EXPECT_EQ(std::set(flat.begin(), flat.end()),
             (std::set<std::array<std::int32_t, 2>>{{-1, -1}, {0, -1}, {1, -1}, {-1, 0}}));
   std::size_t below = 0;
-  for (const auto& offset : HalfStencil<3>::offsets) {
+  for (const auto& offset : grid::HalfStencil<3>::offsets) {
     if (offset[2] == -1) {
       ++below;
       continue;
@@ -52,4 +52,4 @@ TEST(HalfStencil, IsTheMaskOfTheBook) {
 }
 
 }  // namespace
-}  // namespace abut::grid
+}  // namespace abut::testing

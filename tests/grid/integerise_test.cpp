@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 template <int Dim>
@@ -31,7 +31,7 @@ void expect_cells_in_range(const grid::CellCoordinates<Dim>& cells) {
 
 TEST(Integerise, NoElements) {
   base::DetectionContext context;
-  const auto cells = integerise(std::vector<base::Sphere<3>>{}, 0.0, context);
+  const auto cells = integerise(std::vector<exact::Sphere<3>>{}, 0.0, context);
   EXPECT_EQ(cells.element_count(), 0u);
   EXPECT_EQ(cells.cell_count, (std::array<std::int32_t, 3>{0, 0, 0}));
 }
@@ -57,7 +57,7 @@ TEST(Integerise, CellsAreAHairLargerThanTheReach) {
 }
 
 TEST(Integerise, TheReachIsThatOfTheTwoLargestAndTheMargin) {
-  std::vector<base::Sphere<2>> discs{{{0, 0}, 3.0}, {{6.0, 0}, 1.0}, {{11.9, 0}, 0.0}};
+  std::vector<exact::Sphere<2>> discs{{{0, 0}, 3.0}, {{6.0, 0}, 1.0}, {{11.9, 0}, 0.0}};
   base::DetectionContext context;
   // Cells of 3 + 1 + 2 = 6 and a hair.
   const auto cells = integerise(discs, 2.0, context);
@@ -74,7 +74,7 @@ TEST(Integerise, NegativeCoordinatesCountFromTheLowest) {
 
 TEST(Integerise, PointsWithoutReachAreSpreadOut) {
   std::mt19937_64 random(91);
-  std::vector<base::Sphere<3>> points(1000);
+  std::vector<exact::Sphere<3>> points(1000);
   for (auto& point : points) {
     for (double& x : point.center) x = std::uniform_real_distribution<double>(-1.0, 1.0)(random);
   }
@@ -105,7 +105,7 @@ TEST(Integerise, OneFarOutlierTakesOneCellMore) {
 TEST(Integerise, CellNumbersFollowTheElementsOnAnyScale) {
   std::mt19937_64 random(92);
   for (int trial = 0; trial < 200; ++trial) {
-    std::vector<base::Sphere<3>> spheres(1 + random() % 100);
+    std::vector<exact::Sphere<3>> spheres(1 + random() % 100);
     const std::uint64_t spread = random() % 2000;
     for (auto& sphere : spheres) {
       for (double& x : sphere.center) {
@@ -135,7 +135,7 @@ TEST(Integerise, CellNumbersFollowTheElementsOnAnyScale) {
 
 TEST(Integerise, TheUncollapsedCountTellsHowLongTheAxisIs) {
   base::DetectionContext context;
-  const std::vector<base::Sphere<2>> discs{{{0, 0}, 0.5}, {{1e12, 10.0}, 0.5}};
+  const std::vector<exact::Sphere<2>> discs{{{0, 0}, 0.5}, {{1e12, 10.0}, 0.5}};
   const auto cells = integerise(discs, 0.0, context);
   EXPECT_EQ(cells.cell_count[0], 3);
   EXPECT_NEAR(cells.uncollapsed_cell_count[0], 1e12, 1e7);
@@ -145,10 +145,10 @@ TEST(Integerise, TheUncollapsedCountTellsHowLongTheAxisIs) {
 
 TEST(Integerise, RefusesWhatTheMemoryBoundDoesNotHold) {
   base::DetectionContext context(100, {});
-  const std::vector<base::Sphere<2>> discs(20, {{1, 1}, 1});
+  const std::vector<exact::Sphere<2>> discs(20, {{1, 1}, 1});
   EXPECT_THROW(static_cast<void>(integerise(discs, 0.0, context)), Error);
   EXPECT_EQ(context.memory.held(), 0u);
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 
 /// Discs of one radius on given places of the x axis, and their cells.
 struct Line {
@@ -20,7 +20,7 @@ struct Line {
 };
 
 template <int Dim>
-[[nodiscard]] grid::Bounds<Dim> bounds_of(const std::vector<base::Sphere<Dim>>& spheres) {
+[[nodiscard]] grid::Bounds<Dim> bounds_of(const std::vector<exact::Sphere<Dim>>& spheres) {
   grid::Bounds<Dim> bounds;
   if (spheres.empty()) return bounds;
   std::vector<double> radii;
@@ -39,7 +39,7 @@ template <int Dim>
 }
 
 template <int Dim>
-[[nodiscard]] grid::CellCoordinates<Dim> integerise(const std::vector<base::Sphere<Dim>>& spheres,
+[[nodiscard]] grid::CellCoordinates<Dim> integerise(const std::vector<exact::Sphere<Dim>>& spheres,
                                                     double margin,
                                                     base::DetectionContext& context) {
   return grid::integerise<Dim>(spheres, bounds_of(spheres), margin, context);
@@ -47,7 +47,7 @@ template <int Dim>
 
 /// x cells of the line and their number, which comes last.
 [[nodiscard]] inline std::vector<std::int32_t> cells_of(const Line& line) {
-  std::vector<base::Sphere<2>> discs;
+  std::vector<exact::Sphere<2>> discs;
   for (const double x : line.x) discs.push_back({{x, 0.0}, line.radius});
   base::DetectionContext context;
   const auto cells = integerise(discs, line.margin, context);
@@ -69,4 +69,4 @@ template <int Dim>
   return x;
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

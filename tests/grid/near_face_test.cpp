@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 /// Pairs (0, 1), (2, 3), ... just within reach; the first of each just below, on or above a face
@@ -152,7 +152,7 @@ TEST(NearFace, EveryAxisAlike) {
   const Line line = near_faces(-20.0, 0.5, 0.0, 0x1p-19, 50, random);
   const std::vector<std::int32_t> expected = cells_of(line);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::vector<base::Sphere<3>> spheres(line.x.size(), {{5.0, 5.0, 5.0}, line.radius});
+    std::vector<exact::Sphere<3>> spheres(line.x.size(), {{5.0, 5.0, 5.0}, line.radius});
     for (std::size_t k = 0; k < line.x.size(); ++k) spheres[k].center[axis] = line.x[k];
     base::DetectionContext context;
     const auto cells = integerise(spheres, 0.0, context);
@@ -165,4 +165,4 @@ TEST(NearFace, EveryAxisAlike) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

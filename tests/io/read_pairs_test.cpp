@@ -13,7 +13,7 @@ namespace {
 
 using Pairs = std::vector<ContactPair>;
 
-Pairs pairs_of(std::string_view text, const NamedElements& elements) {
+Pairs pairs_of(std::string_view text, const ElementCounts& elements) {
   const Scratch scratch;
   return read_pairs(scratch.file("pairs.csv", text), elements);
 }

@@ -12,18 +12,18 @@
 #include <string>
 #include <vector>
 
-namespace abut::kernels {
+namespace abut::testing {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-constexpr ElementBounds bounds_of_none{
+constexpr kernels::ElementBounds bounds_of_none{
     {infinite, infinite, infinite}, {-infinite, -infinite, -infinite}, infinite, 0.0, 0.0};
 
 struct Packed {
   std::size_t count = 0;
   std::vector<double> records;
-  ElementBounds bounds = bounds_of_none;
+  kernels::ElementBounds bounds = bounds_of_none;
 };
 
 class ElementKernelsTest : public ::testing::TestWithParam<int> {
@@ -42,14 +42,14 @@ class ElementKernelsTest : public ::testing::TestWithParam<int> {
   Packed pack(Simd level) const {
     Packed packed;
     packed.records.resize(size * static_cast<std::size_t>(GetParam() + 1));
-    const ElementColumns view{{columns[0].data(), columns[1].data(), columns[2].data()},
-                              columns[3].data()};
-    packed.count =
-        element_kernels(level).pack(view, size, GetParam(), packed.records.data(), packed.bounds);
+    const kernels::ElementColumns view{{columns[0].data(), columns[1].data(), columns[2].data()},
+                                       columns[3].data()};
+    packed.count = kernels::element_kernels(level).pack(view, size, GetParam(),
+                                                        packed.records.data(), packed.bounds);
     return packed;
   }
 
-  void expect_bounds_of(std::size_t count, const ElementBounds& bounds) const {
+  void expect_bounds_of(std::size_t count, const kernels::ElementBounds& bounds) const {
     const auto first_of = [&](const std::vector<double>& column) {
       return std::vector<double>(column.begin(),
                                  column.begin() + static_cast<std::ptrdiff_t>(count));
@@ -106,9 +106,9 @@ TEST_P(ElementKernelsTest, BoundRecordsPartByPart) {
   for (const Simd level : testing::simd_levels_here()) {
     if (level == Simd::scalar) continue;  // treats none
     SCOPED_TRACE(std::string(name_of(level)));
-    const ElementKernels kernels = element_kernels(level);
+    const kernels::ElementKernels kernels = kernels::element_kernels(level);
     constexpr std::size_t half = size / 32 * 16;  // whole vectors
-    ElementBounds bounds = bounds_of_none;
+    kernels::ElementBounds bounds = bounds_of_none;
     ASSERT_EQ(kernels.bound(records.data(), half, GetParam(), bounds), half);
     expect_bounds_of(half, bounds);
     const std::size_t rest =
@@ -149,4 +149,4 @@ INSTANTIATE_TEST_SUITE_P(Dimensions, ElementKernelsTest, ::testing::Values(2, 3)
                          });
 
 }  // namespace
-}  // namespace abut::kernels
+}  // namespace abut::testing

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace abut::kernels {
+namespace abut::testing {
 namespace {
 
 using scenes::Random;
@@ -21,8 +21,8 @@ constexpr std::size_t longest_step = 32;
 /// What a level lists of a block of pairs, its rest in plain C++.
 std::vector<std::uint32_t> listed(Simd level, const std::vector<ContactPair>& pairs,
                                   std::uint32_t limit) {
-  BlockList list;
-  std::size_t k = image_kernels(level).list_from(pairs.data(), pairs.size(), limit, list);
+  kernels::BlockList list;
+  std::size_t k = kernels::image_kernels(level).list_from(pairs.data(), pairs.size(), limit, list);
   EXPECT_LE(k, pairs.size());
   if (level != Simd::scalar) {
     EXPECT_LT(pairs.size(), k + longest_step) << name_of(level);
@@ -39,7 +39,8 @@ TEST(ImageKernels, ListThePairsWhoseSecondNumberReachesTheLimit) {
   Random random(3);
   for (const std::uint32_t limit : {1U, 1000U, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU}) {
     for (const std::uint64_t one_in : {1U, 2U, 60U}) {
-      for (std::size_t count = 0; count <= BlockList::room; count += count < 140 ? 1 : 93) {
+      for (std::size_t count = 0; count <= kernels::BlockList::room;
+           count += count < 140 ? 1 : 93) {
         std::vector<ContactPair> pairs(count);
         std::vector<std::uint32_t> expected;
         for (std::size_t k = 0; k < count; ++k) {
@@ -61,4 +62,4 @@ TEST(ImageKernels, ListThePairsWhoseSecondNumberReachesTheLimit) {
 }
 
 }  // namespace
-}  // namespace abut::kernels
+}  // namespace abut::testing

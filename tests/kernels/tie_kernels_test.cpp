@@ -16,11 +16,11 @@
 #include <memory>
 #include <string>
 
-namespace abut::kernels {
+namespace abut::testing {
 namespace {
 
-using test::HardPair;
-using test::Random;
+using testing::HardPair;
+using testing::Random;
 
 struct Count {
   std::uint64_t pairs = 0;
@@ -38,34 +38,35 @@ template <int Dim>
 class OnePair {
  public:
   explicit OnePair(const HardPair<Dim>& pair) : pair_(pair), spheres_{pair.a, pair.b} {
-    findings_->doubts = listed;
-    findings_->found = 2 * listed;
+    hits_->undecided_count = listed;
+    hits_->found = 2 * listed;
     for (std::uint32_t k = 0; k < listed; ++k) {
-      findings_->doubtful[k] = 2 * k + 1;
-      findings_->element[2 * k] = findings_->partner[2 * k] = 1000000;
-      findings_->element[2 * k + 1] = encounters[k % 4][0];
-      findings_->partner[2 * k + 1] = encounters[k % 4][1];
+      hits_->undecided[k] = 2 * k + 1;
+      hits_->element[2 * k] = hits_->partner[2 * k] = 1000000;
+      hits_->element[2 * k + 1] = encounters[k % 4][0];
+      hits_->partner[2 * k + 1] = encounters[k % 4][1];
     }
   }
 
   void decide(Simd level, Count& count) {
     std::uint64_t exact_decisions = 7;
-    const std::size_t treated = tie_kernels(level).decide(spheres_[0].center, Dim, pair_.margin,
-                                                          *findings_, exact_decisions);
+    const std::size_t treated = kernels::tie_kernels(level).decide(
+        spheres_[0].center, Dim, pair_.margin, *hits_, exact_decisions);
     ASSERT_LE(treated, listed);
     ASSERT_GE(treated, level == Simd::scalar ? 0 : listed - 3);
     std::uint64_t expected_decisions = 7;
     for (std::size_t k = 0; k < treated; ++k) {
-      const base::Sphere<Dim>& first = spheres_[encounters[k % 4][0]];
-      const base::Sphere<Dim>& second = spheres_[encounters[k % 4][1]];
-      const bool within = base::within_reach(first, second, pair_.margin, expected_decisions);
+      const exact::Sphere<Dim>& first = spheres_[encounters[k % 4][0]];
+      const exact::Sphere<Dim>& second = spheres_[encounters[k % 4][1]];
+      const bool within = exact::within_reach(first, second, pair_.margin, expected_decisions);
       ++count.pairs;
-      if (findings_->verdict[k] == Verdict::open) {
+      if (hits_->verdict[k] == kernels::Verdict::open) {
         ++count.open;
-        ASSERT_FALSE(base::decide_if_nothing_rounded(first, second, pair_.margin)) << pair_;
-        ASSERT_FALSE(base::decide_doubled(first, second, pair_.margin)) << pair_;
+        ASSERT_FALSE(exact::decide_if_nothing_rounded(first, second, pair_.margin)) << pair_;
+        ASSERT_FALSE(exact::decide_in_double_double(first, second, pair_.margin)) << pair_;
       } else {
-        ASSERT_EQ(findings_->verdict[k] == Verdict::within_reach, within) << k << ": " << pair_;
+        ASSERT_EQ(hits_->verdict[k] == kernels::Verdict::within_reach, within)
+            << k << ": " << pair_;
         count.within += within ? 1 : 0;
       }
     }
@@ -74,8 +75,8 @@ class OnePair {
 
  private:
   HardPair<Dim> pair_;
-  std::array<base::Sphere<Dim>, 2> spheres_;
-  std::unique_ptr<Findings> findings_ = std::make_unique<Findings>();
+  std::array<exact::Sphere<Dim>, 2> spheres_;
+  std::unique_ptr<kernels::HitBuffer> hits_ = std::make_unique<kernels::HitBuffer>();
 };
 
 template <class Dimension>
@@ -95,13 +96,13 @@ class TieKernelsTest : public ::testing::Test {
   }
 };
 
-using test::Dimensions;
+using testing::Dimensions;
 TYPED_TEST_SUITE(TieKernelsTest, Dimensions);
 
 TYPED_TEST(TieKernelsTest, DecideTies) {
   for (const Simd level : testing::simd_levels_here()) {
     const Count count = TestFixture::decide(level, 81, 4000, [](Random& random) {
-      auto tie = test::exact_tie<TypeParam::value>(random, 1 + static_cast<int>(random() % 8));
+      auto tie = testing::exact_tie<TypeParam::value>(random, 1 + static_cast<int>(random() % 8));
       if (random() % 2 == 0) tie.a.radius = std::nextafter(tie.a.radius, 0.0);
       return tie;
     });
@@ -114,7 +115,7 @@ TYPED_TEST(TieKernelsTest, DecideTies) {
 TYPED_TEST(TieKernelsTest, DecideWhatIsCloseToATie) {
   for (const Simd level : testing::simd_levels_here()) {
     const Count count = TestFixture::decide(level, 82, 4000, [](Random& random) {
-      return test::borderline_pair<TypeParam::value>(random, 3);
+      return testing::borderline_pair<TypeParam::value>(random, 3);
     });
     EXPECT_LE(count.open, count.pairs / 10);
   }
@@ -124,8 +125,8 @@ TYPED_TEST(TieKernelsTest, DecideAtEveryScaleOrLeaveOpen) {
   for (const Simd level : testing::simd_levels_here()) {
     int exponent = -1074;
     const Count count = TestFixture::decide(level, 83, 4000, [&](Random& random) {
-      auto pair = test::borderline_pair<TypeParam::value>(random, 3);
-      test::scale(pair, exponent);
+      auto pair = testing::borderline_pair<TypeParam::value>(random, 3);
+      testing::scale(pair, exponent);
       exponent = exponent > 1014 ? -1074 : exponent + 6;
       return pair;
     });
@@ -136,7 +137,7 @@ TYPED_TEST(TieKernelsTest, DecideAtEveryScaleOrLeaveOpen) {
 TYPED_TEST(TieKernelsTest, DecideOrdinaryPairs) {
   for (const Simd level : testing::simd_levels_here()) {
     const Count count = TestFixture::decide(level, 84, 1000, [](Random& random) {
-      return test::ordinary_pair<TypeParam::value>(random);
+      return testing::ordinary_pair<TypeParam::value>(random);
     });
     EXPECT_EQ(count.open, 0u);
   }
@@ -145,11 +146,11 @@ TYPED_TEST(TieKernelsTest, DecideOrdinaryPairs) {
 TYPED_TEST(TieKernelsTest, DecideExtremeNumbersOrLeaveOpen) {
   for (const Simd level : testing::simd_levels_here()) {
     const Count count = TestFixture::decide(level, 85, 4000, [](Random& random) {
-      return test::extreme_pair<TypeParam::value>(random);
+      return testing::extreme_pair<TypeParam::value>(random);
     });
     EXPECT_LT(count.open, count.pairs + (level == Simd::scalar ? 1 : 0));
   }
 }
 
 }  // namespace
-}  // namespace abut::kernels
+}  // namespace abut::testing

@@ -1,5 +1,5 @@
 // Random tiles through the kernels of every level: the pairs of the plain C++ kernels, in their
-// order, after as many tests, with as many doubts; and those of a loop over all elements.
+// order, after as many tests, with as many undecided pairs; and those of a loop over all elements.
 
 #include "kernels/tile_search.hpp"
 
@@ -18,7 +18,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace abut::kernels {
+namespace abut::testing {
 namespace {
 
 using scenes::Random;
@@ -34,7 +34,7 @@ struct MadeTile {
   std::vector<std::uint32_t> cell;
   std::vector<std::uint32_t> cell_begin;
   std::vector<Kind> kind;
-  TileView view{};
+  kernels::TileView view{};
   float margin = 0.0f;
 
   [[nodiscard]] std::size_t places() const { return kind.size(); }
@@ -50,7 +50,7 @@ struct MadeTile {
   }
 };
 
-MadeTile made_tile(int dimensions, Random& random, double per_cell, TileShape shape) {
+MadeTile made_tile(int dimensions, Random& random, double per_cell, kernels::TileShape shape) {
   MadeTile tile;
   if (random.below(2) == 0) tile.margin = 0.01f;  // else many pairs touch
   const std::int32_t k[3] = {1 + static_cast<std::int32_t>(random.below(8)),
@@ -77,7 +77,7 @@ MadeTile made_tile(int dimensions, Random& random, double per_cell, TileShape sh
           }
           std::array<float, 3> size{};
           for (float& length : size) {
-            length = shape == TileShape::equal_spheres
+            length = shape == kernels::TileShape::equal_spheres
                          ? largest
                          : static_cast<float>(random.below(5)) * 0.25f * largest;
           }
@@ -85,13 +85,13 @@ MadeTile made_tile(int dimensions, Random& random, double per_cell, TileShape sh
         }
       }
       tile.cell_begin.push_back(static_cast<std::uint32_t>(tile.places()));
-      for (std::uint32_t e = 0; e < row_padding; ++e) {
-        tile.add(Kind::padding, {far_away, 0.0f, 0.0f}, {});
+      for (std::uint32_t e = 0; e < kernels::row_padding; ++e) {
+        tile.add(Kind::padding, {kernels::far_away, 0.0f, 0.0f}, {});
       }
     }
   }
   tile.cell_begin.push_back(static_cast<std::uint32_t>(tile.places()));
-  for (std::size_t e = 0; e < widest_vector; ++e) {
+  for (std::size_t e = 0; e < kernels::widest_vector; ++e) {
     for (auto& axis : tile.center) axis.push_back(tile.places() > 0 ? axis[0] : 0.0f);
     for (auto& axis : tile.size) axis.push_back(1.0f);
     tile.number.push_back(4000000000u);
@@ -110,47 +110,48 @@ MadeTile made_tile(int dimensions, Random& random, double per_cell, TileShape sh
   return tile;
 }
 
-/// Collects what a kernel finds. Doubtful pairs are those of even sum, so that both answers occur.
+/// Collects what a kernel finds. Undecided pairs are those of even sum, so that both answers occur.
 class Found {
  public:
   explicit Found(const MadeTile& tile)
-      : block_(columns * (tile.places() + widest_vector), std::numeric_limits<float>::quiet_NaN()),
-        block_number_(tile.places() + widest_vector, 4000000001u) {
+      : block_(columns * (tile.places() + kernels::widest_vector),
+               std::numeric_limits<float>::quiet_NaN()),
+        block_number_(tile.places() + kernels::widest_vector, 4000000001u) {
     for (std::size_t axis = 0; axis < columns; ++axis) {
-      job.block[axis] = block_.data() + axis * (tile.places() + widest_vector);
+      job.block[axis] = block_.data() + axis * (tile.places() + kernels::widest_vector);
     }
     job.block_number = block_number_.data();
     job.margin = tile.margin;
     job.slack = 0x1p-20f;
-    job.findings = &findings_;
+    job.hits = &hits_;
     job.owner = this;
-    job.take = [](SearchJob& full) { static_cast<Found*>(full.owner)->take(); };
+    job.take = [](kernels::SearchJob& full) { static_cast<Found*>(full.owner)->take(); };
   }
 
   void take() {
     ++takes;
-    const std::span<const std::uint32_t> doubtful(findings_.doubtful, findings_.doubts);
-    EXPECT_TRUE(std::is_sorted(doubtful.begin(), doubtful.end(), std::less_equal<>{}));
-    doubts += doubtful.size();
-    for (std::size_t k = 0; k < findings_.found; ++k) {
-      const std::uint32_t a = findings_.element[k];
-      const std::uint32_t b = findings_.partner[k];
-      const bool doubted = std::binary_search(doubtful.begin(), doubtful.end(), k);
-      if (!doubted || (a + b) % 2 == 0) pairs.push_back({std::min(a, b), std::max(a, b)});
+    const std::span<const std::uint32_t> undecided(hits_.undecided, hits_.undecided_count);
+    EXPECT_TRUE(std::is_sorted(undecided.begin(), undecided.end(), std::less_equal<>{}));
+    undecided_count += undecided.size();
+    for (std::size_t k = 0; k < hits_.found; ++k) {
+      const std::uint32_t a = hits_.element[k];
+      const std::uint32_t b = hits_.partner[k];
+      const bool left_open = std::binary_search(undecided.begin(), undecided.end(), k);
+      if (!left_open || (a + b) % 2 == 0) pairs.push_back({std::min(a, b), std::max(a, b)});
     }
-    findings_.found = 0;
-    findings_.doubts = 0;
+    hits_.found = 0;
+    hits_.undecided_count = 0;
   }
 
-  SearchJob job{};
+  kernels::SearchJob job{};
   std::vector<ContactPair> pairs;
-  std::uint64_t doubts = 0;
+  std::uint64_t undecided_count = 0;
   int takes = 0;
 
  private:
-  static constexpr std::size_t columns = std::extent_v<decltype(SearchJob::block)>;
+  static constexpr std::size_t columns = std::extent_v<decltype(kernels::SearchJob::block)>;
 
-  Findings findings_;
+  kernels::HitBuffer hits_;
   std::vector<float> block_;
   std::vector<std::uint32_t> block_number_;
 };
@@ -161,7 +162,7 @@ constexpr float slack = 0x1p-20f;
 bool reach(const MadeTile& tile, int dimensions, std::size_t i, std::size_t j, float extra,
            bool or_touch) {
   const float margin = tile.margin;
-  if (tile.view.shape == TileShape::boxes) {
+  if (tile.view.shape == kernels::TileShape::boxes) {
     bool result = true;
     for (int axis = 0; axis < dimensions; ++axis) {
       const float behind = tile.center[axis][i] - tile.center[axis][j];
@@ -201,7 +202,7 @@ std::vector<ContactPair> by_all_pairs(const MadeTile& tile, int dimensions) {
 
 struct Case {
   int dimensions;
-  TileShape shape;
+  kernels::TileShape shape;
 };
 
 class TileKernelsTest : public ::testing::TestWithParam<Case> {};
@@ -210,7 +211,7 @@ TEST_P(TileKernelsTest, SearchFindsTheSameInTheSameOrder) {
   const auto [dimensions, shape] = GetParam();
   Random random(31);
   std::size_t found = 0;
-  std::size_t doubts = 0;
+  std::size_t undecided_count = 0;
   int takes = 0;
   for (int k = 0; k < 150; ++k) {
     // Empty rows, runs of about a vector, crowds.
@@ -218,37 +219,38 @@ TEST_P(TileKernelsTest, SearchFindsTheSameInTheSameOrder) {
     const MadeTile tile =
         made_tile(dimensions, random, densities[static_cast<std::size_t>(k % 5)], shape);
     Found plain(tile);
-    const Layers all = all_layers(tile.view, dimensions);
-    tile_kernels(Simd::scalar).search(tile.view, all, plain.job, dimensions);
+    const kernels::Layers all = kernels::all_layers(tile.view, dimensions);
+    kernels::tile_kernels(Simd::scalar).search(tile.view, all, plain.job, dimensions);
     plain.take();
     found += plain.pairs.size();
-    doubts += plain.doubts;
+    undecided_count += plain.undecided_count;
     takes += plain.takes;
     std::vector<ContactPair> sorted = plain.pairs;
     std::sort(sorted.begin(), sorted.end());
     ASSERT_EQ(sorted, by_all_pairs(tile, dimensions)) << "tile " << k;
     for (const Simd level : testing::simd_levels_here()) {
       Found other(tile);
-      tile_kernels(level).search(tile.view, all, other.job, dimensions);
+      kernels::tile_kernels(level).search(tile.view, all, other.job, dimensions);
       other.take();
       Found by_layers(tile);
       for (std::int32_t layer = all.begin; layer < all.end; ++layer) {
-        tile_kernels(level).search(tile.view, {layer, layer + 1}, by_layers.job, dimensions);
+        kernels::tile_kernels(level).search(tile.view, {layer, layer + 1}, by_layers.job,
+                                            dimensions);
       }
       by_layers.take();
       for (const Found* one : {&other, &by_layers}) {
         ASSERT_EQ(one->pairs, plain.pairs) << name_of(level) << ", tile " << k;
         EXPECT_EQ(one->job.candidate_tests, plain.job.candidate_tests) << name_of(level);
-        EXPECT_EQ(one->doubts, plain.doubts) << name_of(level);
+        EXPECT_EQ(one->undecided_count, plain.undecided_count) << name_of(level);
       }
     }
   }
   EXPECT_GT(takes, 150) << "the room is full at times";
   EXPECT_GT(found, 4000U);
-  EXPECT_GT(doubts, 200U);
+  EXPECT_GT(undecided_count, 200U);
 }
 
-TEST_P(TileKernelsTest, VisitorsMeetTheSameInTheSameOrder) {
+TEST_P(TileKernelsTest, CoarseElementsMeetTheSameInTheSameOrder) {
   const auto [dimensions, shape] = GetParam();
   Random random(32);
   std::size_t found = 0;
@@ -261,15 +263,15 @@ TEST_P(TileKernelsTest, VisitorsMeetTheSameInTheSameOrder) {
       if (random.below(3) != 0) runs.push_back({begin, end});
       begin = end + static_cast<std::uint32_t>(random.below(3));
     }
-    Visitor visitor{};
+    kernels::CoarseElement coarse{};
     for (int axis = 0; axis < dimensions; ++axis) {
-      visitor.center[axis] = static_cast<float>(random.uniform(-1.0, 1.0));
+      coarse.center[axis] = static_cast<float>(random.uniform(-1.0, 1.0));
     }
-    for (float& length : visitor.size) length = static_cast<float>(random.uniform(0.2, 1.5));
-    visitor.slack = 0x1p-12f;
-    visitor.number = 200000;
+    for (float& length : coarse.size) length = static_cast<float>(random.uniform(0.2, 1.5));
+    coarse.slack = 0x1p-12f;
+    coarse.number = 200000;
     Found plain(tile);
-    tile_kernels(Simd::scalar).visit(tile.view, plain.job, dimensions, visitor, runs);
+    kernels::tile_kernels(Simd::scalar).test_coarse(tile.view, plain.job, dimensions, coarse, runs);
     plain.take();
     found += plain.pairs.size();
     std::uint64_t tests = 0;
@@ -277,11 +279,11 @@ TEST_P(TileKernelsTest, VisitorsMeetTheSameInTheSameOrder) {
     EXPECT_EQ(plain.job.candidate_tests, tests);
     for (const Simd level : testing::simd_levels_here()) {
       Found other(tile);
-      tile_kernels(level).visit(tile.view, other.job, dimensions, visitor, runs);
+      kernels::tile_kernels(level).test_coarse(tile.view, other.job, dimensions, coarse, runs);
       other.take();
       ASSERT_EQ(other.pairs, plain.pairs) << name_of(level) << ", tile " << k;
       EXPECT_EQ(other.job.candidate_tests, tests);
-      EXPECT_EQ(other.doubts, plain.doubts);
+      EXPECT_EQ(other.undecided_count, plain.undecided_count);
     }
   }
   EXPECT_GT(found, 300U);
@@ -301,7 +303,7 @@ TEST(PairUp, PutsTheSmallerNumberFirst) {
     expected.push_back({1, 2});
     for (const Simd level : testing::simd_levels_here()) {
       std::vector<ContactPair> pairs(count + 1, ContactPair{1, 2});
-      tile_kernels(level).pair_up(element.data(), partner.data(), count, pairs.data());
+      kernels::tile_kernels(level).pair_up(element.data(), partner.data(), count, pairs.data());
       EXPECT_EQ(pairs, expected) << name_of(level) << ", nothing behind the last is touched";
     }
   }
@@ -314,11 +316,13 @@ std::string name_of_case(const ::testing::TestParamInfo<Case>& parameter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, TileKernelsTest,
-                         ::testing::Values(Case{2, TileShape::equal_spheres},
-                                           Case{2, TileShape::spheres}, Case{2, TileShape::boxes},
-                                           Case{3, TileShape::equal_spheres},
-                                           Case{3, TileShape::spheres}, Case{3, TileShape::boxes}),
+                         ::testing::Values(Case{2, kernels::TileShape::equal_spheres},
+                                           Case{2, kernels::TileShape::spheres},
+                                           Case{2, kernels::TileShape::boxes},
+                                           Case{3, kernels::TileShape::equal_spheres},
+                                           Case{3, kernels::TileShape::spheres},
+                                           Case{3, kernels::TileShape::boxes}),
                          name_of_case);
 
 }  // namespace
-}  // namespace abut::kernels
+}  // namespace abut::testing

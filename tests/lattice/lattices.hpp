@@ -12,12 +12,12 @@
 #include <utility>
 
 /// Lattices of every kind, for tests.
-namespace abut::test {
+namespace abut::testing {
 
 template <int Dim>
 struct NamedLattice {
   const char* kind = "";
-  base::Lattice lattice;
+  exact::Lattice lattice;
 
   friend std::ostream& operator<<(std::ostream& out, const NamedLattice& named) {
     out << named.kind << std::hexfloat;
@@ -107,4 +107,4 @@ template <int Dim>
   return result;
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

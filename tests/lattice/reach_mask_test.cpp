@@ -17,7 +17,7 @@ namespace {
 using scenes::Random;
 
 template <int Dim>
-grid::Bounds<Dim> bounds_of(const std::vector<base::Sphere<Dim>>& spheres) {
+grid::Bounds<Dim> bounds_of(const std::vector<exact::Sphere<Dim>>& spheres) {
   grid::Bounds<Dim> bounds;
   for (const auto& sphere : spheres) {
     bounds.include_center(sphere);
@@ -27,8 +27,8 @@ grid::Bounds<Dim> bounds_of(const std::vector<base::Sphere<Dim>>& spheres) {
 }
 
 template <int Dim>
-base::Sphere<Dim> random_sphere(Random& random, double width, double radius) {
-  base::Sphere<Dim> sphere{};
+exact::Sphere<Dim> random_sphere(Random& random, double width, double radius) {
+  exact::Sphere<Dim> sphere{};
   for (double& x : sphere.center) x = random.uniform(-width, width);
   sphere.radius = radius * random.uniform();
   return sphere;
@@ -41,16 +41,16 @@ struct Answers {
 
 /// Asks about neighbors of `spheres` by direction and distance, around touching to the last place.
 template <int Dim>
-Answers ask_near_touching(const std::vector<base::Sphere<Dim>>& spheres, double others_radius,
+Answers ask_near_touching(const std::vector<exact::Sphere<Dim>>& spheres, double others_radius,
                           double margin, Random& random) {
   base::MemoryMeter memory;
-  grid::ReachMask<Dim> mask(memory);
+  lattice::ReachMask<Dim> mask(memory);
   mask.cover_box(bounds_of(spheres), others_radius, margin);
   mask.cover_cells(spheres);
   Answers answers;
   for (const auto& sphere : spheres) {
     for (int k = 0; k < 40; ++k) {
-      base::Sphere<Dim> other = sphere;
+      exact::Sphere<Dim> other = sphere;
       other.radius = k % 4 == 0 ? others_radius : others_radius * random.uniform();
       const double reach = sphere.radius + other.radius + margin;
       double& x = other.center[random.below(Dim)];
@@ -58,7 +58,7 @@ Answers ask_near_touching(const std::vector<base::Sphere<Dim>>& spheres, double 
       for (int step = k % 5; step > 2; --step) x = std::nextafter(x, 1e300);
       for (int step = k % 5; step < 2; ++step) x = std::nextafter(x, -1e300);
       std::uint64_t exact_decisions = 0;
-      const bool within = base::within_reach(sphere, other, margin, exact_decisions);
+      const bool within = exact::within_reach(sphere, other, margin, exact_decisions);
       answers.within_reach += within ? 1 : 0;
       if (!mask.may_be_within_reach(other)) {
         EXPECT_FALSE(within);
@@ -77,7 +77,7 @@ void check(std::uint64_t seed) {
   for (int round = 0; round < 200; ++round) {
     const double scale = std::ldexp(1.0, static_cast<int>(random.below(1200)) - 600);
     const double width = scale * std::pow(10.0, random.uniform(0.0, 12.0));
-    std::vector<base::Sphere<Dim>> spheres;
+    std::vector<exact::Sphere<Dim>> spheres;
     // One alone has both faces of the box within its own reach.
     const std::size_t count = round % 4 == 0 ? 1 : 1 + random.below(50);
     for (std::size_t k = 0; k < count; ++k) {
@@ -99,10 +99,10 @@ TEST(ReachMask, RulesOutNothingWithinReach) {
 
 TEST(ReachMask, RulesOutMostThatAreFarAway) {
   Random random(3);
-  std::vector<base::Sphere<3>> few;
+  std::vector<exact::Sphere<3>> few;
   for (int k = 0; k < 100; ++k) few.push_back(random_sphere<3>(random, 100.0, 1.0));
   base::MemoryMeter memory;
-  grid::ReachMask<3> mask(memory);
+  lattice::ReachMask<3> mask(memory);
   mask.cover_box(bounds_of(few), 1.0, 0.0);
   mask.cover_cells(few);
   int kept = 0;
@@ -124,8 +124,8 @@ TEST(ReachMask, TakesAnyNumbers) {
   ask_near_touching<2>({{{-1e280, 0}, 1.0}, {{1e280, 1e18}, 1e-300}}, 1e-300, 0.0, random);
   // Beyond the range of sums all of space is covered.
   base::MemoryMeter memory;
-  grid::ReachMask<2> mask(memory);
-  const std::vector<base::Sphere<2>> wide{{{-largest, 0}, 1.0}, {{largest, 0}, largest}};
+  lattice::ReachMask<2> mask(memory);
+  const std::vector<exact::Sphere<2>> wide{{{-largest, 0}, 1.0}, {{largest, 0}, largest}};
   mask.cover_box(bounds_of(wide), largest, largest);
   mask.cover_cells(wide);
   EXPECT_TRUE(mask.may_be_within_reach({{largest, -largest}, 0.0}));

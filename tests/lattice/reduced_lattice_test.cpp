@@ -16,17 +16,17 @@
 #include <string>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using grid::ReducedLattice;
+using lattice::ReducedLattice;
 
 template <int Dim>
 using Rational = std::array<mpq_class, Dim>;
 
 /// b_k, exactly.
 template <int Dim>
-Rational<Dim> exact_vector(const ReducedLattice<Dim>& reduced, const base::Lattice& given,
+Rational<Dim> exact_vector(const ReducedLattice<Dim>& reduced, const exact::Lattice& given,
                            std::size_t k) {
   Rational<Dim> sum;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -106,7 +106,7 @@ void expect_short(const ReducedLattice<Dim>& reduced) {
 }
 
 template <int Dim>
-void expect_sound(const base::Lattice& given, const ReducedLattice<Dim>& reduced) {
+void expect_sound(const exact::Lattice& given, const ReducedLattice<Dim>& reduced) {
   ASSERT_NO_FATAL_FAILURE(expect_inverse(reduced));
   ASSERT_NO_FATAL_FAILURE(expect_short(reduced));
   std::vector<Rational<Dim>> exact;
@@ -131,7 +131,7 @@ void expect_sound(const base::Lattice& given, const ReducedLattice<Dim>& reduced
 
 /// Also with vectors turned round.
 template <int Dim>
-void expect_sound(const base::Lattice& given) {
+void expect_sound(const exact::Lattice& given) {
   ReducedLattice<Dim> reduced(given);
   ASSERT_NO_FATAL_FAILURE(expect_sound(given, reduced));
   const auto vectors = reduced.vectors;
@@ -146,7 +146,7 @@ void expect_sound(const base::Lattice& given) {
 }
 
 template <class Dimension>
-class ReducedLattices : public testing::Test {};
+class ReducedLattices : public ::testing::Test {};
 
 TYPED_TEST_SUITE(ReducedLattices, Dimensions);
 
@@ -200,7 +200,7 @@ TYPED_TEST(ReducedLattices, OfRandomUnimodularCombinations) {
 }
 
 TEST(ReducedLattice, KeepsWhatIsReduced) {
-  base::Lattice lattice;
+  exact::Lattice lattice;
   lattice.vectors = {{{0.0, 3.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, -2.0}}};
   lattice.periodic = {true, false, true};
   const ReducedLattice<3> reduced(lattice);
@@ -216,7 +216,7 @@ TEST(ReducedLattice, KeepsWhatIsReduced) {
 }
 
 TEST(ReducedLattice, GivesShiftsInTheGivenBasis) {
-  base::Lattice lattice;
+  exact::Lattice lattice;
   lattice.vectors = {{{1.0, 0.0, 0.0}, {1000.25, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
   lattice.periodic = {true, true, false};
   const ReducedLattice<3> reduced(lattice);
@@ -229,12 +229,12 @@ TEST(ReducedLattice, GivesShiftsInTheGivenBasis) {
 }
 
 TEST(ReducedLattice, OpenOnAllAxes) {
-  const ReducedLattice<3> reduced(base::Lattice{});
+  const ReducedLattice<3> reduced(exact::Lattice{});
   EXPECT_EQ(reduced.count, 0u);
   EXPECT_EQ(reduced.shift_of({0, 0, 0}), ImageShift{});
 }
 
-std::string error_of(const base::Lattice& lattice, int dimensions) {
+std::string error_of(const exact::Lattice& lattice, int dimensions) {
   try {
     if (dimensions == 2) {
       static_cast<void>(ReducedLattice<2>(lattice));
@@ -248,7 +248,7 @@ std::string error_of(const base::Lattice& lattice, int dimensions) {
   return "";
 }
 
-base::Lattice lattice_of(const Matrix& vectors, std::array<bool, 3> periodic) {
+exact::Lattice lattice_of(const Matrix& vectors, std::array<bool, 3> periodic) {
   return {vectors, periodic};
 }
 
@@ -322,4 +322,4 @@ TEST(ReducedLattice, RefusesWhatNoShortBasisFits) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

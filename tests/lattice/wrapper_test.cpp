@@ -11,18 +11,20 @@
 #include <cmath>
 #include <string>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 /// x - W b on one axis, exactly.
 template <int Dim>
-mpq_class moved_exactly(double x, const base::Lattice& given,
-                        const grid::ReducedLattice<Dim>& reduced, const grid::Brick<Dim>& brick,
-                        const grid::CellsMoved& cells, std::size_t axis) {
+mpq_class moved_exactly(double x, const exact::Lattice& given,
+                        const lattice::ReducedLattice<Dim>& reduced,
+                        const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                        const lattice::CellsMoved& cells, std::size_t axis) {
   mpq_class result(x);
   for (std::size_t k = 0; k < reduced.count; ++k) {
     for (std::size_t l = 0; l < reduced.count; ++l) {
-      result -= cells[k] * mpq_class(std::to_string(reduced.to_given[brick.vector_of[k]][l])) *
+      result -= cells[k] *
+                mpq_class(std::to_string(reduced.to_given[orthogonal_cell.vector_of[k]][l])) *
                 mpq_class(given.vectors[reduced.axis_of[l]][axis]);
     }
   }
@@ -30,7 +32,7 @@ mpq_class moved_exactly(double x, const base::Lattice& given,
 }
 
 template <class Dimension>
-class Wrapper : public testing::Test {};
+class Wrapper : public ::testing::Test {};
 
 TYPED_TEST_SUITE(Wrapper, Dimensions);
 
@@ -40,12 +42,12 @@ TYPED_TEST(Wrapper, IsOffByHalfALastPlaceHoweverFar) {
   int rounded = 0;
   for (int round = 0; round < 3000; ++round) {
     const auto named = random_lattice<dim>(random);
-    const grid::ReducedLattice<dim> reduced(named.lattice);
+    const lattice::ReducedLattice<dim> reduced(named.lattice);
     std::array<bool, dim> along{};
     along.fill(true);
-    const grid::Brick<dim> brick(reduced, 1.0);
-    const grid::Wrapper<dim> wrapper(reduced, brick, along);
-    base::Sphere<dim> sphere{};
+    const lattice::OrthogonalCell<dim> orthogonal_cell(reduced, 1.0);
+    const lattice::Wrapper<dim> wrapper(reduced, orthogonal_cell, along);
+    exact::Sphere<dim> sphere{};
     double cell = 0.0;
     const double cells_away = std::ldexp(1.0, round % 31);
     for (std::size_t k = 0; k < reduced.count; ++k) {
@@ -55,19 +57,19 @@ TYPED_TEST(Wrapper, IsOffByHalfALastPlaceHoweverFar) {
         sphere.center[axis] += cells * reduced.vectors[k][axis];
       }
     }
-    base::Sphere<dim> wrapped = sphere;
+    exact::Sphere<dim> wrapped = sphere;
     const auto cells = wrapper.wrap(wrapped, 0);
     for (std::size_t axis = 0; axis < dim; ++axis) {
       const mpq_class exact =
-          moved_exactly(sphere.center[axis], named.lattice, reduced, brick, cells, axis);
+          moved_exactly(sphere.center[axis], named.lattice, reduced, orthogonal_cell, cells, axis);
       const double off = mpq_class(mpq_class(wrapped.center[axis]) - exact).get_d();
       ASSERT_LE(std::fabs(off), 0x1p-53 * std::fabs(wrapped.center[axis]) + 0x1p-55 * cell)
           << named;
       rounded += off != 0.0 ? 1 : 0;
     }
     for (std::size_t k = 0; k < reduced.count; ++k) {
-      ASSERT_GE(brick.coordinate(k, wrapped.center), -0x1p-40) << named;
-      ASSERT_LE(brick.coordinate(k, wrapped.center), 1.0 + 0x1p-40) << named;
+      ASSERT_GE(orthogonal_cell.coordinate(k, wrapped.center), -0x1p-40) << named;
+      ASSERT_LE(orthogonal_cell.coordinate(k, wrapped.center), 1.0 + 0x1p-40) << named;
     }
   }
   EXPECT_GT(rounded, 500);
@@ -78,17 +80,17 @@ TYPED_TEST(Wrapper, LeavesWhatIsInside) {
   Random random(102);
   for (int round = 0; round < 1000; ++round) {
     const auto named = random_lattice<dim>(random);
-    const grid::ReducedLattice<dim> reduced(named.lattice);
+    const lattice::ReducedLattice<dim> reduced(named.lattice);
     std::array<bool, dim> along{};
     along[reduced.count - 1] = true;
-    const grid::Brick<dim> brick(reduced, 1.0);
-    const grid::Wrapper<dim> wrapper(reduced, brick, along);
-    base::Sphere<dim> sphere{};
+    const lattice::OrthogonalCell<dim> orthogonal_cell(reduced, 1.0);
+    const lattice::Wrapper<dim> wrapper(reduced, orthogonal_cell, along);
+    exact::Sphere<dim> sphere{};
     for (double& x : sphere.center) x = uniform(random, -9.0, 9.0);
-    base::Sphere<dim> wrapped = sphere;
+    exact::Sphere<dim> wrapped = sphere;
     const auto cells = wrapper.wrap(wrapped, 0);
     const std::size_t last = reduced.count - 1;
-    const double place = brick.coordinate(last, sphere.center);
+    const double place = orthogonal_cell.coordinate(last, sphere.center);
     ASSERT_EQ(cells[last] == 0, place >= 0.0 && place < 1.0);
     for (std::size_t k = 0; k < 3; ++k) {
       if (k == last) continue;
@@ -102,4 +104,4 @@ TYPED_TEST(Wrapper, LeavesWhatIsInside) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -1,8 +1,8 @@
 // From pairs as several workers found them to lists: FoundPairs, join, canonical order, rows of
 // neighbors.
 
+#include "lists/csr_builder.hpp"
 #include "lists/found_pairs.hpp"
-#include "lists/neighbor_rows.hpp"
 #include "lists/order_pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/nobody_asked.hpp"
@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace abut::api {
+namespace abut::testing {
 namespace {
 
 using scenes::Random;
@@ -65,7 +65,7 @@ struct Units {
     return result;
   }
 
-  void deliver(FoundPairs& found, std::size_t workers, std::uint64_t seed) const {
+  void deliver(lists::FoundPairs& found, std::size_t workers, std::uint64_t seed) const {
     Random random(seed);
     found.expect_workers(workers);
     std::vector<std::size_t> order(pairs.size());
@@ -78,21 +78,22 @@ struct Units {
     }
   }
 
-  void deliver_in_order(FoundPairs& found) const {
+  void deliver_in_order(lists::FoundPairs& found) const {
     Random random(1);
     found.expect_workers(1);
     for (std::size_t unit = 0; unit < pairs.size(); ++unit) deliver_unit(found, unit, 0, random);
   }
 
-  void deliver_unit(FoundPairs& found, std::size_t unit, std::size_t worker, Random& random) const {
+  void deliver_unit(lists::FoundPairs& found, std::size_t unit, std::size_t worker,
+                    Random& random) const {
     for (std::size_t done = 0; done < pairs[unit].size();) {
-      const auto room = found.room(worker);
-      ASSERT_GE(room.size(), base::PairSink::smallest_room);
+      const auto room = found.buffer(worker);
+      ASSERT_GE(room.size(), base::PairSink::smallest_buffer);
       const std::size_t count =
           std::min({room.size(), pairs[unit].size() - done, 1 + random.below(5000)});
       const std::span piece = std::span(pairs[unit]).subspan(done, count);
       std::copy(piece.begin(), piece.end(), room.begin());
-      const auto shifts = found.shift_room(worker);
+      const auto shifts = found.shift_buffer(worker);
       if (!shifts.empty()) {
         ASSERT_GE(shifts.size(), count);
         std::transform(piece.begin(), piece.end(), shifts.begin(), shift_of);
@@ -103,11 +104,11 @@ struct Units {
   }
 };
 
-PairVector joined(FoundPairs& found, std::size_t workers) {
+PairVector joined(lists::FoundPairs& found, std::size_t workers) {
   const auto pieces = found.pieces();
   PairVector result(found.size());
   base::MemoryMeter memory;
-  PairOrder(memory).join(pieces, result, workers, nobody.work);
+  lists::PairOrder(memory).join(pieces, result, workers, nobody.work);
   return result;
 }
 
@@ -115,7 +116,7 @@ TEST(FoundPairs, ComeInTheOrderOfUnitsWhoeverFoundThem) {
   const Units units(1);
   for (const std::size_t workers : {1U, 2U, 7U}) {
     base::MemoryMeter memory;
-    FoundPairs found(memory);
+    lists::FoundPairs found(memory);
     for (std::uint64_t seed = 2; seed < 5; ++seed) {
       found.start_anew({});
       units.deliver(found, workers, seed);
@@ -128,7 +129,7 @@ TEST(FoundPairs, KeepTheirMemoryAndGiveItBackAtTheEnd) {
   const Units units(1);
   base::MemoryMeter memory;
   {
-    FoundPairs found(memory);
+    lists::FoundPairs found(memory);
     units.deliver(found, 2, 3);
     const std::uint64_t held = memory.held();
     EXPECT_GE(held, found.size() * sizeof(ContactPair));
@@ -148,15 +149,15 @@ TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
   for (const std::size_t room : {std::size_t{0}, std::size_t{511}, std::size_t{5000},
                                  expected.size(), expected.size() + 1000}) {
     base::MemoryMeter memory;
-    FoundPairs found(memory);
+    lists::FoundPairs found(memory);
     PairVector target(std::max(room, expected.size()));
     found.start_anew({.buffer = {std::span(target).first(room), {}}});
     units.deliver_in_order(found);
     const std::size_t in_place = found.in_buffer();
     EXPECT_LE(in_place, room);
-    EXPECT_GE(in_place + base::PairSink::smallest_room, std::min(room, expected.size()));
+    EXPECT_GE(in_place + base::PairSink::smallest_buffer, std::min(room, expected.size()));
     target.resize(expected.size());
-    PairOrder(memory).join(found.pieces(), target, 1, nobody.work, in_place);
+    lists::PairOrder(memory).join(found.pieces(), target, 1, nobody.work, in_place);
     EXPECT_EQ(target, expected) << "room for " << room;
   }
 }
@@ -171,7 +172,7 @@ TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
   for (const auto& [room, room_for_shifts] :
        {std::pair{all, all}, {all, std::size_t{5000}}, {std::size_t{5000}, all}, {all, {}}}) {
     base::MemoryMeter memory;
-    FoundPairs found(memory);
+    lists::FoundPairs found(memory);
     PairVector target(all);
     std::vector<ImageShift> shifts(all);
     found.start_anew(
@@ -181,10 +182,10 @@ TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
     const std::size_t in_place = found.in_buffer();
     const std::size_t lent = std::min(room, room_for_shifts);
     EXPECT_LE(in_place, lent);
-    EXPECT_GE(in_place + base::PairSink::smallest_room, lent);
+    EXPECT_GE(in_place + base::PairSink::smallest_buffer, lent);
     const auto pieces = found.pieces();
-    PairOrder(memory).join({pieces, found.shift_pieces()}, target, shifts, 1, nobody.work,
-                           in_place);
+    lists::PairOrder(memory).join({pieces, found.shift_pieces()}, target, shifts, 1, nobody.work,
+                                  in_place);
     EXPECT_EQ(target, expected) << "room for " << room << " and " << room_for_shifts;
     EXPECT_EQ(shifts, expected_shifts) << "room for " << room << " and " << room_for_shifts;
   }
@@ -193,7 +194,7 @@ TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
 TEST(FoundPairs, OfSeveralWorkersDoNot) {
   const Units units(1);
   base::MemoryMeter memory;
-  FoundPairs found(memory);
+  lists::FoundPairs found(memory);
   PairVector target(units.together().size());
   found.start_anew({.buffer = {target, {}}});
   units.deliver(found, 2, 3);
@@ -203,14 +204,14 @@ TEST(FoundPairs, OfSeveralWorkersDoNot) {
 
 TEST(FoundPairs, OneMoreThanTheLimitIsAnError) {
   base::MemoryMeter memory;
-  FoundPairs found(memory);
+  lists::FoundPairs found(memory);
   found.start_anew({.limit = 100});
   found.expect_workers(2);
-  static_cast<void>(found.room(0));
+  static_cast<void>(found.buffer(0));
   found.commit(60, {0, 0});
-  static_cast<void>(found.room(1));
+  static_cast<void>(found.buffer(1));
   found.commit(40, {1, 1});
-  static_cast<void>(found.room(0));
+  static_cast<void>(found.buffer(0));
   EXPECT_THROW(found.commit(1, {0, 2}), Error);
 }
 
@@ -221,11 +222,11 @@ TEST(OrderPairs, CanonicalIsSorted) {
     std::sort(expected.begin(), expected.end());
     for (const std::size_t workers : {1U, 2U, 7U}) {
       base::MemoryMeter memory;
-      FoundPairs found(memory);
+      lists::FoundPairs found(memory);
       units.deliver(found, workers, seed);
       const auto pieces = found.pieces();
       PairVector ordered(found.size());
-      PairOrder(memory).sort(pieces, elements, ordered, workers, nobody.work);
+      lists::PairOrder(memory).sort(pieces, elements, ordered, workers, nobody.work);
       EXPECT_EQ(ordered, expected) << workers << " workers";
     }
   }
@@ -257,7 +258,7 @@ TEST(OrderPairs, FewOrManyPairsOfNearOrFarPartners) {
       const std::span<const ContactPair> piece(pairs);
       base::MemoryMeter memory;
       PairVector ordered(pairs.size());
-      PairOrder(memory).sort({&piece, 1}, count, ordered, 2, nobody.work);
+      lists::PairOrder(memory).sort({&piece, 1}, count, ordered, 2, nobody.work);
       EXPECT_EQ(ordered, expected) << pairs.size() << " pairs, partners up to " << furthest;
     }
   }
@@ -274,7 +275,7 @@ TEST(OrderPairs, OneCrowdedElement) {
   for (const std::size_t workers : {1U, 3U}) {
     base::MemoryMeter memory;
     PairVector ordered(pairs.size());
-    PairOrder(memory).sort({&piece, 1}, count, ordered, workers, nobody.work);
+    lists::PairOrder(memory).sort({&piece, 1}, count, ordered, workers, nobody.work);
     EXPECT_EQ(ordered, expected);
   }
 }
@@ -282,14 +283,14 @@ TEST(OrderPairs, OneCrowdedElement) {
 TEST(OrderPairs, NoPairsNoWork) {
   base::MemoryMeter memory;
   PairVector none;
-  PairOrder order(memory);
+  lists::PairOrder order(memory);
   order.sort({}, 0, none, 2, nobody.work);
   order.sort({}, 10, none, 2, nobody.work);
   order.join({}, none, 2, nobody.work);
   EXPECT_EQ(memory.held(), 0U);
 }
 
-TEST(NeighborRows, HoldThePartnersAscending) {
+TEST(CsrBuilder, HoldThePartnersAscending) {
   const Units units(5);
   const PairVector pairs = units.together();
   for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
@@ -306,7 +307,7 @@ TEST(NeighborRows, HoldThePartnersAscending) {
       base::MemoryMeter memory;
       std::vector<PairCount> offsets(elements + 1, 12345);
       std::vector<ElementIndex> neighbors(pairs.size() * (kind == NeighborListKind::full ? 2 : 1));
-      NeighborRows(memory).list(pieces, kind, offsets, neighbors, workers, nobody.work);
+      lists::CsrBuilder(memory).list(pieces, kind, offsets, neighbors, workers, nobody.work);
       ASSERT_EQ(offsets[0], 0U);
       ASSERT_EQ(offsets[elements], neighbors.size());
       for (std::size_t e = 0; e < elements; ++e) {
@@ -319,4 +320,4 @@ TEST(NeighborRows, HoldThePartnersAscending) {
 }
 
 }  // namespace
-}  // namespace abut::api
+}  // namespace abut::testing

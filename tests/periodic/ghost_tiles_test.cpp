@@ -1,4 +1,4 @@
-// Where ghosts go: each reaches the tiles of all natives that it may pair with, or is out of reach.
+// Where ghosts go: each reaches the tiles of all locals that it may pair with, or is out of reach.
 
 #include "engine/tiles.hpp"
 #include "kernels/image_kernels.hpp"
@@ -16,7 +16,7 @@
 #include <set>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 using testing::DomainKind;
@@ -24,8 +24,8 @@ using testing::Extreme;
 using testing::ExtremeSystem;
 
 template <int Dim>
-base::Lattice lattice_of(const ExtremeSystem& system) {
-  base::Lattice lattice;
+exact::Lattice lattice_of(const ExtremeSystem& system) {
+  exact::Lattice lattice;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     lattice.vectors[axis] = system.domain.vector(static_cast<int>(axis));
     lattice.periodic[axis] = system.domain.is_periodic(static_cast<int>(axis));
@@ -35,9 +35,9 @@ base::Lattice lattice_of(const ExtremeSystem& system) {
 
 /// The elements times a unit.
 template <int Dim>
-std::vector<base::Sphere<Dim>> spheres_of(const ExtremeSystem& system, double unit) {
+std::vector<exact::Sphere<Dim>> spheres_of(const ExtremeSystem& system, double unit) {
   const std::vector<double>* const columns[] = {&system.scene.x, &system.scene.y, &system.scene.z};
-  std::vector<base::Sphere<Dim>> spheres(system.scene.size());
+  std::vector<exact::Sphere<Dim>> spheres(system.scene.size());
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       spheres[k].center[axis] = (*columns[axis])[k] * unit;
@@ -47,9 +47,10 @@ std::vector<base::Sphere<Dim>> spheres_of(const ExtremeSystem& system, double un
   return spheres;
 }
 
-/// As the search of a group has it: a hair above the reach, and never too small for its numbers.
+/// As the search of a search set has it: a hair above the reach, and never too small for its
+/// numbers.
 template <int Dim>
-double cell_size(const engine::Images<Dim>& images, const grid::Bounds<Dim>& bounds,
+double cell_size(const periodic::Images<Dim>& images, const grid::Bounds<Dim>& bounds,
                  double margin) {
   const double reach = bounds.largest_radius + bounds.second_largest_radius + margin;
   double cell = std::max({reach * (1.0 + 0x1p-10), images.least_cell(), 0x1p-900});
@@ -59,7 +60,7 @@ double cell_size(const engine::Images<Dim>& images, const grid::Bounds<Dim>& bou
   return cell;
 }
 
-/// The tiles in which each native is an own element, and each foreign a copy.
+/// The tiles in which each local element is an own element, and each halo element a copy.
 template <int Dim>
 std::vector<std::set<std::size_t>> tiles_of(const engine::Tiles<Dim>& tiles, std::size_t elements,
                                             std::size_t tile_count) {
@@ -70,56 +71,55 @@ std::vector<std::set<std::size_t>> tiles_of(const engine::Tiles<Dim>& tiles, std
   return result;
 }
 
-/// Natives and ghosts as one group, as a periodic search makes it.
+/// Locals and ghosts as one search set, as a periodic search makes it.
 template <int Dim>
-engine::Group<Dim> group_of(const engine::Images<Dim>& images) {
-  const std::size_t natives = images.natives().size();
-  engine::Group<Dim> group;
-  group.natives = engine::Numbers(natives);
-  group.foreigns =
-      engine::Numbers::from(static_cast<std::uint32_t>(natives), images.ghosts().size());
-  group.bounds = images.native_bounds();
-  group.bounds.include(images.ghost_bounds());
-  group.bounds.lower = images.native_bounds().lower;
-  group.bounds.upper = images.native_bounds().upper;
-  return group;
+engine::SearchSet<Dim> search_set_of(const periodic::Images<Dim>& images) {
+  const std::size_t locals = images.locals().size();
+  engine::SearchSet<Dim> set;
+  set.locals = engine::Numbers(locals);
+  set.halo = engine::Numbers::from(static_cast<std::uint32_t>(locals), images.ghosts().size());
+  set.bounds = images.local_bounds();
+  set.bounds.include(images.ghost_bounds());
+  set.bounds.lower = images.local_bounds().lower;
+  set.bounds.upper = images.local_bounds().upper;
+  return set;
 }
 
-/// Returns how many pairs of a native and a ghost had to meet.
+/// Returns how many pairs of a local element and a ghost had to meet.
 template <int Dim>
 std::size_t check(const ExtremeSystem& system, double least_cells, double most_tiles) {
   auto spheres = spheres_of<Dim>(system, 1.0);
-  const double unit = grid::unit_of<Dim>(lattice_of<Dim>(system),
-                                         grid::largest_number(bounds_of<Dim>(spheres), 0.0));
+  const double unit = lattice::unit_of<Dim>(lattice_of<Dim>(system),
+                                            lattice::largest_number(bounds_of<Dim>(spheres), 0.0));
   spheres = spheres_of<Dim>(system, unit);
-  const grid::ReducedLattice<Dim> reduced(grid::times(lattice_of<Dim>(system), unit));
+  const lattice::ReducedLattice<Dim> reduced(lattice::times(lattice_of<Dim>(system), unit));
   base::MemoryMeter memory;
   auto elements = array_of(spheres, memory);
-  engine::Images<Dim> images(memory);
-  engine::ImageSettings settings{system.margin * unit, 1, kernels::image_kernels(Simd::scalar)};
+  periodic::Images<Dim> images(memory);
+  periodic::ImageSettings settings{system.margin * unit, 1, kernels::image_kernels(Simd::scalar)};
   settings.given_unit = unit;
   images.find(elements, bounds_of<Dim>(spheres), reduced, settings);
   if (images.reach_is_long() || !images.ghosts_are_outside() || images.ghosts().empty()) return 0;
 
   const double margin = system.margin * images.unit();
-  const std::size_t natives = images.natives().size();
-  const engine::Group<Dim> group = group_of(images);
-  const auto grid = engine::TileGrid<Dim>::over(
-      group.bounds, cell_size(images, group.bounds, margin), least_cells, most_tiles);
+  const std::size_t locals = images.locals().size();
+  const engine::SearchSet<Dim> set = search_set_of(images);
+  const auto grid = engine::TileGrid<Dim>::over(set.bounds, cell_size(images, set.bounds, margin),
+                                                least_cells, most_tiles);
   engine::Tiles<Dim> tiles(memory);
   testing::NobodyAsked nobody;
-  tiles.partition({images.natives_and_ghosts(), {}}, group, grid, margin,
+  tiles.partition({images.locals_and_ghosts(), {}}, set, grid, margin,
                   kernels::element_kernels(Simd::scalar), 1, nobody.work);
-  const auto where = tiles_of(tiles, images.natives_and_ghosts().size(), grid.tile_count);
+  const auto where = tiles_of(tiles, images.locals_and_ghosts().size(), grid.tile_count);
   std::size_t meetings = 0;
-  for (std::size_t i = 0; i < natives; ++i) {
-    for (std::size_t g = natives; g < where.size(); ++g) {
-      const auto& all = images.natives_and_ghosts();
+  for (std::size_t i = 0; i < locals; ++i) {
+    for (std::size_t g = locals; g < where.size(); ++g) {
+      const auto& all = images.locals_and_ghosts();
       if (!may_pair(all[i], all[g], margin, images.slack())) continue;
       ++meetings;
-      // A native is a copy in some tiles, too; it is its own in the last of them.
+      // A local element is a copy in some tiles, too; it is its own in the last of them.
       EXPECT_TRUE(where[g].contains(*where[i].rbegin()))
-          << "native " << i << " and ghost " << g - natives;
+          << "local " << i << " and ghost " << g - locals;
     }
   }
   return meetings;
@@ -149,4 +149,4 @@ TEST(GhostTiles, EveryGhostReachesTheTilesOfAllThatItMayMeet) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

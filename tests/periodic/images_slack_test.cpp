@@ -1,4 +1,4 @@
-// How far natives and ghosts are off where they were moved.
+// How far locals and ghosts are off where they were moved.
 
 #include "periodic/images.hpp"
 
@@ -12,23 +12,23 @@
 #include <array>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 template <class Dimension>
-class ImagesSlack : public testing::Test {};
+class ImagesSlack : public ::testing::Test {};
 
 TYPED_TEST_SUITE(ImagesSlack, Dimensions);
 
-/// Distances between natives and ghosts are off by no more than the slack, and not by far less.
+/// Distances between locals and ghosts are off by no more than the slack, and not by far less.
 TYPED_TEST(ImagesSlack, CoversTheRounding) {
   constexpr int dim = TypeParam::value;
   Random random(103);
   double worst = 0.0;
   for (int round = 0; round < 150; ++round) {
     const auto named = random_lattice<dim>(random);
-    const grid::ReducedLattice<dim> reduced(named.lattice);
-    std::vector<base::Sphere<dim>> spheres(6);
+    const lattice::ReducedLattice<dim> reduced(named.lattice);
+    std::vector<exact::Sphere<dim>> spheres(6);
     const double size = random_size(named, random);
     for (auto& sphere : spheres) {
       for (double& x : sphere.center) x = uniform(random, -size, size);
@@ -36,14 +36,14 @@ TYPED_TEST(ImagesSlack, CoversTheRounding) {
     }
     base::MemoryMeter memory;
     auto elements = array_of(spheres, memory);
-    engine::Images<dim> images(memory);
+    periodic::Images<dim> images(memory);
     images.find(elements, bounds_of<dim>(spheres), reduced,
                 {0.0, 1, kernels::image_kernels(Simd::scalar)});
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       for (std::size_t g = 0; g < images.ghosts().size(); ++g) {
-        const engine::Ghost& ghost = images.ghosts()[g];
+        const periodic::Ghost& ghost = images.ghosts()[g];
         const ImageShift shift = images.shift_between(i, ghost);
-        const auto& stored = images.natives_and_ghosts()[spheres.size() + g];
+        const auto& stored = images.locals_and_ghosts()[spheres.size() + g];
         mpf_class exact(0, 300);
         mpf_class seen(0, 300);
         for (std::size_t axis = 0; axis < dim; ++axis) {
@@ -52,7 +52,7 @@ TYPED_TEST(ImagesSlack, CoversTheRounding) {
                                     shift, named.lattice, axis);
           exact += component * component;
           const mpq_class difference =
-              mpq_class(images.natives()[i].center[axis]) - mpq_class(stored.center[axis]);
+              mpq_class(images.locals()[i].center[axis]) - mpq_class(stored.center[axis]);
           seen += difference * difference;
         }
         const mpf_class off = abs(sqrt(exact) - sqrt(seen));
@@ -65,4 +65,4 @@ TYPED_TEST(ImagesSlack, CoversTheRounding) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -1,4 +1,4 @@
-// Natives and ghosts against all images in rational numbers, with the widest vectors there are.
+// Locals and ghosts against all images in rational numbers, with the widest vectors there are.
 
 #include "periodic/images.hpp"
 
@@ -18,23 +18,23 @@
 #include <string>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 template <class Dimension>
-class Images : public testing::Test {};
+class Images : public ::testing::Test {};
 
 TYPED_TEST_SUITE(Images, Dimensions);
 
 /// Elements in the cell, or up to `cells_away` cells outside, and off the open axes by a little.
 template <int Dim>
-PeriodicSystem<Dim> random_system(const base::Lattice& lattice, std::size_t count,
+PeriodicSystem<Dim> random_system(const exact::Lattice& lattice, std::size_t count,
                                   double largest_radius, double cells_away, Random& random) {
   PeriodicSystem<Dim> system;
   system.lattice = lattice;
-  const grid::ReducedLattice<Dim> reduced(lattice);
+  const lattice::ReducedLattice<Dim> reduced(lattice);
   for (std::size_t i = 0; i < count; ++i) {
-    base::Sphere<Dim> sphere{};
+    exact::Sphere<Dim> sphere{};
     for (double& x : sphere.center) x = 0.0;
     for (std::size_t k = 0; k < reduced.count; ++k) {
       double fraction = uniform(random, 0.0, 1.0);
@@ -57,8 +57,8 @@ PeriodicSystem<Dim> random_system(const base::Lattice& lattice, std::size_t coun
 }
 
 template <int Dim>
-double shortest_height(const base::Lattice& lattice) {
-  const grid::ReducedLattice<Dim> reduced(lattice);
+double shortest_height(const exact::Lattice& lattice) {
+  const lattice::ReducedLattice<Dim> reduced(lattice);
   double shortest = HUGE_VAL;
   for (std::size_t k = 0; k < reduced.count; ++k) {
     shortest = std::min(shortest, reduced.height[k]);
@@ -93,9 +93,9 @@ template <int Dim>
 std::size_t pairs_compared(const RandomRounds& rounds) {
   Random random(rounds.seed);
   std::size_t pairs = 0;
-  for (int round = 0; round < rounds.rounds && !testing::Test::HasFatalFailure(); ++round) {
+  for (int round = 0; round < rounds.rounds && !::testing::Test::HasFatalFailure(); ++round) {
     const auto named = random_lattice<Dim>(random);
-    SCOPED_TRACE(testing::Message() << named << " round " << round);
+    SCOPED_TRACE(::testing::Message() << named << " round " << round);
     const double radius = uniform(random, rounds.least_radius, rounds.largest_radius) *
                           shortest_height<Dim>(named.lattice);
     // Where c has 2^20 a in it, a million c are too many.
@@ -136,7 +136,7 @@ TYPED_TEST(Images, OfElementsThatTouchAcrossFaces) {
     }
     const double far = round % 2 == 0 ? 0.0 : 0x1p20;
     for (std::size_t i = 0; i < 12; ++i) {
-      base::Sphere<dim> sphere{};
+      exact::Sphere<dim> sphere{};
       for (double& x : sphere.center) x = static_cast<double>(random() % 8) * 0.5 + far;
       sphere.radius = random() % 3 == 0 ? std::nextafter(0.5, 0.0) : 0.5;
       system.spheres.push_back(sphere);
@@ -148,12 +148,12 @@ TYPED_TEST(Images, OfElementsThatTouchAcrossFaces) {
 
 /// Two elements whose distance, through some image, is the reach but for a few last places.
 template <int Dim>
-PeriodicSystem<Dim> planted_system(const base::Lattice& lattice, double cells_away,
+PeriodicSystem<Dim> planted_system(const exact::Lattice& lattice, double cells_away,
                                    Random& random) {
   PeriodicSystem<Dim> system = random_system<Dim>(lattice, 2, 0.0, cells_away, random);
-  base::Sphere<Dim>& a = system.spheres[0];
-  base::Sphere<Dim>& b = system.spheres[1];
-  const grid::ReducedLattice<Dim> reduced(lattice);
+  exact::Sphere<Dim>& a = system.spheres[0];
+  exact::Sphere<Dim>& b = system.spheres[1];
+  const lattice::ReducedLattice<Dim> reduced(lattice);
   const double size = shortest_height<Dim>(lattice);
   mpf_class distance(0, 300);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -219,35 +219,35 @@ PeriodicSystem<Dim> system_with_ghosts(std::uint64_t seed, std::size_t count) {
 TYPED_TEST(Images, DoNotDependOnWorkersAndVectors) {
   constexpr int dim = TypeParam::value;
   const auto system = system_with_ghosts<dim>(96, 1200);
-  const grid::ReducedLattice<dim> reduced(system.lattice);
+  const lattice::ReducedLattice<dim> reduced(system.lattice);
   base::MemoryMeter memory;
-  const auto find = [&](engine::Images<dim>& images, std::size_t workers, Simd simd) {
+  const auto find = [&](periodic::Images<dim>& images, std::size_t workers, Simd simd) {
     auto elements = array_of(system.spheres, memory);
     images.find(elements, bounds_of<dim>(system.spheres), reduced,
                 {system.margin, workers, kernels::image_kernels(simd)});
-    ASSERT_NE(images.natives().data(), elements.data()) << "nothing had to be moved";
+    ASSERT_NE(images.locals().data(), elements.data()) << "nothing had to be moved";
   };
-  engine::Images<dim> one(memory);
+  periodic::Images<dim> one(memory);
   find(one, 1, Simd::scalar);
   ASSERT_GT(one.ghosts().size(), 10u);
   for (const Simd simd : simd_levels()) {
     if (!available(simd)) continue;
     for (const std::size_t workers : {1u, 2u, 3u, 7u, 50u}) {
-      engine::Images<dim> several(memory);
+      periodic::Images<dim> several(memory);
       find(several, workers, simd);
       ASSERT_EQ(several.ghosts().size(), one.ghosts().size());
       for (std::size_t k = 0; k < one.ghosts().size(); ++k) {
         ASSERT_EQ(several.ghosts()[k].element, one.ghosts()[k].element);
         ASSERT_EQ(several.ghosts()[k].image, one.ghosts()[k].image);
       }
-      for (std::size_t k = 0; k < one.natives_and_ghosts().size(); ++k) {
+      for (std::size_t k = 0; k < one.locals_and_ghosts().size(); ++k) {
         for (std::size_t axis = 0; axis < dim; ++axis) {
-          ASSERT_EQ(several.natives_and_ghosts()[k].center[axis],
-                    one.natives_and_ghosts()[k].center[axis]);
+          ASSERT_EQ(several.locals_and_ghosts()[k].center[axis],
+                    one.locals_and_ghosts()[k].center[axis]);
         }
       }
       ASSERT_EQ(several.slack(), one.slack());
-      expect_same(several.native_bounds(), one.native_bounds());
+      expect_same(several.local_bounds(), one.local_bounds());
       expect_same(several.ghost_bounds(), one.ghost_bounds());
       ASSERT_EQ(several.ghosts_are_outside(), one.ghosts_are_outside());
     }
@@ -257,13 +257,13 @@ TYPED_TEST(Images, DoNotDependOnWorkersAndVectors) {
 TYPED_TEST(Images, AreFoundAgainInTheSameMemory) {
   constexpr int dim = TypeParam::value;
   const auto system = system_with_ghosts<dim>(97, 40);
-  const grid::ReducedLattice<dim> reduced(system.lattice);
+  const lattice::ReducedLattice<dim> reduced(system.lattice);
   base::MemoryMeter memory;
-  engine::Images<dim> images(memory);
+  periodic::Images<dim> images(memory);
   auto elements = array_of(system.spheres, memory);
   for (const std::size_t workers : {1u, 2u}) {
-    const engine::ImageSettings settings{system.margin, workers,
-                                         kernels::image_kernels(Simd::scalar)};
+    const periodic::ImageSettings settings{system.margin, workers,
+                                           kernels::image_kernels(Simd::scalar)};
     images.find(elements, bounds_of<dim>(system.spheres), reduced, settings);
     const std::uint64_t held = memory.held();
     elements.resize(system.spheres.size());
@@ -315,17 +315,17 @@ TEST(ImagesOfFarElements, ShiftsBeyond31BitsAreRefused) {
             "cell");
 }
 
-/// Images of one element: so many for each native are not stored.
+/// Images of one element: so many for each local element are not stored.
 TEST(ImagesOfLargeReach, AreNotStored) {
-  base::Lattice lattice;
+  exact::Lattice lattice;
   lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
   lattice.periodic = {true, true, false};
-  const grid::ReducedLattice<2> reduced(lattice);
+  const lattice::ReducedLattice<2> reduced(lattice);
   for (const double radius : {1.0, 2.0, 1e5}) {
     base::MemoryMeter memory;
-    std::vector<base::Sphere<2>> spheres{{{0.0, 0.0}, radius}};
+    std::vector<exact::Sphere<2>> spheres{{{0.0, 0.0}, radius}};
     auto elements = array_of(spheres, memory);
-    engine::Images<2> images(memory);
+    periodic::Images<2> images(memory);
     images.find(elements, bounds_of<2>(spheres), reduced,
                 {0.0, 1, kernels::image_kernels(Simd::scalar)});
     EXPECT_EQ(images.reach_is_long(), radius > 1.0) << "12, 40 and 80,000,400,000 images";
@@ -336,11 +336,11 @@ TEST(ImagesOfLargeReach, AreNotStored) {
 
 /// A large element among many small ones has so many images that listing them takes a while.
 TEST(ImagesOfLargeReach, AskTheHookWhileTheyAreListed) {
-  base::Lattice lattice;
+  exact::Lattice lattice;
   lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {}}};
   lattice.periodic = {true, true, false};
-  const grid::ReducedLattice<2> reduced(lattice);
-  std::vector<base::Sphere<2>> spheres(120000, base::Sphere<2>{{0.5, 0.5}, 0.0});
+  const lattice::ReducedLattice<2> reduced(lattice);
+  std::vector<exact::Sphere<2>> spheres(120000, exact::Sphere<2>{{0.5, 0.5}, 0.0});
   spheres[7].radius = 260.0;
   for (const std::size_t workers : {1u, 3u}) {
     base::MemoryMeter memory;
@@ -351,8 +351,8 @@ TEST(ImagesOfLargeReach, AskTheHookWhileTheyAreListed) {
       return ProgressAction::proceed;
     };
     base::ProgressReporter progress(hook);
-    engine::Images<2> images(memory);
-    engine::ImageSettings settings{0.0, workers, kernels::image_kernels(Simd::scalar)};
+    periodic::Images<2> images(memory);
+    periodic::ImageSettings settings{0.0, workers, kernels::image_kernels(Simd::scalar)};
     settings.size_cut = 1.0;
     settings.progress = &progress;
     images.find(elements, bounds_of<2>(spheres), reduced, settings);
@@ -388,4 +388,4 @@ TEST(ImagesOfLargeReach, BeyondAllShiftsIsRefused) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using engine::MovedCells;
+using periodic::MovedCells;
 
 TEST(MovedCells, FitAWordAndSoDoTheirDifferences) {
   constexpr std::int32_t most = MovedCells::most_packed;
@@ -15,13 +15,13 @@ TEST(MovedCells, FitAWordAndSoDoTheirDifferences) {
   for (const std::int32_t x : numbers) {
     for (const std::int32_t y : numbers) {
       for (const std::int32_t z : numbers) {
-        const grid::CellsMoved cells{x, y, z};
+        const lattice::CellsMoved cells{x, y, z};
         const std::uint32_t word = MovedCells::packed(cells);
         ASSERT_EQ(MovedCells::unpacked(word), cells);
         for (const std::int32_t other : numbers) {
           const std::uint32_t second = MovedCells::packed({other, -other, z});
           const auto difference = MovedCells::unpacked(MovedCells::difference(word, second));
-          ASSERT_EQ(difference, (grid::CellsMoved{x - other, y + other, 0}));
+          ASSERT_EQ(difference, (lattice::CellsMoved{x - other, y + other, 0}));
         }
       }
     }
@@ -29,4 +29,4 @@ TEST(MovedCells, FitAWordAndSoDoTheirDifferences) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

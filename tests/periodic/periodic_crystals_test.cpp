@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 /// The sites of a cubic lattice of m^3 cells in a periodic box.
@@ -91,13 +91,13 @@ TEST(PeriodicCrystals, MovingAnElementByLatticeVectorsChangesItsShiftsOnly) {
 TEST(ImagesOfAnOrthogonalCell, LeaveElementsWhereTheyAre) {
   auto system = crystal({{0, 0, 0}}, 10, 0.5);
   for (auto& sphere : system.spheres) sphere.center[1] -= 1000.0;
-  const grid::ReducedLattice<3> reduced(system.lattice);
+  const lattice::ReducedLattice<3> reduced(system.lattice);
   base::MemoryMeter memory;
   auto elements = array_of(system.spheres, memory);
-  engine::Images<3> images(memory);
+  periodic::Images<3> images(memory);
   images.find(elements, bounds_of<3>(system.spheres), reduced,
               {0.0, 1, kernels::image_kernels(Simd::scalar)});
-  EXPECT_EQ(images.natives().data(), elements.data());
+  EXPECT_EQ(images.locals().data(), elements.data());
   EXPECT_EQ(elements.size(), system.spheres.size() + images.ghosts().size());
   // Faces of the positive half: one layer of 100 in z, and in y and x with the layers beside it.
   // Of 10 layers one lies within reach of the next cell, one of the last.
@@ -115,18 +115,18 @@ TEST(ImagesOfAnOrthogonalCell, LeaveElementsWhereTheyAre) {
 TEST(ImagesOfAnOrthogonalCell, OneTenthOfACellOutsideIsWrapped) {
   auto system = crystal({{0, 0, 0}}, 10, 0.5);
   system.spheres[7].center[2] = 11.0;
-  const grid::ReducedLattice<3> reduced(system.lattice);
+  const lattice::ReducedLattice<3> reduced(system.lattice);
   base::MemoryMeter memory;
   auto elements = array_of(system.spheres, memory);
-  engine::Images<3> images(memory);
+  periodic::Images<3> images(memory);
   images.find(elements, bounds_of<3>(system.spheres), reduced,
               {0.0, 1, kernels::image_kernels(Simd::scalar)});
-  ASSERT_NE(images.natives().data(), elements.data());
-  EXPECT_EQ(images.natives()[7].center[2], 1.0);
-  EXPECT_EQ(images.natives()[8].center[2], 8.0);
+  ASSERT_NE(images.locals().data(), elements.data());
+  EXPECT_EQ(images.locals()[7].center[2], 1.0);
+  EXPECT_EQ(images.locals()[8].center[2], 8.0);
   EXPECT_EQ(images.shift_between(7, 8), (ImageShift{0, 0, 1}));
   EXPECT_EQ(images.shift_between(8, 7), (ImageShift{0, 0, -1}));
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

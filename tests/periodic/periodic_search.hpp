@@ -19,12 +19,12 @@
 #include <vector>
 
 /// Small periodic systems searched pair by pair: through the images, and in rational numbers.
-namespace abut::test {
+namespace abut::testing {
 
 template <int Dim>
 struct PeriodicSystem {
-  std::vector<base::Sphere<Dim>> spheres;
-  base::Lattice lattice;
+  std::vector<exact::Sphere<Dim>> spheres;
+  exact::Lattice lattice;
   double margin = 0.0;
 };
 
@@ -57,17 +57,17 @@ template <int Dim>
 /// x_i - (x_j + n A) on an axis, exactly.
 template <int Dim>
 [[nodiscard]] mpq_class exact_difference(double x_i, double x_j, const ImageShift& shift,
-                                         const base::Lattice& lattice, std::size_t axis) {
+                                         const exact::Lattice& lattice, std::size_t axis) {
   mpq_class result = mpq_class(x_i) - mpq_class(x_j);
   for (std::size_t k = 0; k < Dim; ++k) {
     if (!lattice.periodic[k]) continue;
-    result -= base::numbers(shift)[k] * mpq_class(lattice.vectors[k][axis]);
+    result -= exact::numbers(shift)[k] * mpq_class(lattice.vectors[k][axis]);
   }
   return result;
 }
 
 template <int Dim>
-[[nodiscard]] grid::Bounds<Dim> bounds_of(std::span<const base::Sphere<Dim>> spheres) {
+[[nodiscard]] grid::Bounds<Dim> bounds_of(std::span<const exact::Sphere<Dim>> spheres) {
   grid::Bounds<Dim> bounds;
   for (const auto& sphere : spheres) {
     bounds.include_center(sphere);
@@ -86,9 +86,9 @@ void expect_same(const grid::Bounds<Dim>& a, const grid::Bounds<Dim>& b) {
 }
 
 template <int Dim>
-[[nodiscard]] base::Array<base::Sphere<Dim>> array_of(const std::vector<base::Sphere<Dim>>& spheres,
-                                                      base::MemoryMeter& memory) {
-  auto array = base::make_array_for_overwrite<base::Sphere<Dim>>(memory, spheres.size());
+[[nodiscard]] base::Array<exact::Sphere<Dim>> array_of(
+    const std::vector<exact::Sphere<Dim>>& spheres, base::MemoryMeter& memory) {
+  auto array = base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, spheres.size());
   std::copy(spheres.begin(), spheres.end(), array.begin());
   return array;
 }
@@ -96,7 +96,7 @@ template <int Dim>
 /// Whether two elements may be within reach of each other, as a search in open space sees it that
 /// knows the slack.
 template <int Dim>
-[[nodiscard]] bool may_pair(const base::Sphere<Dim>& a, const base::Sphere<Dim>& b, double margin,
+[[nodiscard]] bool may_pair(const exact::Sphere<Dim>& a, const exact::Sphere<Dim>& b, double margin,
                             double slack) {
   double distance = 0.0;
   for (int axis = 0; axis < Dim; ++axis) {
@@ -107,9 +107,9 @@ template <int Dim>
 
 /// Whether each has a coordinate beyond the box.
 template <int Dim>
-[[nodiscard]] bool are_outside(std::span<const base::Sphere<Dim>> spheres,
+[[nodiscard]] bool are_outside(std::span<const exact::Sphere<Dim>> spheres,
                                const grid::Bounds<Dim>& box) {
-  return std::all_of(spheres.begin(), spheres.end(), [&](const base::Sphere<Dim>& sphere) {
+  return std::all_of(spheres.begin(), spheres.end(), [&](const exact::Sphere<Dim>& sphere) {
     grid::Bounds<Dim> wider = box;
     wider.include_center(sphere);
     return wider.lower != box.lower || wider.upper != box.upper;
@@ -117,50 +117,50 @@ template <int Dim>
 }
 
 template <int Dim>
-void expect_right_bounds(const engine::Images<Dim>& images) {
-  const auto natives = images.natives();
-  const auto ghosts = images.natives_and_ghosts().subspan(natives.size());
-  expect_same(images.native_bounds(), bounds_of<Dim>(natives));
+void expect_right_bounds(const periodic::Images<Dim>& images) {
+  const auto locals = images.locals();
+  const auto ghosts = images.locals_and_ghosts().subspan(locals.size());
+  expect_same(images.local_bounds(), bounds_of<Dim>(locals));
   expect_same(images.ghost_bounds(), bounds_of<Dim>(ghosts));
-  EXPECT_EQ(images.ghosts_are_outside(), are_outside<Dim>(ghosts, bounds_of<Dim>(natives)));
+  EXPECT_EQ(images.ghosts_are_outside(), are_outside<Dim>(ghosts, bounds_of<Dim>(locals)));
 }
 
-/// All that a search over natives and ghosts finds, in canonical order; a pair found twice stands
+/// All that a search over locals and ghosts finds, in canonical order; a pair found twice stands
 /// there twice.
 template <int Dim>
 [[nodiscard]] std::vector<FoundPair> pairs_by_images(const PeriodicSystem<Dim>& system,
                                                      double size_cut = HUGE_VAL,
                                                      Simd simd = Simd::scalar) {
-  const grid::ReducedLattice<Dim> reduced(system.lattice);
+  const lattice::ReducedLattice<Dim> reduced(system.lattice);
   base::MemoryMeter memory;
   auto elements = array_of(system.spheres, memory);
-  engine::Images<Dim> images(memory);
+  periodic::Images<Dim> images(memory);
   images.find(elements, bounds_of<Dim>(system.spheres), reduced,
               {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
   const double margin = system.margin * images.unit();
-  const auto natives = images.natives();
-  const auto ghosts = images.natives_and_ghosts().subspan(natives.size());
+  const auto locals = images.locals();
+  const auto ghosts = images.locals_and_ghosts().subspan(locals.size());
   expect_right_bounds(images);
   std::vector<FoundPair> pairs;
   const auto decide = [&](std::size_t i, std::size_t j, const ImageShift& shift) {
     std::uint64_t exact_decisions = 0;
-    const bool within = base::within_reach(system.spheres[i], system.spheres[j], shift,
-                                           system.lattice, system.margin, exact_decisions);
+    const bool within = exact::within_reach(system.spheres[i], system.spheres[j], shift,
+                                            system.lattice, system.margin, exact_decisions);
     if (within) pairs.push_back(canonical(i, j, shift));
   };
-  for (std::size_t i = 0; i < natives.size(); ++i) {
-    for (std::size_t j = i + 1; j < natives.size(); ++j) {
-      if (!may_pair(natives[i], natives[j], margin, images.slack())) continue;
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    for (std::size_t j = i + 1; j < locals.size(); ++j) {
+      if (!may_pair(locals[i], locals[j], margin, images.slack())) continue;
       decide(i, j, images.shift_between(i, j));
     }
-    for (std::uint32_t j = 0; j < natives.size() && images.reach_is_long(); ++j) {
-      images.for_each_ghost_of(j, [&](const engine::Ghost& ghost) {
+    for (std::uint32_t j = 0; j < locals.size() && images.reach_is_long(); ++j) {
+      images.for_each_ghost_of(j, [&](const periodic::Ghost& ghost) {
         if (images.counts(i, ghost)) decide(i, j, images.shift_between(i, ghost));
       });
     }
     for (std::size_t g = 0; g < images.ghosts().size(); ++g) {
-      if (!may_pair(natives[i], ghosts[g], margin, images.slack())) continue;
-      const engine::Ghost& ghost = images.ghosts()[g];
+      if (!may_pair(locals[i], ghosts[g], margin, images.slack())) continue;
+      const periodic::Ghost& ghost = images.ghosts()[g];
       if (images.counts(i, ghost)) decide(i, ghost.element, images.shift_between(i, ghost));
     }
   }
@@ -254,7 +254,7 @@ class RationalSearch {
   }
 
   void decide(std::size_t i, std::size_t j, const Vector& apart, const mpq_class& reach,
-              const grid::ImageNumbers& image) {
+              const lattice::ImageNumbers& image) {
     mpq_class square = 0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       mpq_class component = apart[axis];
@@ -270,7 +270,7 @@ class RationalSearch {
   }
 
   const PeriodicSystem<Dim>& system_;
-  grid::ReducedLattice<Dim> reduced_;
+  lattice::ReducedLattice<Dim> reduced_;
   std::array<Vector, 3> basis_;
   std::array<Vector, 3> dual_;
   std::vector<FoundPair> pairs_;
@@ -281,4 +281,4 @@ template <int Dim>
   return RationalSearch<Dim>(system).run();
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 using Cell = std::array<std::int32_t, 3>;
@@ -87,4 +87,4 @@ TEST(BinarySearch, SortedArraysAscendWithTheElementAsLastKey) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

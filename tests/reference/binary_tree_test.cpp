@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 using Numbers = std::vector<std::int32_t>;
@@ -94,4 +94,4 @@ TEST(BinaryTree, OneCellIsOneLeafWithoutNodes) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 std::vector<ContactPair> expected_pairs(Algorithm algorithm, const trace::CellSystem& system) {
@@ -111,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(EveryAlgorithm, CandidatePairs,
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 
 /// n x n (x n) cells with one element in each.
 [[nodiscard]] inline trace::CellSystem full_block(int dimensions, std::int32_t n) {
@@ -66,4 +66,4 @@ namespace abut::test {
   return pairs;
 }
 
-}  // namespace abut::test
+}  // namespace abut::testing

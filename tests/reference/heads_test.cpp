@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 using Numbers = std::vector<std::int32_t>;
@@ -174,4 +174,4 @@ TEST(Heads, EveryNonEmptyRowAndCellIsCentralOnce) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

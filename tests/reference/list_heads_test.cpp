@@ -9,46 +9,46 @@
 #include <string_view>
 #include <vector>
 
-namespace abut::reference {
+namespace abut::testing {
 namespace {
 
 TEST(ListHeads, AMarkedHeadStillTellsItsFirstElement) {
   for (const std::int32_t head : {0, 1, 2, 1000, std::numeric_limits<std::int32_t>::max() - 1}) {
-    EXPECT_FALSE(is_old(head));
-    EXPECT_TRUE(is_old(as_old(head))) << head;
-    EXPECT_EQ(first_of(head), head);
-    EXPECT_EQ(first_of(as_old(head)), head);
+    EXPECT_FALSE(reference::is_old(head));
+    EXPECT_TRUE(reference::is_old(reference::as_old(head))) << head;
+    EXPECT_EQ(reference::first_of(head), head);
+    EXPECT_EQ(reference::first_of(reference::as_old(head)), head);
   }
 }
 
 TEST(ListHeads, AnEmptyListIsNotTreated) {
-  EXPECT_FALSE(is_old(none));
-  EXPECT_EQ(first_of(none), none);
+  EXPECT_FALSE(reference::is_old(reference::none));
+  EXPECT_EQ(reference::first_of(reference::none), reference::none);
 }
 
 TEST(GuardedHeads, AreEmptyAtFirstWithAGuardOnEachSide) {
   base::MemoryMeter meter;
-  GuardedHeads heads(meter, 3);
+  reference::GuardedHeads heads(meter, 3);
   EXPECT_EQ(meter.held(), 5 * sizeof(std::int32_t));
-  for (std::int32_t k = -1; k <= 3; ++k) EXPECT_EQ(heads[k], none) << k;
+  for (std::int32_t k = -1; k <= 3; ++k) EXPECT_EQ(heads[k], reference::none) << k;
   heads[0] = 7;
   heads[2] = 8;
-  EXPECT_EQ(heads[-1], none);
+  EXPECT_EQ(heads[-1], reference::none);
   EXPECT_EQ(heads[0], 7);
-  EXPECT_EQ(heads[1], none);
+  EXPECT_EQ(heads[1], reference::none);
   EXPECT_EQ(heads[2], 8);
-  EXPECT_EQ(heads[3], none);
+  EXPECT_EQ(heads[3], reference::none);
 }
 
 TEST(GuardedHeads, PushedElementsComeOutInReverse) {
   base::MemoryMeter meter;
-  GuardedHeads heads(meter, 2);
-  NextInList next(meter, 5);
+  reference::GuardedHeads heads(meter, 2);
+  reference::NextInList next(meter, 5);
   for (const std::int32_t e : {0, 2, 4}) next.push(e, heads[0]);
   for (const std::int32_t e : {1, 3}) next.push(e, heads[1]);
   const auto list = [&](std::int32_t number) {
     std::vector<std::int32_t> elements;
-    for (std::int32_t e = heads[number]; e != none; e = next[e]) elements.push_back(e);
+    for (std::int32_t e = heads[number]; e != reference::none; e = next[e]) elements.push_back(e);
     return elements;
   };
   EXPECT_EQ(list(0), (std::vector<std::int32_t>{4, 2, 0}));
@@ -67,12 +67,12 @@ TEST(GuardedHeads, AreShownWithoutGuardsAndMarks) {
   } seen;
   base::DetectionContext context;
   context.trace = &seen;
-  GuardedHeads heads(context.memory, 3);
-  heads[0] = as_old(6);
+  reference::GuardedHeads heads(context.memory, 3);
+  heads[0] = reference::as_old(6);
   heads[2] = 5;
-  heads.show(context, "B", "row_head", IndexedBy::row);
-  EXPECT_EQ(seen.values, (std::vector<std::int32_t>{6, none, 5}));
+  heads.show(context, "B", "row_head", trace::IndexedBy::row);
+  EXPECT_EQ(seen.values, (std::vector<std::int32_t>{6, reference::none, 5}));
 }
 
 }  // namespace
-}  // namespace abut::reference
+}  // namespace abut::testing

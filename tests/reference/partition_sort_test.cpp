@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace abut::reference {
+namespace abut::testing {
 namespace {
 
 testing::NobodyAsked nobody;
@@ -24,7 +24,7 @@ base::WorkCounter& work = nobody.work;
 using Numbers = std::vector<std::int32_t>;
 
 Numbers sorted(Numbers values) {
-  CompanionArrays<1>({std::span(values)}).sort(0, values.size(), work);
+  reference::CompanionArrays<1>({std::span(values)}).sort(0, values.size(), work);
   return values;
 }
 
@@ -50,14 +50,14 @@ TEST(PartitionSort, TwoNeighboringValuesAreSplit) {
 }
 
 TEST(PartitionSort, TheMiddleLeavesSomethingOnBothSides) {
-  EXPECT_EQ(partition_middle(1, 16), 8);
+  EXPECT_EQ(reference::partition_middle(1, 16), 8);
   for (std::int32_t lowest = 0; lowest < 20; ++lowest) {
     for (std::int32_t highest = lowest + 1; highest < 40; ++highest) {
-      EXPECT_GT(partition_middle(lowest, highest), lowest);
-      EXPECT_LE(partition_middle(lowest, highest), highest);
+      EXPECT_GT(reference::partition_middle(lowest, highest), lowest);
+      EXPECT_LE(reference::partition_middle(lowest, highest), highest);
     }
   }
-  EXPECT_LE(partition_middle(0, 2147483647), 2147483647);
+  EXPECT_LE(reference::partition_middle(0, 2147483647), 2147483647);
 }
 
 TEST(PartitionSort, NothingOneAllEqual) {
@@ -71,7 +71,7 @@ TEST(PartitionSort, NegativeNumbersAndTheWholeRange) {
   constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
   EXPECT_EQ(sorted({most, -1, least, 0, most, least}), (Numbers{least, least, -1, 0, most, most}));
   EXPECT_EQ(sorted({-2, -1, -2}), (Numbers{-2, -2, -1}));
-  EXPECT_GT(partition_middle(least, most), least);
+  EXPECT_GT(reference::partition_middle(least, most), least);
 }
 
 TEST(PartitionSort, RandomArrays) {
@@ -96,7 +96,8 @@ TEST(PartitionSort, CompanionArraysMoveTogetherAndBreakTies) {
     for (std::size_t k = 0; k < size; ++k) expected[k] = {x[k], y[k], element[k]};
     std::sort(expected.begin(), expected.end());
 
-    CompanionArrays<3>({std::span(x), std::span(y), std::span(element)}).sort(0, size, work);
+    reference::CompanionArrays<3>({std::span(x), std::span(y), std::span(element)})
+        .sort(0, size, work);
     for (std::size_t k = 0; k < size; ++k) {
       ASSERT_EQ((std::array{x[k], y[k], element[k]}), expected[k])
           << "seed 20040302, trial " << trial << ", position " << k;
@@ -106,7 +107,7 @@ TEST(PartitionSort, CompanionArraysMoveTogetherAndBreakTies) {
 
 TEST(PartitionSort, ExchangeTellsWhereTheRightBegins) {
   Numbers values{5, 1, 4, 2, 3};
-  CompanionArrays<1> arrays({std::span(values)});
+  reference::CompanionArrays<1> arrays({std::span(values)});
   EXPECT_EQ(arrays.exchange(0, 5, 0, 0, work), 0u);
   EXPECT_EQ(arrays.exchange(0, 5, 0, 6, work), 5u);
   EXPECT_EQ(arrays.exchange(1, 3, 0, 2, work), 2u);
@@ -123,7 +124,7 @@ void sort_on_a_small_stack(Numbers& values) {
   pthread_t thread;
   const auto body = [](void* argument) -> void* {
     auto& numbers = *static_cast<Numbers*>(argument);
-    CompanionArrays<1>({std::span(numbers)}).sort(0, numbers.size(), work);
+    reference::CompanionArrays<1>({std::span(numbers)}).sort(0, numbers.size(), work);
     return nullptr;
   };
   ASSERT_EQ(pthread_create(&thread, &attributes, body, &values), 0);
@@ -147,4 +148,4 @@ TEST(PartitionSort, RecursionIsNoDeeperThanTheBitsOfTheValues) {
 }
 
 }  // namespace
-}  // namespace abut::reference
+}  // namespace abut::testing

@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Spaces, CrowdInSpace, ::testing::ValuesIn(all_spaces),
                          [](const auto& space) { return std::string(name_of(space.param)); });
 
 /// Discs in a row, 1 apart, with radius 1/2: each touches the next.
-scenes::Scene row_of(const std::vector<double>& places) {
+scenes::Scene entry_of(const std::vector<double>& places) {
   scenes::Scene scene;
   scene.dimensions = 2;
   for (const double x : places) {
@@ -133,7 +133,7 @@ struct Row {
 
   void detect() {
     detector.set_ids(ids);
-    const scenes::Scene scene = row_of(places);
+    const scenes::Scene scene = entry_of(places);
     expect_as_fresh(detector, view_of(scene), Domain::open());
   }
 
@@ -260,7 +260,7 @@ TEST(SkinIds, RefusesIdsThatComeTwiceOrAreTooFew) {
   EXPECT_EQ(row.detector.skin_statistics().reuses, 1U) << "as if nothing had happened";
   const Ids few{1, 2, 3};
   row.detector.set_ids(few);
-  const scenes::Scene scene = row_of(row.places);
+  const scenes::Scene scene = entry_of(row.places);
   expect_error(ErrorCode::invalid_input, {"3 ids", "4 elements"},
                [&] { row.detector.count_contact_pairs(view_of(scene)); });
   row.detector.set_ids({});

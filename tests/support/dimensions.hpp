@@ -4,9 +4,9 @@
 
 #include <type_traits>
 
-namespace abut::test {
+namespace abut::testing {
 
 /// For typed tests of what is templated on the number of dimensions, TypeParam::value.
 using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace abut::api {
+namespace abut::testing {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
@@ -23,9 +23,9 @@ TEST(BoxAround, HoldsAllWithinReach) {
     const auto number = [&] {
       return std::ldexp(random.uniform(-1, 1), static_cast<int>(random.below(120)) - 60);
     };
-    const base::Sphere<2> sphere{{number(), number()}, std::fabs(number())};
+    const exact::Sphere<2> sphere{{number(), number()}, std::fabs(number())};
     const double margin = k % 2 == 0 ? 0.0 : std::fabs(number());
-    const base::Box<2> box = box_around(sphere, margin);
+    const exact::Box<2> box = walls::box_around(sphere, margin);
     const mpq_class reach = mpq_class(sphere.radius) + mpq_class(margin);
     for (int axis = 0; axis < 2; ++axis) {
       const mpq_class center = sphere.center[axis];
@@ -38,7 +38,7 @@ TEST(BoxAround, HoldsAllWithinReach) {
 }
 
 TEST(BoxAround, StaysFinite) {
-  const base::Box<3> all = box_around<3>({{-largest, 0.0, largest}, largest}, largest);
+  const exact::Box<3> all = walls::box_around<3>({{-largest, 0.0, largest}, largest}, largest);
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_LE(all.lower[axis], axis == 2 ? 0.0 : -largest);
     EXPECT_GE(all.upper[axis], axis == 0 ? 0.0 : largest);
@@ -58,13 +58,13 @@ TEST(BoxCover, MeetsEachBoxThatIsCovered) {
     const ElementView boxes = rectangles(lower, lower, upper, upper);
     for (const std::size_t workers : {1U, 3U}) {
       testing::NobodyAsked nobody;
-      const BoxCover<2> cover(boxes, workers, nobody.work);
+      const walls::BoxCover<2> cover(boxes, workers, nobody.work);
       for (std::size_t k = 0; k < count; ++k) {
         EXPECT_TRUE(cover.meets({{lower[k], lower[k]}, {lower[k], lower[k]}})) << k;
         EXPECT_TRUE(cover.meets({{upper[k], upper[k]}, {upper[k], upper[k]}})) << k;
       }
       EXPECT_FALSE(cover.meets({{1e6, 0.0}, {1e6, 0.0}}));
-      BoxCover<2> extended = cover;
+      walls::BoxCover<2> extended = cover;
       extended.extend(0);
       EXPECT_TRUE(extended.meets({{1e6, 0.0}, {1e6, 0.0}}));
       EXPECT_FALSE(extended.meets({{0.0, 1e6}, {0.0, 1e6}}));
@@ -72,9 +72,9 @@ TEST(BoxCover, MeetsEachBoxThatIsCovered) {
   }
   const std::vector<double> none;
   testing::NobodyAsked nobody;
-  const BoxCover<2> cover(rectangles(none, none, none, none), 2, nobody.work);
+  const walls::BoxCover<2> cover(rectangles(none, none, none, none), 2, nobody.work);
   EXPECT_FALSE(cover.meets({{0, 0}, {0, 0}}));
 }
 
 }  // namespace
-}  // namespace abut::api
+}  // namespace abut::testing

@@ -14,7 +14,7 @@
 namespace abut::testing {
 namespace {
 
-using base::TrianglePart;
+using exact::TrianglePart;
 
 /// A feature by its vertices: one, two or three.
 using VertexSet = std::set<int>;
@@ -31,13 +31,14 @@ struct OrderedCell {
   }
 
   Cell corners;
-  base::Triangle triangle{};
+  exact::Triangle triangle{};
 };
 
-VertexSet nearest_feature(const test::RationalPoint& center, double radius,
+VertexSet nearest_feature(const testing::RationalPoint& center, double radius,
                           const OrderedCell& ordered, double margin) {
   const Cell& cell = ordered.corners;
-  const auto part = test::part_within_reach_by_rationals(center, radius, ordered.triangle, margin);
+  const auto part =
+      testing::part_within_reach_by_rationals(center, radius, ordered.triangle, margin);
   if (!part) return {};
   switch (*part) {
     case TrianglePart::corner_0:
@@ -91,8 +92,8 @@ MeshFeature named(const VertexSet& feature, const MeshArrays& arrays,
   return {FeatureKind::face, static_cast<ElementIndex>(first - arrays.triangles.begin())};
 }
 
-base::Lattice lattice_of(const Domain& domain) {
-  base::Lattice lattice;
+exact::Lattice lattice_of(const Domain& domain) {
+  exact::Lattice lattice;
   for (std::size_t k = 0; k < 3; ++k) {
     lattice.vectors[k] = domain.vector(static_cast<int>(k));
     lattice.periodic[k] = domain.is_periodic(static_cast<int>(k));
@@ -114,8 +115,8 @@ std::vector<ImageShift> shifts_of(const MeshQuestion& question) {
 }
 
 /// Whether all corners lie so far to one side that rounding cannot matter.
-bool clearly_apart(const test::RationalPoint& center, double reach,
-                   const base::Triangle& triangle) {
+bool clearly_apart(const testing::RationalPoint& center, double reach,
+                   const exact::Triangle& triangle) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double x = center[axis].get_d();
     const double ends[3] = {triangle.corner[0][axis], triangle.corner[1][axis],
@@ -129,7 +130,7 @@ bool clearly_apart(const test::RationalPoint& center, double reach,
 }
 
 /// The features that one ball touches of one image, of triangles that are there for it.
-std::vector<VertexSet> touched(const test::RationalPoint& center, double radius, double margin,
+std::vector<VertexSet> touched(const testing::RationalPoint& center, double radius, double margin,
                                const std::vector<OrderedCell>& cells,
                                const std::vector<bool>& is_there) {
   std::vector<VertexSet> nearest(cells.size());
@@ -178,7 +179,7 @@ std::vector<MovedContact> oracle_mesh_contacts(const std::vector<Ball>& balls,
   const auto edges = edges_of(arrays);
   std::vector<OrderedCell> cells;
   for (const Cell& cell : arrays.triangles) cells.emplace_back(arrays, cell);
-  const base::Lattice lattice = lattice_of(question.domain);
+  const exact::Lattice lattice = lattice_of(question.domain);
   const std::vector<ImageShift> shifts = shifts_of(question);
   std::vector<MovedContact> contacts;
   for (std::size_t k = 0; k < balls.size(); ++k) {
@@ -189,7 +190,7 @@ std::vector<MovedContact> oracle_mesh_contacts(const std::vector<Ball>& balls,
       is_there[t] = question.allows(k, t);
     }
     for (const ImageShift& shift : shifts) {
-      const auto seen_from = test::moved_back(center, shift, lattice);
+      const auto seen_from = testing::moved_back(center, shift, lattice);
       for (const VertexSet& feature :
            touched(seen_from, balls[k].radius, question.margin, cells, is_there)) {
         EXPECT_FALSE(on_border(shift, question)) << "the oracle looks not far enough";

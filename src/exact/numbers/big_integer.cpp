@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace abut::base {
+namespace abut::exact {
 
 BigInteger::BigInteger(double value, int exponent) noexcept {
   const Decomposed d = decompose(value);
@@ -118,4 +118,4 @@ BigInteger operator*(const BigInteger& a, const BigInteger& b) noexcept {
   return product;
 }
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// A whole number with sign and magnitude, exact: sums, differences and products of doubles over a
 /// common power of two, up to six factors in a term. It allocates nothing.
@@ -55,4 +55,4 @@ class BigInteger {
   bool negative_ = false;
 };
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// The bits that some finite numbers take together, as places of a binary fraction: how wide whole
 /// numbers over a common power of two must be. Zeros take none.
@@ -28,4 +28,4 @@ class BitRange {
   int highest_ = -4096;
 };
 
-}  // namespace abut::base
+}  // namespace abut::exact

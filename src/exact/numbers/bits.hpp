@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace abut::base {
+namespace abut::exact {
 
 __extension__ using Uint128 = unsigned __int128;
 
@@ -23,4 +23,4 @@ inline Decomposed decompose(double value) noexcept {
   return {negative, fraction | (std::uint64_t{1} << 52), biased - 1075};
 }
 
-}  // namespace abut::base
+}  // namespace abut::exact

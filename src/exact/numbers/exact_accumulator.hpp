@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace abut::base {
+namespace abut::exact {
 
 /// A sum of products of Degree doubles, held exactly as one long integer in two's complement. For
 /// products of two:
@@ -174,4 +174,4 @@ class ExactAccumulator {
   std::array<std::uint64_t, word_count> words_{};
 };
 
-}  // namespace abut::base
+}  // namespace abut::exact

@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// The box as the header tells it, keyword by keyword.
-struct Box {
+struct HeaderBox {
   std::array<std::optional<std::array<double, 2>>, 3> bounds;
   std::array<double, 3> tilts{};
   std::array<std::optional<std::array<double, 3>>, 3> vectors;  ///< of a general box
@@ -137,7 +137,7 @@ class HeaderParser {
     }
   }
 
-  [[nodiscard]] const Box& box() const { return box_; }
+  [[nodiscard]] const HeaderBox& box() const { return box_; }
 
   /// Throws if a line was of numbers alone, which is none of a header.
   void require_no_odd_line() const {
@@ -151,13 +151,13 @@ class HeaderParser {
  private:
   const LineReader& reader_;
   DataHeader& header_;
-  Box box_;
+  HeaderBox box_;
   std::array<bool, forms.size()> is_there_{};
   std::string odd_line_;
 };
 
 /// A box is told by three vectors or by bounds and tilts, not by some of both.
-void require_one_box(const LineReader& reader, const Box& box) {
+void require_one_box(const LineReader& reader, const HeaderBox& box) {
   const auto named = [](const auto& part) { return part.has_value(); };
   const auto vectors = std::count_if(box.vectors.begin(), box.vectors.end(), named);
   if (vectors == 0) return;
@@ -167,7 +167,7 @@ void require_one_box(const LineReader& reader, const Box& box) {
   reader.fail("names its box twice, by avec, bvec, cvec and by xlo xhi; leave one of them out");
 }
 
-void set_edges(const LineReader& reader, const Box& box, DataHeader& header) {
+void set_edges(const LineReader& reader, const HeaderBox& box, DataHeader& header) {
   require_one_box(reader, box);
   if (box.vectors[0] && box.vectors[1] && box.vectors[2]) {
     for (std::size_t k = 0; k < 3; ++k) header.edges[k] = *box.vectors[k];
@@ -188,7 +188,7 @@ void set_edges(const LineReader& reader, const Box& box, DataHeader& header) {
 }
 
 /// Refuses a header without a number of atoms, and one that announces atoms which do not follow.
-void require_count(LineReader& reader, const Box& box, const DataHeader& header) {
+void require_count(LineReader& reader, const HeaderBox& box, const DataHeader& header) {
   if (!header.count && header.has_atoms) {
     reader.fail_at_line(
         "the section Atoms comes without a line 'N atoms' before it; add the number of atoms below "

@@ -33,9 +33,9 @@ BoxLine read_box_line(LineReader& reader, std::size_t fields) {
 }
 
 /// What stands between "ITEM: BOX BOUNDS" and the boundaries.
-std::vector<std::string> words_of(DumpBox::Kind kind) {
-  if (kind == DumpBox::Kind::triclinic) return {"xy", "xz", "yz"};
-  if (kind == DumpBox::Kind::general) return {"abc", "origin"};
+std::vector<std::string> words_of(DumpBox::Cell cell) {
+  if (cell == DumpBox::Cell::triclinic) return {"xy", "xz", "yz"};
+  if (cell == DumpBox::Cell::general) return {"abc", "origin"};
   return {};
 }
 
@@ -48,7 +48,7 @@ bool is_boundary(std::string_view word) {
 /// Boundaries stand last, one word an axis, such as "pp"; dumps of before 2010 have none.
 void read_boundaries(const LineReader& reader, const std::vector<std::string>& words,
                      DumpBox& box) {
-  const std::vector<std::string> before = words_of(box.kind);
+  const std::vector<std::string> before = words_of(box.cell);
   const bool begins_so =
       words.size() >= before.size() && std::equal(before.begin(), before.end(), words.begin());
   if (begins_so && words.size() == before.size()) return;
@@ -83,11 +83,11 @@ std::array<double, 3> DumpBox::unscaled(const std::array<double, 3>& scaled) con
 DumpBox read_dump_box(LineReader& reader, std::string_view words_text) {
   const std::vector<std::string> words = split(words_text, Separator::blanks);
   DumpBox box;
-  if (!words.empty() && words[0] == "xy") box.kind = DumpBox::Kind::triclinic;
-  if (!words.empty() && words[0] == "abc") box.kind = DumpBox::Kind::general;
+  if (!words.empty() && words[0] == "xy") box.cell = DumpBox::Cell::triclinic;
+  if (!words.empty() && words[0] == "abc") box.cell = DumpBox::Cell::general;
   read_boundaries(reader, words, box);
 
-  const std::size_t fields = 2 + static_cast<std::size_t>(box.kind);
+  const std::size_t fields = 2 + static_cast<std::size_t>(box.cell);
   std::array<double, 3> high{};
   std::array<double, 3> tilt{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -97,7 +97,7 @@ DumpBox read_dump_box(LineReader& reader, std::string_view words_text) {
     tilt[axis] = line[2];
     box.edges[axis] = line;
   }
-  if (box.kind == DumpBox::Kind::general) return box;
+  if (box.cell == DumpBox::Cell::general) return box;
   box.xy = tilt[0];
   box.xz = tilt[1];
   box.yz = tilt[2];

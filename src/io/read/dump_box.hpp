@@ -9,9 +9,9 @@ namespace abut::io {
 
 /// The box of a frame of a LAMMPS dump: corner and edges.
 struct DumpBox {
-  enum class Kind { orthogonal, triclinic, general };
+  enum class Cell { orthogonal, triclinic, general };
 
-  Kind kind = Kind::orthogonal;
+  Cell cell = Cell::orthogonal;
   std::array<bool, 3> periodic{};
   std::array<double, 3> low{};
   std::array<double, 3> length{};

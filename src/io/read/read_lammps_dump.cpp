@@ -176,7 +176,7 @@ void read_atoms(LineReader& reader, const FrameHeader& header, const ReadOptions
   const TableColumns columns =
       find_columns(reader, header.columns, axis_names, wanted_columns(options));
   const bool scaled = columns.axis_names >= first_scaled;
-  if (scaled && header.box->kind == DumpBox::Kind::general) {
+  if (scaled && header.box->cell == DumpBox::Cell::general) {
     reader.fail_at_line("scaled coordinates in a general triclinic box; dump x y z instead");
   }
   RowParser rows(reader, columns, Separator::blanks, options.radius, IdRule::must_be_integers,

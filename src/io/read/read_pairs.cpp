@@ -74,7 +74,7 @@ ElementIndex element_numbered(const LineReader& reader, std::string_view column,
 }
 
 ContactPair pair_of(const LineReader& reader, const PairColumns& columns, std::string_view row,
-                    const NamedElements& elements) {
+                    const ElementCounts& elements) {
   ContactPair pair;
   FieldCursor cursor(row, columns.separator);
   std::size_t fields = 0;
@@ -94,7 +94,7 @@ ContactPair pair_of(const LineReader& reader, const PairColumns& columns, std::s
 
 }  // namespace
 
-std::vector<ContactPair> read_pairs(const std::string& path, const NamedElements& elements,
+std::vector<ContactPair> read_pairs(const std::string& path, const ElementCounts& elements,
                                     const ProgressHook& progress) {
   try {
     LineReader reader(path, progress);

@@ -10,7 +10,7 @@
 namespace abut::io {
 
 /// How many elements there are for the numbers of a pair to name.
-struct NamedElements {
+struct ElementCounts {
   std::size_t first = 0;
   std::size_t second = 0;
 };
@@ -21,7 +21,7 @@ struct NamedElements {
 ///  limit_exceeded  the pairs do not fit into memory
 ///  cancelled       the progress hook asked to stop
 [[nodiscard]] std::vector<ContactPair> read_pairs(const std::string& path,
-                                                  const NamedElements& elements,
+                                                  const ElementCounts& elements,
                                                   const ProgressHook& progress = {});
 
 }  // namespace abut::io

@@ -1,6 +1,6 @@
 #include "io/read/read_snapshot.hpp"
 
-#include "base/written.hpp"
+#include "base/shortest_text.hpp"
 #include "io/number_text.hpp"
 #include "io/quoted_text.hpp"
 #include "io/read/line_reader.hpp"
@@ -78,7 +78,7 @@ void validate(const ReadOptions& options) {
   if (options.radius && !(std::isfinite(*options.radius) && *options.radius >= 0.0)) {
     throw Error(ErrorCode::wrong_usage,
                 fmt::format("the radius for all elements is {}; it must be finite and not negative",
-                            base::written(*options.radius)));
+                            base::shortest_text(*options.radius)));
   }
   if (!options.format.empty()) static_cast<void>(format_named(options.format));
 }

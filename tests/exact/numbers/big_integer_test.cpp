@@ -10,10 +10,10 @@
 #include <limits>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using base::BigInteger;
+using exact::BigInteger;
 
 constexpr int smallest_exponent = -1074;
 
@@ -122,4 +122,4 @@ TEST(BigInteger, HasRoomForTheLargestPolynomial) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <cstdint>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
 void expect_the_same_number(double value) {
-  const base::Decomposed d = base::decompose(value);
+  const exact::Decomposed d = exact::decompose(value);
   EXPECT_LT(d.significand, std::uint64_t{1} << 53) << value;
   EXPECT_GE(d.exponent, -1074) << value;
   EXPECT_EQ(d.negative, std::signbit(value)) << value;
@@ -26,16 +26,16 @@ TEST(Decompose, GivesTheNumberBack) {
 }
 
 TEST(Decompose, EdgesOfTheFormat) {
-  EXPECT_EQ(base::decompose(0.0).significand, 0u);
-  EXPECT_EQ(base::decompose(-0.0).significand, 0u);
-  EXPECT_EQ(base::decompose(0x1p-1074).significand, 1u);
-  EXPECT_EQ(base::decompose(0x1p-1074).exponent, -1074);
-  EXPECT_EQ(base::decompose(0x1p-1022).significand, std::uint64_t{1} << 52);
-  EXPECT_EQ(base::decompose(0x1p-1022).exponent, -1074);
-  EXPECT_EQ(base::decompose(0x1.fffffffffffffp1023).exponent, 971);
-  EXPECT_EQ(base::decompose(1.0).significand, std::uint64_t{1} << 52);
-  EXPECT_EQ(base::decompose(1.0).exponent, -52);
+  EXPECT_EQ(exact::decompose(0.0).significand, 0u);
+  EXPECT_EQ(exact::decompose(-0.0).significand, 0u);
+  EXPECT_EQ(exact::decompose(0x1p-1074).significand, 1u);
+  EXPECT_EQ(exact::decompose(0x1p-1074).exponent, -1074);
+  EXPECT_EQ(exact::decompose(0x1p-1022).significand, std::uint64_t{1} << 52);
+  EXPECT_EQ(exact::decompose(0x1p-1022).exponent, -1074);
+  EXPECT_EQ(exact::decompose(0x1.fffffffffffffp1023).exponent, 971);
+  EXPECT_EQ(exact::decompose(1.0).significand, std::uint64_t{1} << 52);
+  EXPECT_EQ(exact::decompose(1.0).exponent, -52);
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-namespace abut::test {
+namespace abut::testing {
 namespace {
 
-using base::ExactAccumulator;
+using exact::ExactAccumulator;
 
 struct Product {
   double a;
@@ -188,4 +188,4 @@ TEST(ExactAccumulator, ProductsOfThree) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::testing

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "engine/tile_searcher.hpp"
+#include "engine/workspace.hpp"
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace abut::engine {
+
+/// Searches search sets: divides them by size where that pays, cuts them into tiles, searches each
+/// tile, and treats a crowded tile as a search set of its own.
+///
+/// Search sets are searched by all workers together, tile by tile; the search sets inside a tile by
+/// the worker whose tile it is, but for large ones, which wait until all are free.
+template <int Dim>
+class SetSearch {
+ public:
+  SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspace, std::size_t workers,
+            base::DetectionContext& context);
+
+  void search(const SearchSet<Dim>& set);
+
+ private:
+  /// Who searches the pairs of a tile: the one who sorts it, or all.
+  enum class Parallel { tiles, layers };
+
+  /// Who searches a search set, and at which depth of which levels.
+  struct SearchPlace {
+    TileSearcher<Dim>* worker;  ///< none: all, each tiles of its own
+    RecursionLevels<Dim>& levels;
+    RadiusHistogram& histogram;
+    std::size_t depth;
+    Parallel parallel = Parallel::tiles;
+
+    [[nodiscard]] SearchPlace deeper() const { return {worker, levels, histogram, depth + 1}; }
+  };
+
+  /// A crowded tile that becomes a search set of its own.
+  struct CrowdedTile {
+    SearchSet<Dim> set;
+    std::optional<double> size_cut;
+  };
+
+  struct Waiting {
+    std::size_t tile;
+    CrowdedTile part;
+  };
+
+  /// Of who is at that place of the search: of all workers, the caller's thread.
+  [[nodiscard]] base::WorkCounter& work_at(const SearchPlace& at) const noexcept {
+    return (at.worker != nullptr ? at.worker : workspace_.workers[0].get())->work();
+  }
+
+  void search(const SearchSet<Dim>& set, const SearchPlace& at);
+  void search(const CrowdedTile& part, const SearchPlace& at);
+  void search_divided(const SearchSet<Dim>& set, double cut, const SearchPlace& at);
+  void search_tiles(const SearchSet<Dim>& set, const SearchPlace& at);
+  void search_one_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
+                       const Tiles<Dim>& tiles, const SearchPlace& at);
+  void search_pairs(double unit, const SearchPlace& at);
+  void search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid, const Tiles<Dim>& tiles,
+                   std::size_t tile, const SearchPlace& at);
+  bool search_crowded_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
+                           const Tiles<Dim>& tiles, std::size_t tile, const TileCells<Dim>& cells,
+                           const SearchPlace& at);
+  [[nodiscard]] std::optional<double> size_cut_in(const SearchSet<Dim>& set,
+                                                  const TileGrid<Dim>& grid,
+                                                  const Tiles<Dim>& tiles, std::size_t tile,
+                                                  const TileCells<Dim>& cells,
+                                                  const SearchPlace& at) const;
+  void search_waiting(const SearchPlace& at);
+  [[nodiscard]] Members& spare_members();
+
+  const SearchInput<Dim>& input_;
+  Workspace<Dim>& workspace_;
+  std::size_t worker_count_;
+  base::DetectionContext& context_;
+  std::uint64_t next_unit_ = 0;
+  std::mutex waiting_mutex_;
+  std::vector<Waiting> waiting_;
+  std::size_t deferred_in_use_ = 0;
+};
+
+}  // namespace abut::engine

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "exact/lattice.hpp"
+#include "exact/sphere.hpp"
+
+#include <array>
+
+namespace abut::exact {
+
+/// How the centers of two elements lie to each other.
+struct DistanceVector {
+  /// x_a - (x_b + n A), each component rounded once (to even); 0 on the third axis in 2D.
+  /// Exchanging a and b and negating n negates it, to the bit but for zeros, which are positive.
+  std::array<double, 3> vector{};
+
+  /// The real distance to the nearest double, the smaller of two that are equally near: never more
+  /// than a double that the distance does not exceed. Not computed from the rounded vector. Below
+  /// 2^-1000 it may be off by the last place.
+  double distance = 0.0;
+};
+
+/// For all finite numbers. What exceeds the largest double is that.
+template <int Dim>
+[[nodiscard]] DistanceVector distance_vector(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                             const ImageShift& shift,
+                                             const Lattice& lattice) noexcept;
+
+}  // namespace abut::exact

@@ -1,0 +1,127 @@
+#include "periodic/place_locals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace abut::periodic {
+namespace {
+
+/// One element of wrap_fast.
+template <int Dim>
+lattice::CellsMoved wrap_fast(const kernels::OrthogonalCellMap& map, exact::Sphere<Dim>& sphere) {
+  std::array<double, 3> cells{};
+  for (std::size_t k = 0; k < map.sides; ++k) {
+    if (!map.along[k]) continue;
+    double place = kernels::coordinate<Dim>(map, k, sphere.center);
+    for (std::size_t l = 0; l < k; ++l) place -= cells[l] * map.offset[l][k];
+    cells[k] = std::floor(place);
+  }
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    for (std::size_t k = 0; k < map.sides; ++k) {
+      sphere.center[axis] -= cells[k] * map.vectors[k][axis];
+    }
+  }
+  lattice::CellsMoved moved{};
+  for (std::size_t k = 0; k < 3; ++k) moved[k] = static_cast<std::int32_t>(cells[k]);
+  return moved;
+}
+
+}  // namespace
+
+template <int Dim>
+kernels::OrthogonalCellMap map_of(const lattice::ReducedLattice<Dim>& lattice,
+                                  const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                                  const std::array<bool, Dim>& along,
+                                  const GhostWindows<Dim>& windows) {
+  kernels::OrthogonalCellMap map{};
+  map.sides = orthogonal_cell.count;
+  map.outer_from_radius = windows.cut;
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
+    map.along[k] = along[k];
+    map.outer_below[k] = windows.of_small.outer_below()[k];
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      map.coefficients[k][axis] = orthogonal_cell.coefficients[k][axis];
+      map.vectors[k][axis] = lattice.vectors[orthogonal_cell.vector_of[k]][axis];
+    }
+    for (std::size_t l = 0; l < orthogonal_cell.count; ++l)
+      map.offset[k][l] = orthogonal_cell.offset[k][l];
+  }
+  return map;
+}
+
+template <int Dim>
+WrapEstimate<Dim>::WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,
+                                const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                                const lattice::CellExtent<Dim>& given,
+                                const std::array<bool, Dim>& along)
+    : extent(given) {
+  constexpr double longest = 0x1p24;  // in sides
+  constexpr double rounding = 0x1p-20;
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
+    if (!along[k]) continue;
+    most_cells[k] = orthogonal_cell.magnitude(k, given.farthest) + 2.0;
+    for (std::size_t l = 0; l < k; ++l) {
+      most_cells[k] += std::fabs(orthogonal_cell.offset[l][k]) * most_cells[l];
+    }
+  }
+  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
+    const auto& vector = lattice.vectors[orthogonal_cell.vector_of[k]];
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      extent.farthest[axis] += most_cells[k] * std::fabs(vector[axis]);
+    }
+    double distance = orthogonal_cell.magnitude(k, given.farthest);
+    for (std::size_t l = 0; l < orthogonal_cell.count; ++l) {
+      distance += orthogonal_cell.dual_length[k] *
+                  (lattice.length[orthogonal_cell.vector_of[l]] * lattice.scale) * most_cells[l];
+    }
+    is_short = is_short && distance <= longest;
+    extent.lower[k] = (along[k] ? 0.0 : given.lower[k]) - rounding;
+    extent.upper[k] = (along[k] ? 1.0 : given.upper[k]) + rounding;
+  }
+}
+
+template <int Dim>
+void wrap_fast(std::span<const exact::Sphere<Dim>> elements, const kernels::OrthogonalCellMap& map,
+               const kernels::ImageKernels& kernels, std::span<exact::Sphere<Dim>> locals,
+               MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds,
+               kernels::BlockList& outer) {
+  static_assert(sizeof(lattice::CellsMoved) == 3 * sizeof(std::int32_t));
+  kernels::CenterBounds box{};
+  std::copy(bounds.lower.begin(), bounds.lower.end(), box.lower);
+  std::copy(bounds.upper.begin(), bounds.upper.end(), box.upper);
+  void* const out = map.pack ? static_cast<void*>(cells.words() + first)
+                             : static_cast<void*>(cells.triples() + first);
+  std::size_t i = kernels.wrap(elements[0].center, elements.size(), Dim, map, locals[0].center, out,
+                               box, outer);
+  std::copy_n(box.lower, Dim, bounds.lower.begin());
+  std::copy_n(box.upper, Dim, bounds.upper.begin());
+  for (; i < elements.size(); ++i) {
+    locals[i] = elements[i];
+    const lattice::CellsMoved moved = wrap_fast<Dim>(map, locals[i]);
+    if (map.pack) {
+      cells.words()[first + i] = MovedCells::packed(moved);
+    } else {
+      cells.triples()[first + i] = moved;
+    }
+    bounds.include_center(locals[i]);
+    if (kernels::is_outer<Dim>(map, locals[i].center)) outer.push(i);
+  }
+}
+
+template kernels::OrthogonalCellMap map_of<2>(const lattice::ReducedLattice<2>&,
+                                              const lattice::OrthogonalCell<2>&,
+                                              const std::array<bool, 2>&, const GhostWindows<2>&);
+template kernels::OrthogonalCellMap map_of<3>(const lattice::ReducedLattice<3>&,
+                                              const lattice::OrthogonalCell<3>&,
+                                              const std::array<bool, 3>&, const GhostWindows<3>&);
+template struct WrapEstimate<2>;
+template struct WrapEstimate<3>;
+template void wrap_fast(std::span<const exact::Sphere<2>>, const kernels::OrthogonalCellMap&,
+                        const kernels::ImageKernels&, std::span<exact::Sphere<2>>, MovedCells&,
+                        std::size_t, grid::Bounds<2>&, kernels::BlockList&);
+template void wrap_fast(std::span<const exact::Sphere<3>>, const kernels::OrthogonalCellMap&,
+                        const kernels::ImageKernels&, std::span<exact::Sphere<3>>, MovedCells&,
+                        std::size_t, grid::Bounds<3>&, kernels::BlockList&);
+
+}  // namespace abut::periodic

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "exact/sphere.hpp"
+#include "grid/bounds.hpp"
+#include "kernels/image_kernels.hpp"
+#include "lattice/cell_extent.hpp"
+#include "lattice/orthogonal_cell.hpp"
+#include "lattice/wrapper.hpp"
+#include "periodic/list_ghosts.hpp"
+#include "periodic/moved_cells.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace abut::periodic {
+
+/// What vector kernels need to know of an orthogonal cell: who may have ghosts, as the windows say.
+template <int Dim>
+[[nodiscard]] kernels::OrthogonalCellMap map_of(const lattice::ReducedLattice<Dim>& lattice,
+                                                const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                                                const std::array<bool, Dim>& along,
+                                                const GhostWindows<Dim>& windows);
+
+/// How far some elements must be moved in order to lie in the orthogonal cell at the origin.
+template <int Dim>
+struct WrapEstimate {
+  WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,
+               const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+               const lattice::CellExtent<Dim>& extent, const std::array<bool, Dim>& along);
+
+  std::array<double, Dim> most_cells{};  ///< along each side, an upper bound
+  lattice::CellExtent<Dim> extent;       ///< after a quick move; holds all elements
+
+  /// Whether elements are so close by that a fast wrap leaves them in `extent`.
+  bool is_short = true;
+};
+
+/// Moves elements as lattice::Wrapper does, but in plain doubles, each product and sum rounded: off
+/// by less than 7 u (|x| + moved distance) on an axis. For short ways, and a block of
+/// elements, the first of which has the number `first`. Lists those that may have ghosts then.
+template <int Dim>
+void wrap_fast(std::span<const exact::Sphere<Dim>> elements, const kernels::OrthogonalCellMap& map,
+               const kernels::ImageKernels& kernels, std::span<exact::Sphere<Dim>> locals,
+               MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds,
+               kernels::BlockList& outer);
+
+}  // namespace abut::periodic

@@ -28,9 +28,11 @@ ROOMS_BELOW = {
     "periodic": "base exact kernels grid lattice engine",
     "elements": "base exact kernels grid lattice",
     "lists": "base exact",
+    "geometry": "base exact kernels",
     "skin": "base exact kernels grid lattice elements lists",
     "algorithms": "base exact grid reference engine periodic",
-    "detect": "base exact kernels grid reference engine periodic elements lists skin algorithms",
+    "detect": (
+        "base exact kernels grid reference engine periodic elements lists geometry skin algorithms"),
     "history": "base exact lattice elements detect",
     "walls": "base exact kernels lattice elements detect",
 }

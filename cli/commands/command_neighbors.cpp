@@ -48,7 +48,7 @@ io::Durability write(const NeighborList& list, const Domain& domain, const std::
         append(shift.y);
         append(shift.z);
       }
-      io::append_17_digits(list.distances_of(i)[k], text);
+      io::append_17_digits(list.row(i, list.distances())[k], text);
       text += '\n';
       if (text.size() < much) continue;
       file.write(text);
@@ -102,7 +102,7 @@ NeighborList detect(const NeighborsOptions& options, const ElementSets& sets,
   detection.progress = console.progress();
   detection.rule = rule.rule();
   if (!options.output.empty()) {
-    detection.neighbor_data = NeighborData::distances;
+    detection.quantities = Quantity::distance;
     detection.shifts = sets.domain.is_periodic() ? Shifts::stored : Shifts::none;
   }
   const ElementView first = centers_of(sets.first);

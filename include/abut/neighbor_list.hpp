@@ -2,6 +2,8 @@
 
 #include <abut/detect.hpp>
 #include <abut/export.hpp>
+#include <abut/page_allocator.hpp>
+#include <abut/pair_geometry.hpp>
 #include <abut/pair_list.hpp>
 
 #include <algorithm>
@@ -28,12 +30,6 @@ class NeighborList {
   using Offsets = std::vector<PairCount, detail::PageAllocator<PairCount>>;
   /// Type of the array of neighbors.
   using Neighbors = std::vector<ElementIndex, detail::PageAllocator<ElementIndex>>;
-  /// A vector from a neighbor to an element; in 2D its third number is 0.
-  using Vector = std::array<double, 3>;
-  /// Type of the array of distances.
-  using Distances = std::vector<double, detail::PageAllocator<double>>;
-  /// Type of the array of vectors.
-  using Vectors = std::vector<Vector, detail::PageAllocator<Vector>>;
 
   /// Makes an empty list.
   NeighborList() = default;
@@ -48,14 +44,13 @@ class NeighborList {
         neighbors_(std::move(neighbors)),
         shifts_(std::move(shifts)),
         statistics_(std::move(statistics)) {}
-  /// Makes a list of neighbors with shifts, distances and vectors; called by the library.
-  NeighborList(Offsets offsets, Neighbors neighbors, ShiftArray shifts, Distances distances,
-               Vectors vectors, Statistics statistics)
+  /// Makes a list of neighbors with shifts and quantities; called by the library.
+  NeighborList(Offsets offsets, Neighbors neighbors, ShiftArray shifts, PairGeometry geometry,
+               Statistics statistics)
       : offsets_(std::move(offsets)),
         neighbors_(std::move(neighbors)),
         shifts_(std::move(shifts)),
-        distances_(std::move(distances)),
-        vectors_(std::move(vectors)),
+        geometry_(std::move(geometry)),
         statistics_(std::move(statistics)) {}
 
   /// Number of elements.
@@ -65,23 +60,21 @@ class NeighborList {
 
   /// Neighbors of one element; its index must be < size().
   [[nodiscard]] std::span<const ElementIndex> operator[](std::size_t element) const noexcept {
-    return row_of(element, neighbors_);
+    return row(element, neighbors());
   }
 
   /// Image shifts of the neighbors of one element: neighbor k, moved by shift k, is within reach of
   /// the element. Call it only if shifts are stored.
   [[nodiscard]] std::span<const ImageShift> shifts_of(std::size_t element) const noexcept {
-    return row_of(element, shifts_);
+    return row(element, shifts());
   }
 
-  /// Distances of the neighbors of one element. Call it only if distances are stored.
-  [[nodiscard]] std::span<const double> distances_of(std::size_t element) const noexcept {
-    return row_of(element, distances_);
-  }
-
-  /// Vectors from the neighbors to one element. Call it only if vectors are stored.
-  [[nodiscard]] std::span<const Vector> vectors_of(std::size_t element) const noexcept {
-    return row_of(element, vectors_);
+  /// Entries of the neighbors of one element in an array of one entry for each neighbor, such as
+  /// distances(). Call it only if these are stored.
+  template <class T>
+  [[nodiscard]] std::span<const T> row(std::size_t element,
+                                       std::span<const T> entries) const noexcept {
+    return entries.subspan(offsets_[element], offsets_[element + 1] - offsets_[element]);
   }
 
   /// Offsets of the rows: size() + 1 numbers, the first 0.
@@ -93,15 +86,18 @@ class NeighborList {
   /// open domain.
   [[nodiscard]] std::span<const ImageShift> shifts() const noexcept { return shifts_; }
 
-  /// Distances between the centers of an element and its neighbor, one for each neighbor: the
-  /// double nearest to the real distance, the smaller of two that are equally near, so that it
-  /// never exceeds a cutoff that the real distance does not exceed. Empty unless
-  /// Options::neighbor_data asks for them.
-  [[nodiscard]] std::span<const double> distances() const noexcept { return distances_; }
-
-  /// Vectors x_i − (x_j + n A) from neighbor j to element i, one for each neighbor, each component
-  /// rounded once; the third is 0 in 2D. Empty unless Options::neighbor_data asks for them.
-  [[nodiscard]] std::span<const Vector> vectors() const noexcept { return vectors_; }
+  /// Gaps, one for each neighbor, where element i is the one that the row belongs to and j its
+  /// neighbor; see PairGeometry for these and what follows. Each of them is empty unless
+  /// Options::quantities asks for it.
+  [[nodiscard]] std::span<const double> gaps() const noexcept { return geometry_.gaps; }
+  /// Unit normals from i to j, one for each neighbor.
+  [[nodiscard]] std::span<const Vector> normals() const noexcept { return geometry_.normals; }
+  /// Points of contact, one for each neighbor.
+  [[nodiscard]] std::span<const Vector> points() const noexcept { return geometry_.points; }
+  /// Distances of the centers, one for each neighbor.
+  [[nodiscard]] std::span<const double> distances() const noexcept { return geometry_.distances; }
+  /// Vectors from center to center, one for each neighbor.
+  [[nodiscard]] std::span<const Vector> vectors() const noexcept { return geometry_.vectors; }
 
   /// Statistics of the detection that built the list.
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
@@ -109,17 +105,10 @@ class NeighborList {
  private:
   friend class Detector;
 
-  template <class T>
-  [[nodiscard]] std::span<const T> row_of(
-      std::size_t element, const std::vector<T, detail::PageAllocator<T>>& entries) const noexcept {
-    return std::span(entries).subspan(offsets_[element], offsets_[element + 1] - offsets_[element]);
-  }
-
   Offsets offsets_;
   Neighbors neighbors_;
   ShiftArray shifts_;
-  Distances distances_;
-  Vectors vectors_;
+  PairGeometry geometry_;
   Statistics statistics_;
 };
 

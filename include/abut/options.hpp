@@ -5,6 +5,7 @@
 #include <abut/pair.hpp>
 #include <abut/pair_rule.hpp>
 #include <abut/progress.hpp>
+#include <abut/quantity.hpp>
 #include <abut/simd.hpp>
 
 #include <cstdint>
@@ -24,14 +25,6 @@ enum class Shifts {
   stored,  ///< 12 bytes more a pair
 };
 
-/// Data that a neighbor list holds beside the indices of the neighbors.
-enum class NeighborData {
-  none,                   ///< nothing more
-  distances,              ///< 8 bytes more a neighbor
-  vectors,                ///< 24 bytes more a neighbor
-  distances_and_vectors,  ///< both
-};
-
 /// Value of Options::max_pairs for no limit on the number of pairs.
 inline constexpr PairCount unlimited_pairs = std::numeric_limits<PairCount>::max();
 
@@ -49,8 +42,9 @@ struct Options {
   /// Choice whether lists hold image shifts.
   Shifts shifts = Shifts::none;
 
-  /// Data that neighbor lists hold beside the neighbors.
-  NeighborData neighbor_data = NeighborData::none;
+  /// Quantities that lists hold of each contact: 8 bytes more for a number, 24 for a vector. Counts
+  /// and visitors do not use them; see PairMeasurer for these.
+  Quantities quantities = {};
 
   /// Distance from touching up to which elements are contact pairs, too; finite, >= 0, in the unit
   /// of the positions.

@@ -1,54 +1,16 @@
 #pragma once
 
-#include <abut/export.hpp>
 #include <abut/image_shift.hpp>
+#include <abut/page_allocator.hpp>
 #include <abut/pair.hpp>
+#include <abut/pair_geometry.hpp>
 #include <abut/statistics.hpp>
 
-#include <cstddef>
-#include <new>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace abut {
-
-namespace detail {
-
-/// Blocks that the system backs with large pages where it grants them. Throws std::bad_alloc.
-[[nodiscard]] ABUT_API void* allocate_pages(std::size_t bytes);
-ABUT_API void free_pages(void* block) noexcept;
-
-/// Large pages, and no zeros written where pairs are written next.
-template <class T>
-struct PageAllocator {
-  using value_type = T;
-
-  PageAllocator() = default;
-  template <class U>
-  PageAllocator(const PageAllocator<U>&) noexcept {}
-
-  [[nodiscard]] T* allocate(std::size_t count) {
-    if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
-    return static_cast<T*>(allocate_pages(count * sizeof(T)));
-  }
-  void deallocate(T* first, std::size_t) noexcept { free_pages(first); }
-
-  /// Leaves the memory as it is: what a detection stores is written once.
-  template <class U>
-  void construct(U*) noexcept {
-    static_assert(std::is_trivially_copyable_v<U>);
-  }
-  template <class U, class... Values>
-  void construct(U* place, Values&&... values) {
-    ::new (static_cast<void*>(place)) U{std::forward<Values>(values)...};
-  }
-
-  friend bool operator==(const PageAllocator&, const PageAllocator&) noexcept { return true; }
-};
-
-}  // namespace detail
 
 /// Array of pairs.
 using PairArray = std::vector<ContactPair, detail::PageAllocator<ContactPair>>;
@@ -67,6 +29,12 @@ class PairList {
   /// Makes a list with shifts; called by the library.
   PairList(PairArray pairs, ShiftArray shifts, Statistics statistics)
       : pairs_(std::move(pairs)), shifts_(std::move(shifts)), statistics_(std::move(statistics)) {}
+  /// Makes a list with shifts and quantities; called by the library.
+  PairList(PairArray pairs, ShiftArray shifts, PairGeometry geometry, Statistics statistics)
+      : pairs_(std::move(pairs)),
+        shifts_(std::move(shifts)),
+        geometry_(std::move(geometry)),
+        statistics_(std::move(statistics)) {}
 
   /// Number of pairs.
   [[nodiscard]] PairCount size() const noexcept { return pairs_.size(); }
@@ -85,6 +53,18 @@ class PairList {
   /// unless Options::shifts asks for them; zeros in an open domain.
   [[nodiscard]] std::span<const ImageShift> shifts() const noexcept { return shifts_; }
 
+  /// Gaps, one for each pair; see PairGeometry for these and what follows. Each of them is empty
+  /// unless Options::quantities asks for it.
+  [[nodiscard]] std::span<const double> gaps() const noexcept { return geometry_.gaps; }
+  /// Unit normals from i to j, one for each pair.
+  [[nodiscard]] std::span<const Vector> normals() const noexcept { return geometry_.normals; }
+  /// Points of contact, one for each pair.
+  [[nodiscard]] std::span<const Vector> points() const noexcept { return geometry_.points; }
+  /// Distances of the centers, one for each pair.
+  [[nodiscard]] std::span<const double> distances() const noexcept { return geometry_.distances; }
+  /// Vectors from center to center, one for each pair.
+  [[nodiscard]] std::span<const Vector> vectors() const noexcept { return geometry_.vectors; }
+
   /// Statistics of the detection that found the pairs.
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
 
@@ -93,6 +73,7 @@ class PairList {
 
   PairArray pairs_;
   ShiftArray shifts_;
+  PairGeometry geometry_;
   Statistics statistics_;
 };
 

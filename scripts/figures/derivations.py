@@ -262,5 +262,30 @@ def triangle_predicate():
     return d
 
 
+def contact_geometry():
+    d = Drawing(700, 290, "Normal, point of contact and gap of two spheres that overlap")
+    y, i, j = 130, (230, 100), (420, 115)  # centre in x and radius
+    ends = (j[0] - j[1], i[0] + i[1])
+    d.circle(i[0], y, i[1], ADJACENT, INK, 1.2)
+    d.circle(j[0], y, j[1], "none", INK, 1.2)
+    d.line(i[0], y, j[0], y, FAINT, 1.2, "4 4")
+    d.arrow(i[0], y, i[0] + 46, y)
+    d.text(i[0] + 24, y - 14, "normal", 12)
+    for x, name in [(i[0], "x_i"), (j[0], "x_j + n A")]:
+        d.circle(x, y, 3.5, INK)
+        d.text(x, y + 18, name, 12)
+    middle = sum(ends) / 2
+    d.circle(middle, y, 4, RED, RED)
+    d.text(middle, y - 92, "point", 12, color=RED)
+    d.line(middle, y - 84, middle, y - 7, RED, 1)
+    for x in ends:
+        d.line(x, y, x, y + 112, FAINT, 1, "3 3")
+    measure(d, ends[0], ends[1], y + 116, "")
+    d.text(ends[1] + 8, y + 116, "−gap", 12, "start")
+    d.text(i[0] - 20, y + 136, "i, where it is given", 12, color=FAINT)
+    d.text(j[0] + 20, y + 136, "j, moved by its image shift", 12, color=FAINT)
+    return d
+
+
 FIGURES = [predicate_band, cell_margin, tile_filter, periodic_predicate, periodic_images, skin,
-           triangle_predicate]
+           triangle_predicate, contact_geometry]

@@ -16,6 +16,14 @@ std::unique_ptr<detect::DetectionRun> new_run() {
   return base::reporting_lack_of_memory([] { return std::make_unique<detect::DetectionRun>(); });
 }
 
+PairList pair_list_of(const detect::DetectionRequest& request) {
+  PairArray pairs;
+  ShiftArray shifts;
+  PairGeometry geometry;
+  Statistics statistics = new_run()->list_pairs(request, {pairs, shifts, geometry});
+  return PairList(std::move(pairs), std::move(shifts), std::move(geometry), std::move(statistics));
+}
+
 /// The margin of points is the cutoff.
 Options options_with(const ElementView& points, double cutoff, const Options& options) {
   return base::reporting_lack_of_memory([&] {
@@ -30,10 +38,7 @@ Options options_with(const ElementView& points, double cutoff, const Options& op
 
 PairList find_contact_pairs(const ElementView& elements, const Domain& domain,
                             const Options& options) {
-  PairArray pairs;
-  ShiftArray shifts;
-  Statistics statistics = new_run()->list_pairs({elements, domain, options}, pairs, shifts);
-  return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
+  return pair_list_of({elements, domain, options});
 }
 
 Statistics for_each_batch(const ElementView& elements, const Domain& domain, const Options& options,
@@ -57,12 +62,11 @@ NeighborList neighbor_list_of(const detect::DetectionRequest& request, NeighborL
   NeighborList::Offsets offsets;
   NeighborList::Neighbors neighbors;
   ShiftArray shifts;
-  NeighborList::Distances distances;
-  NeighborList::Vectors vectors;
+  PairGeometry geometry;
   Statistics statistics =
-      new_run()->list_neighbors(request, kind, {offsets, neighbors, shifts, distances, vectors});
+      new_run()->list_neighbors(request, kind, {offsets, neighbors, shifts, geometry});
   return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
-                      std::move(distances), std::move(vectors), std::move(statistics));
+                      std::move(geometry), std::move(statistics));
 }
 
 }  // namespace
@@ -79,10 +83,7 @@ NeighborList neighbors(const ElementView& points, double cutoff, const Domain& d
 
 PairList find_contact_pairs(const ElementView& first, const ElementView& second,
                             const Domain& domain, const Options& options) {
-  PairArray pairs;
-  ShiftArray shifts;
-  Statistics statistics = new_run()->list_pairs({first, domain, options, &second}, pairs, shifts);
-  return PairList(std::move(pairs), std::move(shifts), std::move(statistics));
+  return pair_list_of({first, domain, options, &second});
 }
 
 Statistics for_each_batch(const ElementView& first, const ElementView& second, const Domain& domain,

@@ -9,7 +9,6 @@
 #include "elements/lattice_of.hpp"
 #include "elements/validate_rule.hpp"
 #include "kernels/simd_level.hpp"
-#include "lists/measure_neighbors.hpp"
 #include "lists/result_buffer.hpp"
 
 #include <abut/error.hpp>
@@ -41,30 +40,24 @@ SearchTask task_of(const DetectionRequest& request) {
 }
 
 bool is_measured(const DetectionRequest& request) {
-  return request.options.neighbor_data != NeighborData::none;
+  return !request.options.quantities.empty();
 }
 
-/// Shifts that the search for a pair list must find: those of open domains are known.
-Shifts shifts_of_pairs(const DetectionRequest& request) {
-  return request.domain.is_periodic() ? request.options.shifts : Shifts::none;
+/// Shifts that the search must find: those of open domains are known, and quantities need them.
+Shifts found_shifts(const DetectionRequest& request) {
+  if (!request.domain.is_periodic()) return Shifts::none;
+  return is_measured(request) ? Shifts::stored : request.options.shifts;
 }
 
-/// Shifts that the search for a neighbor list must find: distances and vectors need them.
-Shifts shifts_of_rows(const DetectionRequest& request) {
-  const bool needs_shifts = request.domain.is_periodic() && is_measured(request);
-  return needs_shifts ? Shifts::stored : shifts_of_pairs(request);
+/// Whether there are shifts in a list while it is made.
+bool with_shifts(const DetectionRequest& request) {
+  return request.options.shifts == Shifts::stored || found_shifts(request) == Shifts::stored;
 }
 
 void fill_with_none(ShiftArray& shifts, base::WorkCounter& work) {
   work.in_pieces(0, shifts.size(), [&](std::size_t begin, std::size_t end) {
     std::fill(shifts.data() + begin, shifts.data() + end, ImageShift{});
   });
-}
-
-void require_measurable(const DetectionRequest& request) {
-  if (!is_measured(request) || request.elements.shape() != Shape::box) return;
-  throw Error(ErrorCode::wrong_usage,
-              "distances and vectors of boxes are not supported; leave out neighbor_data");
 }
 
 }  // namespace
@@ -154,40 +147,54 @@ Statistics DetectionRun::store(const DetectionRequest& request, const lists::Pai
   return statistics;
 }
 
-Statistics DetectionRun::list_pairs(const DetectionRequest& request, PairArray& pairs,
-                                    ShiftArray& shifts) {
-  lists::ListBuffer list(pairs, shifts);
+Statistics DetectionRun::list_pairs(const DetectionRequest& request, const PairArrays& arrays) {
+  lists::ListBuffer list(arrays.pairs, arrays.shifts);
+  lists::GeometryBuffers buffers(arrays.geometry);
   const Statistics result = guarded(request, [&](DetectionContext& context) {
     const Options& options = request.options;
-    Statistics statistics =
-        store(request, {options.max_pairs, shifts_of_pairs(request), options.order, list.buffer()},
-              context);
+    Statistics statistics = store(
+        request, {options.max_pairs, found_shifts(request), options.order, list.buffer()}, context);
     Stopwatch stopwatch;
-    write_pairs(request, pairs, shifts, static_cast<std::size_t>(statistics.threads), context.work);
+    write_pairs(request, arrays, static_cast<std::size_t>(statistics.threads), context.work);
     statistics.order_seconds = stopwatch.lap();
     return statistics;
   });
   list.keep();
+  buffers.keep();
   return result;
 }
 
-void DetectionRun::write_pairs(const DetectionRequest& request, PairArray& pairs,
-                               ShiftArray& shifts, std::size_t workers, base::WorkCounter& work) {
+void DetectionRun::write_pairs(const DetectionRequest& request, const PairArrays& arrays,
+                               std::size_t workers, base::WorkCounter& work) {
+  const std::size_t kept = found_.in_buffer();
+  const std::size_t shift_count = with_shifts(request) ? found_.size() : 0;
+  const lists::ResultBuffer pair_buffer(arrays.pairs, found_.size(), memory_, kept);
+  const lists::ResultBuffer shift_buffer(arrays.shifts, shift_count, memory_,
+                                         std::min(kept, arrays.shifts.size()));
+  order_pairs(request, arrays, workers, work);
+  if (is_measured(request)) {
+    const lists::SizedGeometry sized(arrays.geometry, request.options.quantities, found_.size(),
+                                     memory_);
+    request.elements.dimensions() == 2 ? measure_pairs<2>(request, arrays, workers, work)
+                                       : measure_pairs<3>(request, arrays, workers, work);
+  }
+  if (request.options.shifts == Shifts::none) arrays.shifts.clear();
+}
+
+void DetectionRun::order_pairs(const DetectionRequest& request, const PairArrays& arrays,
+                               std::size_t workers, base::WorkCounter& work) {
   const lists::PairPieces pieces = found_.pieces();
   const std::size_t kept = found_.in_buffer();
   const std::size_t elements = request.elements.size();
-  const std::size_t shift_count = request.options.shifts == Shifts::stored ? found_.size() : 0;
-  const lists::ResultBuffer pair_buffer(pairs, found_.size(), memory_, kept);
-  const lists::ResultBuffer shift_buffer(shifts, shift_count, memory_,
-                                         std::min(kept, shifts.size()));
-  if (shifts_of_pairs(request) == Shifts::stored) {
+  if (found_shifts(request) == Shifts::stored) {
     const lists::ImagePieces images{pieces, found_.shift_pieces()};
-    return found_.must_be_sorted() ? order_.sort(images, elements, pairs, shifts, workers, work)
-                                   : order_.join(images, pairs, shifts, workers, work, kept);
+    return found_.must_be_sorted()
+               ? order_.sort(images, elements, arrays.pairs, arrays.shifts, workers, work)
+               : order_.join(images, arrays.pairs, arrays.shifts, workers, work, kept);
   }
-  fill_with_none(shifts, work);
-  if (found_.must_be_sorted()) return order_.sort(pieces, elements, pairs, workers, work);
-  order_.join(pieces, pairs, workers, work, kept);
+  fill_with_none(arrays.shifts, work);
+  if (found_.must_be_sorted()) return order_.sort(pieces, elements, arrays.pairs, workers, work);
+  order_.join(pieces, arrays.pairs, workers, work, kept);
 }
 
 Statistics DetectionRun::visit_batches(const DetectionRequest& request,
@@ -204,36 +211,31 @@ Statistics DetectionRun::visit_batches(const DetectionRequest& request,
 Statistics DetectionRun::list_neighbors(const DetectionRequest& request, NeighborListKind kind,
                                         const NeighborArrays& arrays) {
   lists::RowBuffers buffers(arrays);
-  base::reporting_lack_of_memory([&] { require_measurable(request); });
+  lists::GeometryBuffers geometry(arrays.geometry);
   const Statistics result = guarded(request, [&](DetectionContext& context) {
     Statistics statistics = store(
-        request, {.limit = request.options.max_pairs, .shifts = shifts_of_rows(request)}, context);
+        request, {.limit = request.options.max_pairs, .shifts = found_shifts(request)}, context);
     Stopwatch stopwatch;
     write_rows(request, kind, arrays, static_cast<std::size_t>(statistics.threads), context.work);
     statistics.order_seconds = stopwatch.lap();
     return statistics;
   });
   buffers.keep();
+  geometry.keep();
   return result;
 }
 
 void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind kind,
                               const NeighborArrays& arrays, std::size_t workers,
                               base::WorkCounter& work) {
-  const NeighborData data = request.options.neighbor_data;
   const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
-  const auto entries_if = [entries](bool wanted) { return wanted ? entries : 0; };
-  const bool with_shifts =
-      request.options.shifts == Shifts::stored || shifts_of_rows(request) == Shifts::stored;
-  const bool distances = data != NeighborData::none && data != NeighborData::vectors;
-  const bool vectors = data != NeighborData::none && data != NeighborData::distances;
   const lists::ResultBuffer offset_buffer(arrays.offsets, request.elements.size() + 2, memory_);
   const lists::ResultBuffer neighbor_buffer(arrays.neighbors, entries, memory_);
-  const lists::ResultBuffer shift_buffer(arrays.shifts, entries_if(with_shifts), memory_);
-  const lists::ResultBuffer distance_buffer(arrays.distances, entries_if(distances), memory_);
-  const lists::ResultBuffer vector_buffer(arrays.vectors, entries_if(vectors), memory_);
-  list_rows(shifts_of_rows(request), kind, arrays, workers, work);
+  const lists::ResultBuffer shift_buffer(arrays.shifts, with_shifts(request) ? entries : 0,
+                                         memory_);
+  list_rows(found_shifts(request), kind, arrays, workers, work);
   if (is_measured(request)) {
+    const lists::SizedGeometry sized(arrays.geometry, request.options.quantities, entries, memory_);
     request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, workers, work)
                                        : measure_rows<3>(request, arrays, workers, work);
   }
@@ -259,17 +261,32 @@ void DetectionRun::list_rows(Shifts found_shifts, NeighborListKind kind,
 }
 
 template <int Dim>
+geometry::MeasuredSets<Dim> DetectionRun::measured_sets(const DetectionRequest& request) {
+  const RunArrays<Dim>& own = arrays<Dim>();
+  const bool one_set = request.others == nullptr;
+  return {one_set ? own.elements.elements() : own.two_set_search.first(),
+          one_set ? own.elements.elements() : own.two_set_search.second(),
+          elements::lattice_of(request.domain),
+          kernels::measure_kernels(kernels::level_to_run(request.options.simd))};
+}
+
+template <int Dim>
+void DetectionRun::measure_pairs(const DetectionRequest& request, const PairArrays& arrays,
+                                 std::size_t workers, base::WorkCounter& work) {
+  const std::span<const ImageShift> shifts = request.domain.is_periodic()
+                                                 ? std::span<const ImageShift>(arrays.shifts)
+                                                 : std::span<const ImageShift>();
+  geometry::measure_pairs<Dim>(measured_sets<Dim>(request), arrays.pairs, shifts,
+                               arrays.geometry.spans(), workers, work);
+}
+
+template <int Dim>
 void DetectionRun::measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
                                 std::size_t workers, base::WorkCounter& work) {
-  const RunArrays<Dim>& own = this->arrays<Dim>();
-  using Spheres = std::span<const exact::Sphere<Dim>>;
-  const bool one_set = request.others == nullptr;
-  const Spheres first = one_set ? Spheres(own.elements.spheres) : own.two_set_search.first();
-  const Spheres second = one_set ? first : own.two_set_search.second();
-  const lists::MeasuredRows<Dim> rows{
-      first,          second,           elements::lattice_of(request.domain),
-      arrays.offsets, arrays.neighbors, arrays.shifts};
-  lists::measure_neighbors<Dim>(rows, arrays.distances, arrays.vectors, workers, work);
+  const geometry::MeasuredRows rows{std::span(arrays.offsets).first(request.elements.size() + 1),
+                                    arrays.neighbors, arrays.shifts};
+  geometry::measure_rows<Dim>(measured_sets<Dim>(request), rows, arrays.geometry.spans(), workers,
+                              work);
 }
 
 }  // namespace abut::detect

@@ -8,6 +8,7 @@
 #include "detect/skin_detection.hpp"
 #include "detect/two_set_search.hpp"
 #include "elements/gathered_elements.hpp"
+#include "geometry/measure_pairs.hpp"
 #include "lists/csr_builder.hpp"
 #include "lists/found_pairs.hpp"
 #include "lists/image_neighbor_rows.hpp"
@@ -27,8 +28,14 @@ struct NeighborArrays {
   NeighborList::Offsets& offsets;
   NeighborList::Neighbors& neighbors;
   ShiftArray& shifts;
-  NeighborList::Distances& distances;
-  NeighborList::Vectors& vectors;
+  PairGeometry& geometry;
+};
+
+/// The arrays of a pair list, to be filled: those not asked for are left empty.
+struct PairArrays {
+  PairArray& pairs;
+  ShiftArray& shifts;
+  PairGeometry& geometry;
 };
 
 /// Runs detections from the request to the result and keeps their memory: for a Detector from call
@@ -40,8 +47,8 @@ class DetectionRun {
   DetectionRun& operator=(const DetectionRun&) = delete;
   ~DetectionRun() = default;
 
-  /// Leaves `shifts` empty unless the options ask for them. On failure both are empty.
-  Statistics list_pairs(const DetectionRequest& request, PairArray& pairs, ShiftArray& shifts);
+  /// Leaves empty what the options do not ask for. On failure all are empty.
+  Statistics list_pairs(const DetectionRequest& request, const PairArrays& arrays);
 
   Statistics visit_batches(const DetectionRequest& request, const lists::Visitors& visitors);
 
@@ -90,12 +97,19 @@ class DetectionRun {
   Statistics store(const DetectionRequest& request, const lists::PairDemand& demand,
                    base::DetectionContext& context);
 
-  void write_pairs(const DetectionRequest& request, PairArray& pairs, ShiftArray& shifts,
-                   std::size_t workers, base::WorkCounter& work);
+  void write_pairs(const DetectionRequest& request, const PairArrays& arrays, std::size_t workers,
+                   base::WorkCounter& work);
+  void order_pairs(const DetectionRequest& request, const PairArrays& arrays, std::size_t workers,
+                   base::WorkCounter& work);
+  template <int Dim>
+  void measure_pairs(const DetectionRequest& request, const PairArrays& arrays, std::size_t workers,
+                     base::WorkCounter& work);
   void write_rows(const DetectionRequest& request, NeighborListKind kind,
                   const NeighborArrays& arrays, std::size_t workers, base::WorkCounter& work);
   void list_rows(Shifts found_shifts, NeighborListKind kind, const NeighborArrays& arrays,
                  std::size_t workers, base::WorkCounter& work);
+  template <int Dim>
+  [[nodiscard]] geometry::MeasuredSets<Dim> measured_sets(const DetectionRequest& request);
   template <int Dim>
   void measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
                     std::size_t workers, base::WorkCounter& work);

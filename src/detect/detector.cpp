@@ -49,8 +49,8 @@ const SkinStatistics& Detector::skin_statistics() const noexcept {
 
 const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain) {
   PairList& list = state_->pairs;
-  list.statistics_ =
-      state_->run.list_pairs({elements, domain, state_->options}, list.pairs_, list.shifts_);
+  list.statistics_ = state_->run.list_pairs({elements, domain, state_->options},
+                                            {list.pairs_, list.shifts_, list.geometry_});
   return list;
 }
 
@@ -73,17 +73,17 @@ Statistics Detector::for_each_shifted_batch(const ElementView& elements, const D
 const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain& domain,
                                                   NeighborListKind kind) {
   NeighborList& list = state_->neighbors;
-  list.statistics_ = state_->run.list_neighbors(
-      {elements, domain, state_->options}, kind,
-      {list.offsets_, list.neighbors_, list.shifts_, list.distances_, list.vectors_});
+  list.statistics_ =
+      state_->run.list_neighbors({elements, domain, state_->options}, kind,
+                                 {list.offsets_, list.neighbors_, list.shifts_, list.geometry_});
   return list;
 }
 
 const PairList& Detector::find_contact_pairs(const ElementView& first, const ElementView& second,
                                              const Domain& domain) {
   PairList& list = state_->pairs;
-  list.statistics_ =
-      state_->run.list_pairs({first, domain, state_->options, &second}, list.pairs_, list.shifts_);
+  list.statistics_ = state_->run.list_pairs({first, domain, state_->options, &second},
+                                            {list.pairs_, list.shifts_, list.geometry_});
   return list;
 }
 
@@ -108,9 +108,9 @@ Statistics Detector::for_each_shifted_batch(const ElementView& first, const Elem
 const NeighborList& Detector::build_neighbor_list(const ElementView& first,
                                                   const ElementView& second, const Domain& domain) {
   NeighborList& list = state_->neighbors;
-  list.statistics_ = state_->run.list_neighbors(
-      {first, domain, state_->options, &second}, NeighborListKind::half,
-      {list.offsets_, list.neighbors_, list.shifts_, list.distances_, list.vectors_});
+  list.statistics_ =
+      state_->run.list_neighbors({first, domain, state_->options, &second}, NeighborListKind::half,
+                                 {list.offsets_, list.neighbors_, list.shifts_, list.geometry_});
   return list;
 }
 

@@ -34,10 +34,8 @@ class TwoSetSearch {
               Statistics& statistics);
 
   /// All elements of each set, also those that were left out of the search.
-  [[nodiscard]] std::span<const exact::Sphere<Dim>> first() const noexcept { return sets_.first(); }
-  [[nodiscard]] std::span<const exact::Sphere<Dim>> second() const noexcept {
-    return sets_.second();
-  }
+  [[nodiscard]] exact::Elements<Dim> first() const noexcept { return sets_.first(); }
+  [[nodiscard]] exact::Elements<Dim> second() const noexcept { return sets_.second(); }
 
  private:
   elements::JoinedSets<Dim> sets_;

@@ -40,12 +40,8 @@ class JoinedSets {
   [[nodiscard]] std::size_t first_count() const noexcept { return first_.count; }
 
   /// All elements of the sets, also those left out.
-  [[nodiscard]] std::span<const exact::Sphere<Dim>> first() const noexcept {
-    return first_.elements.spheres;
-  }
-  [[nodiscard]] std::span<const exact::Sphere<Dim>> second() const noexcept {
-    return second_.elements.spheres;
-  }
+  [[nodiscard]] exact::Elements<Dim> first() const noexcept { return first_.elements.elements(); }
+  [[nodiscard]] exact::Elements<Dim> second() const noexcept { return second_.elements.elements(); }
 
   /// What the joined elements are called in their sets; empty where none was left out.
   [[nodiscard]] std::span<const ElementIndex> numbers() const noexcept {

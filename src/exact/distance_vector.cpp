@@ -24,19 +24,19 @@ constexpr double largest_summed = 0x1p900;
 /// Brings differences that exceed this bound back to where their squares can be scaled.
 constexpr double scale_of_large = 0x1p-128;
 
-/// One component of x_a - (x_b + n A), times a power of two: the nearest double and, from what is
+/// One component of x_b + n A - x_a, times a power of two: the nearest double and, from what is
 /// left, the nearest double.
 template <int Dim>
 DoubleDouble component(const Sphere<Dim>& a, const Sphere<Dim>& b, const LatticeSteps<Dim>& steps,
                        int axis, double scale) noexcept {
   const double from = a.center[axis] * scale;
   const double to = b.center[axis] * scale;
-  if (steps.empty()) return two_sum(from, -to);
+  if (steps.empty()) return two_sum(to, -from);
   ExactSum<9> sum;
-  sum.add(from);
-  sum.add(-to);
+  sum.add(to);
+  sum.add(-from);
   for (const auto& step : steps) {
-    sum.add(two_product(-static_cast<double>(step.number), step.vector[axis] * scale));
+    sum.add(two_product(static_cast<double>(step.number), step.vector[axis] * scale));
   }
   const double high = sum.rounded();
   sum.add(-high);
@@ -49,9 +49,9 @@ template <int Dim>
 DoubleDouble any_component(const Sphere<Dim>& a, const Sphere<Dim>& b,
                            const LatticeSteps<Dim>& steps, int axis) noexcept {
   ExactAccumulator<1> sum;
-  sum.add(a.center[axis], 1);
-  sum.add(b.center[axis], -1);
-  for (const auto& step : steps) sum.add(step.vector[axis], -std::int64_t{step.number});
+  sum.add(b.center[axis], 1);
+  sum.add(a.center[axis], -1);
+  for (const auto& step : steps) sum.add(step.vector[axis], std::int64_t{step.number});
   const double high = sum.rounded();
   if (!std::isfinite(high)) return {high, 0.0};
   sum.add(high, -1);

@@ -4,6 +4,7 @@
 #include "kernels/candidate_kernels.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/image_kernels.hpp"
+#include "kernels/measure_kernels.hpp"
 #include "kernels/tie_kernels.hpp"
 #include "kernels/tile_search.hpp"
 
@@ -182,6 +183,14 @@ TieKernels tie_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return {[](const double*, int, double, HitBuffer&, std::uint64_t&) { return std::size_t{0}; }};
+}
+
+MeasureKernels measure_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_measure_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const MeasureJob&, int, std::uint32_t*, std::size_t&) { return std::size_t{0}; }};
 }
 
 }  // namespace kernels

@@ -58,12 +58,56 @@ class RowBuffers {
     arrays_.offsets.clear();
     arrays_.neighbors.clear();
     arrays_.shifts.clear();
-    arrays_.distances.clear();
-    arrays_.vectors.clear();
   }
 
   const Arrays& arrays_;
   bool is_kept_ = false;
+};
+
+/// Empties the arrays of quantities before they are filled and, unless keep() is called, again at
+/// its end.
+class GeometryBuffers {
+ public:
+  explicit GeometryBuffers(PairGeometry& geometry) : geometry_(geometry) { clear(); }
+  ~GeometryBuffers() {
+    if (!is_kept_) clear();
+  }
+
+  GeometryBuffers(const GeometryBuffers&) = delete;
+  GeometryBuffers& operator=(const GeometryBuffers&) = delete;
+
+  void keep() noexcept { is_kept_ = true; }
+
+ private:
+  void clear() noexcept {
+    geometry_.gaps.clear();
+    geometry_.normals.clear();
+    geometry_.points.clear();
+    geometry_.distances.clear();
+    geometry_.vectors.clear();
+  }
+
+  PairGeometry& geometry_;
+  bool is_kept_ = false;
+};
+
+/// Sizes the arrays of the quantities that are wanted and accounts for their bytes meanwhile.
+class SizedGeometry {
+ public:
+  SizedGeometry(PairGeometry& geometry, Quantities wanted, std::size_t size,
+                base::MemoryMeter& memory)
+      : gaps_(geometry.gaps, wanted.has(Quantity::gap) ? size : 0, memory),
+        normals_(geometry.normals, wanted.has(Quantity::normal) ? size : 0, memory),
+        points_(geometry.points, wanted.has(Quantity::point) ? size : 0, memory),
+        distances_(geometry.distances, wanted.has(Quantity::distance) ? size : 0, memory),
+        vectors_(geometry.vectors, wanted.has(Quantity::vector) ? size : 0, memory) {}
+
+ private:
+  ResultBuffer<double> gaps_;
+  ResultBuffer<Vector> normals_;
+  ResultBuffer<Vector> points_;
+  ResultBuffer<double> distances_;
+  ResultBuffer<Vector> vectors_;
 };
 
 /// Offers all the capacity of a list as output buffer, so that pairs can be written where they are

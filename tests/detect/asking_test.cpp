@@ -233,7 +233,7 @@ TEST(Asking, FollowsTheOrderOfManyPairsOfEach) {
       Hook hook;
       Options options = options_of(Algorithm::rows, hook);
       options.shifts = Shifts::stored;
-      options.neighbor_data = NeighborData::distances;
+      options.quantities = Quantity::distance;
       const NeighborList list = build_neighbor_list(view_of(crowd(1500)), domain, kind, options);
       EXPECT_GE(hook.asked["order"], 4 * list.neighbors().size() / steps);
     }
@@ -295,7 +295,7 @@ std::vector<Face> faces() {
                     }});
   result.push_back({"neighbor list", [](const Options& options) {
                       Options measured = options;
-                      measured.neighbor_data = NeighborData::distances;
+                      measured.quantities = Quantity::distance;
                       return told(build_neighbor_list(view_of(small_crowd()), Domain::open(),
                                                       NeighborListKind::full, measured));
                     }});

@@ -299,14 +299,14 @@ TEST(Periodic, ADetectorTakesTurnsBetweenDomains) {
   }
 }
 
-TEST(Periodic, NeighborDataChangesNoListOfPairs) {
+TEST(Periodic, QuantitiesChangeNoListOfPairs) {
   Random random(10);
   const Scene scene = random_scene(3, 60, 0.3, 1.5, random);
   const Domain cube = Domain::periodic({1.0, 1.0, 1.0});
   for (const Order order : {Order::canonical, Order::as_found}) {
     const Options plain{.order = order};
     Options measured = plain;
-    measured.neighbor_data = NeighborData::distances_and_vectors;
+    measured.quantities = Quantity::distance | Quantity::vector;
     const PairList expected = find_contact_pairs(view_of(scene), cube, plain);
     const PairList found = find_contact_pairs(view_of(scene), cube, measured);
     ASSERT_GT(expected.size(), 100U);

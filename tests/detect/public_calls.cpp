@@ -55,7 +55,7 @@ struct Given {
   std::vector<std::int32_t> numbers{3, 1, 2, 9, 4, 4, 0};
   trace::CellSystem cells;
   Options shifted{.shifts = Shifts::stored};
-  Options measured{.shifts = Shifts::stored, .neighbor_data = NeighborData::distances_and_vectors};
+  Options measured{.shifts = Shifts::stored, .quantities = Quantity::distance | Quantity::vector};
   Options bad_margin{.margin = -1.0};
   Options few{.max_pairs = 3};
   Options ruled{.rule = {.elements = {.groups = groups}}};

@@ -29,9 +29,9 @@ struct Case {
 
 mpq_class component(const Case& c, std::size_t axis) {
   const std::int32_t numbers[] = {c.shift.x, c.shift.y, c.shift.z};
-  mpq_class result = mpq_class(c.a.center[axis]) - mpq_class(c.b.center[axis]);
+  mpq_class result = mpq_class(c.b.center[axis]) - mpq_class(c.a.center[axis]);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (numbers[k] != 0) result -= numbers[k] * mpq_class(c.lattice.vectors[k][axis]);
+    if (numbers[k] != 0) result += numbers[k] * mpq_class(c.lattice.vectors[k][axis]);
   }
   return result;
 }
@@ -141,7 +141,7 @@ TEST(DistanceVector, OfTies) {
   EXPECT_EQ(along_x(1.0, 4.0).distance, 3.0);
   EXPECT_EQ(along_x(0x1p53, -1.0).distance, 0x1p53);
   EXPECT_EQ(along_x(0x1p53 + 2.0, -1.0).distance, 0x1p53 + 2.0);
-  EXPECT_EQ(along_x(0x1p53 + 2.0, -1.0).vector[0], 0x1p53 + 4.0);
+  EXPECT_EQ(along_x(0x1p53 + 2.0, -1.0).vector[0], -(0x1p53 + 4.0));
   EXPECT_EQ(along_x(7.0, 7.0).distance, 0.0);
 }
 
@@ -150,7 +150,7 @@ TEST(DistanceVector, OfExtremeNumbers) {
     return exact::distance_vector<2>({{a, 0}, 0.0}, {{b, 0}, 0.0}, {}, {});
   };
   EXPECT_EQ(between(largest, -largest).distance, largest);
-  EXPECT_EQ(between(-largest, largest).vector[0], -largest);
+  EXPECT_EQ(between(-largest, largest).vector[0], largest);
   EXPECT_EQ(between(largest, 0.0).distance, largest);
   EXPECT_EQ(between(smallest, 0.0).distance, smallest);
   EXPECT_EQ(between(3 * smallest, -2 * smallest).distance, 5 * smallest);
@@ -195,7 +195,7 @@ Case extreme_case(Random& random) {
   // Nearly all of it cancels; what is left is below the last place of the numbers.
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const mpq_class near_zero = component(c, axis);
-    if (abs(near_zero) < largest) c.b.center[axis] += near_zero.get_d();
+    if (abs(near_zero) < largest) c.b.center[axis] -= near_zero.get_d();
     if (std::isinf(c.b.center[axis])) c.b.center[axis] = 0.0;
   }
   return c;
@@ -212,14 +212,14 @@ TEST(DistanceVector, OfSmallBesideLargeNumbersIsRoundedOnce) {
 TEST(DistanceVector, OfLastPlacesBesideTheLargestNumbers) {
   const exact::DistanceVector open =
       exact::distance_vector<2>({{0x1p1000, 3 * smallest}, 0.0}, {{0x1p1000, 0}, 0.0}, {}, {});
-  EXPECT_EQ(open.vector[1], 3 * smallest);
+  EXPECT_EQ(open.vector[1], -3 * smallest);
   EXPECT_EQ(open.distance, 3 * smallest);
   exact::Lattice lattice;
   lattice.periodic = {true, false, false};
   lattice.vectors[0] = {0x1p1000, 0.0, 0.0};
   const exact::DistanceVector moved = exact::distance_vector<2>(
       {{0x1p1000, 0}, 0.0}, {{-5 * smallest, 0}, 0.0}, {1, 0, 0}, lattice);
-  EXPECT_EQ(moved.vector[0], 5 * smallest);
+  EXPECT_EQ(moved.vector[0], -5 * smallest);
   EXPECT_EQ(moved.distance, 5 * smallest);
 }
 

@@ -112,7 +112,7 @@ class StateChecker {
     options.threads = threads < 6 ? 1 : static_cast<int>(threads) - 4;
     options.simd = available_levels[choice / 63 % available_levels.size()];
     options.shifts = choice % 2 == 0 ? Shifts::stored : Shifts::none;
-    options.neighbor_data = measured(plan_.neighbor_data);
+    options.quantities = measured(plan_.quantities);
     if (follows_extent(algorithm)) options.max_bytes = most_bytes_of_grids;
     return options;
   }
@@ -123,14 +123,14 @@ class StateChecker {
 
  private:
   /// Distances and vectors are those of centers, which boxes do not have.
-  [[nodiscard]] NeighborData measured(NeighborData data) const {
-    return question_.system().first.shape == Shape::sphere ? data : NeighborData::none;
+  [[nodiscard]] Quantities measured(Quantities data) const {
+    return question_.system().first.shape == Shape::sphere ? data : Quantities();
   }
 
   [[nodiscard]] std::vector<Options> all_options(Algorithm algorithm) const {
     Options options = chosen_options(algorithm, 0);
     options.shifts = Shifts::stored;
-    options.neighbor_data = measured(NeighborData::distances_and_vectors);
+    options.quantities = measured(Quantity::distance | Quantity::vector);
     if (algorithm != Algorithm::rows) {
       options.threads = 1;
       return {options};

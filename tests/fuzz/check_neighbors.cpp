@@ -52,7 +52,7 @@ void check_measures(const Question& question, const NeighborList& list,
     }
     if (list.vectors().empty()) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      require(oracle.is_component(image, axis, list.vectors()[k][axis]), "vector" + where);
+      require(oracle.is_component(image, axis, -list.vectors()[k][axis]), "vector" + where);
     }
   }
 }
@@ -76,10 +76,8 @@ void check_neighbors(const Question& question, const Options& options, NeighborL
               "entry " + std::to_string(k) + " has another shift");
     }
   }
-  const bool distances = options.neighbor_data == NeighborData::distances ||
-                         options.neighbor_data == NeighborData::distances_and_vectors;
-  const bool vectors = options.neighbor_data == NeighborData::vectors ||
-                       options.neighbor_data == NeighborData::distances_and_vectors;
+  const bool distances = options.quantities.has(Quantity::distance);
+  const bool vectors = options.quantities.has(Quantity::vector);
   require(list.distances().size() == (distances ? entries.size() : 0), "distances");
   require(list.vectors().size() == (vectors ? entries.size() : 0), "vectors");
   check_measures(question, list, entries);

@@ -82,7 +82,9 @@ class Decoder {
   void read_plan() {
     for (std::uint8_t& choice : result_.plan.choices) choice = reader_.byte();
     const std::size_t kind = reader_.byte();
-    result_.plan.neighbor_data = static_cast<NeighborData>(kind % 4);
+    const Quantities distances = kind % 2 != 0 ? Quantity::distance : Quantities();
+    const Quantities vectors = kind % 4 >= 2 ? Quantity::vector : Quantities();
+    result_.plan.quantities = distances | vectors;
     if (kind < 128) result_.plan.skin = Skin::fixed(numbers_.size() / 16.0);
     if (kind >= 224) result_.plan.skin = Skin::automatic();
   }

@@ -73,8 +73,9 @@ void append_rule(std::string& text, const Rule& rule) {
 std::string dump_case(const Case& given) {
   std::string text = "choices " + listed(given.plan.choices) + "; skin of kind " +
                      std::to_string(static_cast<int>(given.plan.skin.kind())) + ", length " +
-                     written(given.plan.skin.length()) + "; neighbor data " +
-                     std::to_string(static_cast<int>(given.plan.neighbor_data)) + "\n";
+                     written(given.plan.skin.length()) + "; quantities" +
+                     (given.plan.quantities.has(Quantity::distance) ? " distance" : "") +
+                     (given.plan.quantities.has(Quantity::vector) ? " vector" : "") + "\n";
   for (std::size_t k = 0; k < given.states.size(); ++k) {
     const System& state = given.states[k];
     text += "\n== state " + std::to_string(k) + ", margin " + written(state.margin) + "\n";

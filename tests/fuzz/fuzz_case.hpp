@@ -56,7 +56,7 @@ struct System {
 /// What is asked for beside the system; each choice picks one of the ways to ask.
 struct Plan {
   std::array<std::uint8_t, 8> choices{};  ///< one for each algorithm
-  NeighborData neighbor_data = NeighborData::none;
+  Quantities quantities;
   Skin skin = Skin::none();
 };
 

@@ -90,7 +90,7 @@ void stress_domains(Scene scene) {
         insist_equal(expected, find_contact_pairs(view_of(scene), domain, several),
                      "the periodic list");
       }
-      options.neighbor_data = NeighborData::distances_and_vectors;
+      options.quantities = Quantity::distance | Quantity::vector;
       const NeighborList expected =
           build_neighbor_list(view_of(scene), domain, NeighborListKind::full, options);
       options.threads = workers;

@@ -1,0 +1,113 @@
+// Times what is measured of a contact, in nanoseconds of processor time: each quantity of the pairs
+// of a scene, and all of a periodic neighbor list (numbers, distances, vectors, shifts). CSV on
+// stdout.
+
+#include "benchmarks/common/program.hpp"
+#include "benchmarks/common/timing.hpp"
+#include "scenes/random.hpp"
+#include "scenes/scene.hpp"
+
+#include <abut/abut.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace abut::benchmarks {
+namespace {
+
+struct Settings {
+  std::string scene = "dense";
+  std::size_t count = 1'000'000;
+  std::size_t atoms = 100'000;
+  int repetitions = 9;
+};
+
+/// One line of the table: nanoseconds for each of `entries`.
+void write(const std::string& task, std::size_t elements, PairCount entries, int repetitions,
+           const std::function<void()>& work) {
+  work();
+  std::vector<double> seconds;
+  for (int k = 0; k < repetitions; ++k) seconds.push_back(processor_seconds(work));
+  const MedianAndMinimum found = median_and_minimum(seconds);
+  const double ns = 1e9 / static_cast<double>(entries);
+  std::printf("%s,%zu,%llu,%.2f,%.2f\n", task.c_str(), elements,
+              static_cast<unsigned long long>(entries), found.minimum * ns, found.median * ns);
+}
+
+void measure_scene(const Settings& settings) {
+  const scenes::Scene scene = scenes::scene_named(settings.scene).make(settings.count, 1);
+  const ElementView elements = spheres(scene.x, scene.y, scene.z, scene.radius);
+  const PairList list = find_contact_pairs(elements, Domain::open(), {.threads = 1});
+  const PairMeasurer measurer(elements, Domain::open(), {.threads = 1});
+  const auto row = [&](const char* task, Quantities quantities) {
+    PairGeometry geometry = measure(elements, list, quantities, Domain::open(), {.threads = 1});
+    write(task, settings.count, list.size(), settings.repetitions,
+          [&] { measurer.measure(list, geometry.spans()); });
+  };
+  row("gap", Quantity::gap);
+  row("distance", Quantity::distance);
+  row("vector", Quantity::vector);
+  row("normal", Quantity::normal);
+  row("point", Quantity::point);
+  row("gap, normal and point", Quantity::gap | Quantity::normal | Quantity::point);
+  double sum = 0.0;
+  write("gap() of one pair", settings.count, list.size(), settings.repetitions, [&] {
+    for (const ContactPair pair : list) sum += gap(elements, pair);
+  });
+  if (std::isnan(sum)) std::puts("a gap is not a number");
+}
+
+/// Points at random, 40 of each one's within the cutoff, each pair once.
+void measure_liquid(const Settings& settings) {
+  constexpr double neighbors_of_each = 40.0;
+  const double side = std::cbrt(static_cast<double>(settings.atoms));
+  const double cutoff = std::cbrt(2.0 * neighbors_of_each / (4.0 / 3.0 * std::acos(-1.0)));
+  scenes::Random random(1);
+  std::vector<double> x, y, z;
+  for (std::size_t k = 0; k < settings.atoms; ++k) {
+    x.push_back(random.uniform(0.0, side));
+    y.push_back(random.uniform(0.0, side));
+    z.push_back(random.uniform(0.0, side));
+  }
+  const Domain cube = Domain::periodic({side, side, side});
+  const auto list = [&](Shifts shifts, Quantities quantities) {
+    return neighbors(points(x, y, z), cutoff, cube, NeighborListKind::half,
+                     {.shifts = shifts, .quantities = quantities, .threads = 1});
+  };
+  const std::size_t entries = list(Shifts::none, {}).neighbors().size();
+  write("periodic liquid, neighbors", settings.atoms, entries, settings.repetitions,
+        [&] { static_cast<void>(list(Shifts::none, {})); });
+  write("periodic liquid, shifts too", settings.atoms, entries, settings.repetitions,
+        [&] { static_cast<void>(list(Shifts::stored, {})); });
+  write("periodic liquid, distances and vectors too", settings.atoms, entries, settings.repetitions,
+        [&] { static_cast<void>(list(Shifts::stored, Quantity::distance | Quantity::vector)); });
+}
+
+int main_of(int argc, char** argv) {
+  CLI::App app("Times the geometry of contacts; CSV on stdout.");
+  Settings settings;
+  app.add_option("--scene", settings.scene, "of spheres");
+  app.add_option("--count", settings.count, "elements")->check(CLI::Range(2, 100'000'000));
+  app.add_option("--atoms", settings.atoms, "points of the liquid")
+      ->check(CLI::Range(100, 10'000'000));
+  app.add_option("--repetitions", settings.repetitions, "after one that is not counted")
+      ->check(CLI::Range(1, 10'000));
+  CLI11_PARSE(app, argc, argv);
+  std::puts("task,elements,entries,ns_minimum,ns_median");
+  measure_scene(settings);
+  measure_liquid(settings);
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace abut::benchmarks
+
+int main(int argc, char** argv) {
+  return abut::benchmarks::run_program("pair_geometry", abut::benchmarks::main_of, argc, argv);
+}

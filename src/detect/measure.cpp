@@ -1,0 +1,228 @@
+#include <abut/measure.hpp>
+
+#include "base/callers_exception.hpp"
+#include "base/detection_context.hpp"
+#include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
+#include "base/workers.hpp"
+#include "detect/validate_options.hpp"
+#include "elements/gathered_elements.hpp"
+#include "elements/lattice_of.hpp"
+#include "geometry/measure_pairs.hpp"
+#include "kernels/simd_level.hpp"
+
+#include <abut/error.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace abut {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(ErrorCode::wrong_usage, what);
+}
+
+void require_length(std::size_t length, std::size_t pairs, const char* what) {
+  if (length == 0 || length == pairs) return;
+  refuse("the array of " + std::string(what) + " has " + std::to_string(length) +
+         " entries, but there are " + std::to_string(pairs) + " pairs; give one entry for each");
+}
+
+void require_lengths(const PairSpans& pairs, const PairGeometrySpans& geometry) {
+  const std::size_t count = pairs.pairs.size();
+  require_length(pairs.shifts.size(), count, "image shifts");
+  require_length(geometry.gaps.size(), count, "gaps");
+  require_length(geometry.normals.size(), count, "normals");
+  require_length(geometry.points.size(), count, "points");
+  require_length(geometry.distances.size(), count, "distances");
+  require_length(geometry.vectors.size(), count, "vectors");
+}
+
+}  // namespace
+
+struct PairMeasurer::State {
+  template <int Dim>
+  struct ReadSets {
+    explicit ReadSets(base::MemoryMeter& memory) : first(memory), second(memory) {}
+    elements::GatheredElements<Dim> first;
+    elements::GatheredElements<Dim> second;
+  };
+
+  State(const ElementView& given_first, const ElementView* given_second, const Domain& given_domain,
+        const Options& options)
+      : domain(given_domain),
+        simd(kernels::level_to_run(options.simd)),
+        is_one_set(given_second == nullptr),
+        dimensions(given_first.dimensions()),
+        first_count(given_first.size()),
+        second_count(is_one_set ? first_count : given_second->size()) {
+    memory.start_anew(detect::memory_bound(options));
+    base::DetectionContext context(memory, options.progress);
+    workers = base::worker_count(options.threads, first_count + (is_one_set ? 0 : second_count));
+    context.progress.begin("gather", first_count + (is_one_set ? 0 : second_count));
+    base::letting_through([&] {
+      dimensions == 2 ? gather(in_2d, given_first, given_second, context)
+                      : gather(in_3d, given_first, given_second, context);
+    });
+  }
+
+  template <int Dim>
+  void gather(ReadSets<Dim>& sets, const ElementView& first, const ElementView* second,
+              base::DetectionContext& context) {
+    elements::gather<Dim>(first, {workers, simd}, sets.first, context);
+    if (second != nullptr) elements::gather<Dim>(*second, {workers, simd}, sets.second, context);
+  }
+
+  template <int Dim>
+  [[nodiscard]] geometry::MeasuredSets<Dim> measured(const ReadSets<Dim>& sets) const {
+    return {sets.first.elements(), is_one_set ? sets.first.elements() : sets.second.elements(),
+            elements::lattice_of(domain), kernels::measure_kernels(simd)};
+  }
+
+  /// Throws Error{wrong_usage} unless the pairs are pairs of these elements in this domain.
+  void require(const PairSpans& pairs) const;
+
+  Domain domain;
+  Simd simd;
+  bool is_one_set;
+  int dimensions;
+  std::size_t first_count;
+  std::size_t second_count;
+  std::size_t workers = 1;
+  base::MemoryMeter memory;
+  ReadSets<2> in_2d{memory};
+  ReadSets<3> in_3d{memory};
+};
+
+void PairMeasurer::State::require(const PairSpans& pairs) const {
+  if (domain.is_periodic() && pairs.shifts.empty() && !pairs.pairs.empty()) {
+    refuse(
+        "pairs of a periodic domain without image shifts; set Options::shifts to "
+        "Shifts::stored when they are found");
+  }
+  std::uint64_t past_first = 0;
+  std::uint64_t past_second = 0;
+  for (const ContactPair pair : pairs.pairs) {
+    past_first = std::max<std::uint64_t>(past_first, std::uint64_t{pair.first} + 1);
+    past_second = std::max<std::uint64_t>(past_second, std::uint64_t{pair.second} + 1);
+  }
+  const auto require_there = [](std::uint64_t past, std::size_t count) {
+    if (past <= count) return;
+    refuse("a pair names element " + std::to_string(past - 1) + ", but there are " +
+           std::to_string(count) + " elements, numbered from 0");
+  };
+  require_there(past_first, first_count);
+  require_there(past_second, second_count);
+  ImageShift used;
+  for (const ImageShift& shift : pairs.shifts) {
+    used = {used.x | shift.x, used.y | shift.y, used.z | shift.z};
+  }
+  const std::int32_t numbers[3] = {used.x, used.y, used.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (numbers[axis] == 0 || domain.is_periodic(axis)) continue;
+    refuse(std::string("an image shift along ") + "xyz"[axis] +
+           " is not 0, but the domain is not periodic there");
+  }
+}
+
+PairMeasurer::PairMeasurer(const ElementView& elements, const Domain& domain,
+                           const Options& options) {
+  const base::FloatEnvironment environment;
+  state_ = base::reporting_lack_of_memory([&] {
+    detect::validate(options, elements, domain);
+    return std::make_unique<State>(elements, nullptr, domain, options);
+  });
+}
+
+PairMeasurer::PairMeasurer(const ElementView& first, const ElementView& second,
+                           const Domain& domain, const Options& options) {
+  const base::FloatEnvironment environment;
+  state_ = base::reporting_lack_of_memory([&] {
+    detect::validate(options, first, second, domain);
+    return std::make_unique<State>(first, &second, domain, options);
+  });
+}
+
+PairMeasurer::~PairMeasurer() = default;
+PairMeasurer::PairMeasurer(PairMeasurer&&) noexcept = default;
+PairMeasurer& PairMeasurer::operator=(PairMeasurer&&) noexcept = default;
+
+void PairMeasurer::measure(const PairSpans& pairs, const PairGeometrySpans& geometry) const {
+  const base::FloatEnvironment environment;
+  base::reporting_lack_of_memory([&] {
+    require_lengths(pairs, geometry);
+    state_->require(pairs);
+  });
+  state_->dimensions == 2 ? geometry::measure_some<2>(state_->measured(state_->in_2d), pairs.pairs,
+                                                      pairs.shifts, geometry)
+                          : geometry::measure_some<3>(state_->measured(state_->in_3d), pairs.pairs,
+                                                      pairs.shifts, geometry);
+}
+
+namespace {
+
+/// Sizes the arrays that are wanted.
+PairGeometry arrays_for(std::size_t count, Quantities quantities) {
+  const auto count_if = [&](Quantity quantity) { return quantities.has(quantity) ? count : 0; };
+  PairGeometry geometry;
+  geometry.gaps.resize(count_if(Quantity::gap));
+  geometry.normals.resize(count_if(Quantity::normal));
+  geometry.points.resize(count_if(Quantity::point));
+  geometry.distances.resize(count_if(Quantity::distance));
+  geometry.vectors.resize(count_if(Quantity::vector));
+  return geometry;
+}
+
+}  // namespace
+
+void PairMeasurer::measure_shared(const PairSpans& pairs, const PairGeometrySpans& geometry,
+                                  const ProgressHook& progress) {
+  const base::FloatEnvironment environment;
+  State& state = *state_;
+  base::reporting_lack_of_memory(state.memory, [&] {
+    require_lengths(pairs, geometry);
+    state.require(pairs);
+    base::DetectionContext context(state.memory, progress);
+    context.progress.begin("measure", pairs.pairs.size());
+    base::letting_through([&] {
+      state.dimensions == 2
+          ? geometry::measure_pairs<2>(state.measured(state.in_2d), pairs.pairs, pairs.shifts,
+                                       geometry, state.workers, context.work)
+          : geometry::measure_pairs<3>(state.measured(state.in_3d), pairs.pairs, pairs.shifts,
+                                       geometry, state.workers, context.work);
+    });
+  });
+}
+
+void measure(const ElementView& elements, const PairSpans& pairs, const PairGeometrySpans& geometry,
+             const Domain& domain, const Options& options) {
+  PairMeasurer(elements, domain, options).measure_shared(pairs, geometry, options.progress);
+}
+
+void measure(const ElementView& first, const ElementView& second, const PairSpans& pairs,
+             const PairGeometrySpans& geometry, const Domain& domain, const Options& options) {
+  PairMeasurer(first, second, domain, options).measure_shared(pairs, geometry, options.progress);
+}
+
+PairGeometry measure(const ElementView& elements, const PairSpans& pairs, Quantities quantities,
+                     const Domain& domain, const Options& options) {
+  return base::reporting_lack_of_memory([&] {
+    PairGeometry geometry = arrays_for(pairs.pairs.size(), quantities);
+    measure(elements, pairs, geometry.spans(), domain, options);
+    return geometry;
+  });
+}
+
+PairGeometry measure(const ElementView& first, const ElementView& second, const PairSpans& pairs,
+                     Quantities quantities, const Domain& domain, const Options& options) {
+  return base::reporting_lack_of_memory([&] {
+    PairGeometry geometry = arrays_for(pairs.pairs.size(), quantities);
+    measure(first, second, pairs, geometry.spans(), domain, options);
+    return geometry;
+  });
+}
+
+}  // namespace abut

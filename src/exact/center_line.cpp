@@ -1,0 +1,147 @@
+#include "exact/center_line.hpp"
+
+#include "exact/direction.hpp"
+#include "exact/image_difference.hpp"
+#include "exact/numbers/exact_accumulator.hpp"
+#include "exact/numbers/exact_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace abut::exact {
+namespace {
+
+constexpr double largest_double = std::numeric_limits<double>::max();
+
+/// Larger numbers might overflow when they are split for an exact product.
+constexpr double largest_summed = 0x1p900;
+
+/// The largest coordinate, and the largest component of a vector that moves b.
+template <int Dim>
+double largest_term(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                    const LatticeSteps<Dim>& steps) noexcept {
+  double largest = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    largest = std::max({largest, std::fabs(a.center[axis]), std::fabs(b.center[axis])});
+    for (const auto& step : steps) {
+      largest = std::max(largest, std::fabs(step.number * step.vector[axis]));
+    }
+  }
+  return largest;
+}
+
+/// One component of v for any numbers. What exceeds the largest double is that.
+template <int Dim>
+DoubleDouble any_component(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                           const LatticeSteps<Dim>& steps, int axis) noexcept {
+  ExactAccumulator<1> sum;
+  sum.add(b.center[axis], 1);
+  sum.add(a.center[axis], -1);
+  for (const auto& step : steps) sum.add(step.vector[axis], std::int64_t{step.number});
+  const double high = std::clamp(sum.rounded(), -largest_double, largest_double);
+  sum.add(high, -1);
+  const double low = sum.rounded();
+  return {high, std::fabs(high) == largest_double ? 0.0 : low};
+}
+
+/// One component of v, every bit of which counts, for numbers that can be split.
+template <int Dim>
+DoubleDouble summed_component(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                              const LatticeSteps<Dim>& steps, int axis) noexcept {
+  ExactSum<9> sum;
+  sum.add(b.center[axis]);
+  sum.add(-a.center[axis]);
+  for (const auto& step : steps) {
+    sum.add(two_product(static_cast<double>(step.number), step.vector[axis]));
+  }
+  const double high = sum.rounded();
+  sum.add(-high);
+  return {high, sum.rounded()};
+}
+
+/// Whether a component of v is neither so large nor so small that its square leaves the range.
+bool is_ordinary(double component) noexcept {
+  const double magnitude = std::fabs(component);
+  return magnitude == 0.0 || (magnitude >= smallest_ordinary && magnitude <= largest_ordinary);
+}
+
+/// start + (v + unit * radii) / 2 on one axis.
+double point_on(double start, const DoubleDouble& vector, const DoubleDouble& unit,
+                const DoubleDouble& radii) noexcept {
+  const DoubleDouble middle = two_sum(start, 0.5 * vector.high);
+  const double half_high = 0.5 * radii.high;
+  const DoubleDouble along = two_product(unit.high, half_high);
+  const double along_low = along.low + (unit.high * (0.5 * radii.low) + unit.low * half_high);
+  const DoubleDouble point = two_sum(middle.high, along.high);
+  return point.high + (point.low + ((middle.low + 0.5 * vector.low) + along_low));
+}
+
+}  // namespace
+
+template <int Dim>
+CenterLine<Dim>::CenterLine(const Sphere<Dim>& a, const Sphere<Dim>& b, const ImageShift& shift,
+                            const Lattice& lattice) noexcept
+    : a_(a), difference_of_radii_(two_sum(a.radius, -b.radius)) {
+  const LatticeSteps<Dim> steps(shift, lattice);
+  const double largest = largest_term(a, b, steps);
+  is_ordinary_ = std::max({largest, a.radius, b.radius}) <= largest_ordinary;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (largest > largest_summed) {
+      vector_[axis] = any_component(a, b, steps, axis);
+      continue;
+    }
+    const DoubleDouble opposite = image_difference(a, b, steps, axis).value();
+    vector_[axis] = {-opposite.high, -opposite.low};
+    is_ordinary_ = is_ordinary_ && exact::is_ordinary(opposite.high);
+  }
+  const bool cancels = !steps.empty() && largest_of(vector_) < most_cancellation * largest;
+  if (!cancels || largest > largest_summed) return;
+  is_ordinary_ = false;
+  for (int axis = 0; axis < Dim; ++axis) {
+    vector_[axis] = summed_component(a, b, steps, axis);
+  }
+}
+
+template <int Dim>
+std::array<double, 3> CenterLine<Dim>::normal() const noexcept {
+  std::array<double, 3> normal{};
+  if (largest_of(vector_) == 0.0) return normal;
+  const Direction<Dim> direction = is_ordinary_ ? direction_of(vector_) : direction_of_any(vector_);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    normal[axis] = direction.unit[axis].high + direction.unit[axis].low + 0.0;
+  }
+  return normal;
+}
+
+template <int Dim>
+std::array<double, 3> CenterLine<Dim>::point() const noexcept {
+  std::array<double, 3> point{};
+  const double length = largest_of(vector_);
+  Direction<Dim> direction{};
+  if (length > 0.0) direction = is_ordinary_ ? direction_of(vector_) : direction_of_any(vector_);
+  DoubleDouble vector[Dim];
+  std::copy(vector_, vector_ + Dim, vector);
+  DoubleDouble radii = difference_of_radii_;
+  int exponent = 0;
+  if (!is_ordinary_) {
+    double largest = std::max(length, std::fabs(radii.high));
+    for (const double x : a_.center) largest = std::max(largest, std::fabs(x));
+    if (largest > 0.0) exponent = exponent_to_one(largest);
+    scale_by(vector, exponent);
+    radii = {std::ldexp(radii.high, exponent), std::ldexp(radii.low, exponent)};
+  }
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const double start = exponent == 0 ? a_.center[axis] : std::ldexp(a_.center[axis], exponent);
+    const double scaled = point_on(start, vector[axis], direction.unit[axis], radii);
+    const double found = exponent == 0 ? scaled : std::ldexp(scaled, -exponent);
+    point[axis] = std::clamp(found, -largest_double, largest_double) + 0.0;
+  }
+  return point;
+}
+
+template class CenterLine<2>;
+template class CenterLine<3>;
+
+}  // namespace abut::exact

@@ -1,0 +1,195 @@
+// Gaps, distances, normals, points and vectors of pairs of spheres, in vectors of pairs, compiled
+// once for each instruction set (Highway). What rounds as the scalar code does is written; what
+// might not is listed for it. Nothing is fused.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/measure_kernels_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "exact/center_line.hpp"
+#include "kernels/measure_kernels.hpp"
+
+#include <array>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace abut::kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#include "kernels/simd_spheres-inl.hpp"
+
+#include "kernels/simd_center_line-inl.hpp"
+
+/// Pairs that come so much later are fetched: enough to hide the way to memory.
+constexpr std::size_t fetched_ahead = 16;
+
+/// Of distance and radii: a gap that is larger has the sign that was computed.
+constexpr double band_of_gap = 0x1p-47;
+
+/// Of the distance: by how much root + rest errs at most, in doubles and with the rounding of sums.
+constexpr double band_of_distance = 0x1p-90;
+
+/// Writes exact::gap where its sign is certain; tells where.
+template <int Dim>
+HWY_INLINE Mask write_gaps(const Spheres<Dim>& a, const Spheres<Dim>& b, const LineLanes<Dim>& line,
+                           double* gaps) {
+  Doubles square = hn::Mul(line.vector[0].high, line.vector[0].high);
+  for (int axis = 1; axis < Dim; ++axis) {
+    square = hn::Add(square, hn::Mul(line.vector[axis].high, line.vector[axis].high));
+  }
+  const Doubles root = hn::Sqrt(square);
+  const Doubles radii = hn::Add(a.radius, b.radius);
+  const Doubles gap = hn::Sub(root, radii);
+  hn::StoreU(gap, doubles, gaps);
+  const Doubles band = hn::Add(hn::Mul(hn::Set(doubles, band_of_gap), hn::Add(root, radii)),
+                               hn::Mul(hn::Set(doubles, 64.0), line.error));
+  return hn::Gt(hn::Abs(gap), band);
+}
+
+/// Writes x_b + n A - x_a rounded; tells where the nearest double is certain.
+template <int Dim>
+HWY_INLINE Mask write_vectors(const LineLanes<Dim>& line, double (*vectors)[3]) {
+  Doubles rounded[3];
+  Mask certain = line.is_ordinary;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const DoubleDoubleLanes& component = line.vector[axis];
+    rounded[axis] = hn::Add(component.high, hn::Zero(doubles));
+    const Doubles least = hn::Add(component.high, hn::Sub(component.low, line.error));
+    const Doubles most = hn::Add(component.high, hn::Add(component.low, line.error));
+    certain = hn::And(certain, hn::Eq(least, most));
+  }
+  if (Dim == 2) rounded[2] = hn::Zero(doubles);
+  hn::StoreInterleaved3(rounded[0], rounded[1], rounded[2], doubles, vectors[0]);
+  return certain;
+}
+
+template <int Dim>
+HWY_INLINE Mask write_distances(const LineLanes<Dim>& line, const DirectionLanes<Dim>& direction,
+                                double* distances) {
+  const Doubles error = hn::Add(hn::Mul(hn::Set(doubles, band_of_distance), direction.root),
+                                hn::Add(line.error, line.error));
+  const Doubles below = hn::Add(direction.root, hn::Sub(direction.rest, error));
+  const Doubles above = hn::Add(direction.root, hn::Add(direction.rest, error));
+  hn::StoreU(below, doubles, distances);
+  return hn::Eq(below, above);
+}
+
+template <int Dim>
+HWY_INLINE void write_normals(const DirectionLanes<Dim>& direction, double (*normals)[3]) {
+  const Doubles zero = hn::Zero(doubles);
+  Doubles rounded[3];
+  for (int axis = 0; axis < Dim; ++axis) {
+    rounded[axis] = hn::Add(hn::Add(direction.unit[axis].high, direction.unit[axis].low), zero);
+  }
+  if (Dim == 2) rounded[2] = zero;
+  hn::StoreInterleaved3(rounded[0], rounded[1], rounded[2], doubles, normals[0]);
+}
+
+template <int Dim>
+HWY_INLINE void write_points(const Spheres<Dim>& a, const Spheres<Dim>& b,
+                             const LineLanes<Dim>& line, const DirectionLanes<Dim>& direction,
+                             double (*points)[3]) {
+  const Doubles zero = hn::Zero(doubles);
+  const DoubleDoubleLanes radii = two_sum(a.radius, hn::Neg(b.radius));
+  Doubles rounded[3];
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Doubles point = point_on(a.center[axis], line.vector[axis], direction.unit[axis], radii);
+    rounded[axis] = hn::Add(point, zero);
+  }
+  if (Dim == 2) rounded[2] = zero;
+  hn::StoreInterleaved3(rounded[0], rounded[1], rounded[2], doubles, points[0]);
+}
+
+/// Writes what is wanted of the pairs from k on; tells which of them are certain.
+template <int Dim>
+HWY_INLINE Mask write_all(const MeasureJob& job, std::size_t k, const Spheres<Dim>& a,
+                          const Spheres<Dim>& b, const LineLanes<Dim>& line) {
+  Mask certain = line.is_ordinary;
+  if (job.gaps != nullptr) certain = hn::And(certain, write_gaps(a, b, line, job.gaps + k));
+  if (job.vectors != nullptr) certain = hn::And(certain, write_vectors(line, job.vectors + k));
+  if (job.distances == nullptr && job.normals == nullptr && job.points == nullptr) return certain;
+  const DirectionLanes<Dim> direction = direction_of(line);
+  if (job.distances != nullptr) {
+    certain = hn::And(certain, write_distances(line, direction, job.distances + k));
+  }
+  if (job.normals != nullptr) write_normals(direction, job.normals + k);
+  if (job.points != nullptr) write_points(a, b, line, direction, job.points + k);
+  return certain;
+}
+
+/// The shifts of the lanes as numbers; whether any is not 0.
+HWY_INLINE bool read_shifts(const ImageShift* shifts, double (*numbers)[lanes]) {
+  std::int32_t any = 0;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    numbers[0][lane] = shifts[lane].x;
+    numbers[1][lane] = shifts[lane].y;
+    numbers[2][lane] = shifts[lane].z;
+    any |= shifts[lane].x | shifts[lane].y | shifts[lane].z;
+  }
+  return any != 0;
+}
+
+HWY_INLINE void list_open(Mask certain, std::size_t k, std::uint32_t* open,
+                          std::size_t& open_count) {
+  if (HWY_LIKELY(hn::AllTrue(doubles, certain))) return;
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(doubles, certain, bits);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    if ((bits[0] >> lane & 1u) == 0) open[open_count++] = static_cast<std::uint32_t>(k + lane);
+  }
+}
+
+template <int Dim>
+std::size_t measure_in(const MeasureJob& job, std::uint32_t* open, std::size_t& open_count) {
+  const auto first = [&](std::size_t k) {
+    return job.first + std::size_t{job.pairs[k].first} * (Dim + 1);
+  };
+  const auto second = [&](std::size_t k) {
+    return job.second + std::size_t{job.pairs[k].second} * (Dim + 1);
+  };
+  std::size_t k = 0;
+  for (; k + lanes <= job.count; k += lanes) {
+    const double* elements[lanes];
+    const double* partners[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      if (k + lane + fetched_ahead < job.count) {
+        __builtin_prefetch(first(k + lane + fetched_ahead));
+        __builtin_prefetch(second(k + lane + fetched_ahead));
+      }
+      elements[lane] = first(k + lane);
+      partners[lane] = second(k + lane);
+    }
+    const Spheres<Dim> a = load<Dim>(elements);
+    const Spheres<Dim> b = load<Dim>(partners);
+    double numbers[3][lanes];
+    const bool is_moved = job.shifts != nullptr && read_shifts(job.shifts + k, numbers);
+    const LineLanes<Dim> line =
+        is_moved ? moved_line_between(a, b, numbers, job.lattice) : line_between(a, b);
+    list_open(write_all(job, k, a, b, line), k, open, open_count);
+  }
+  return k;
+}
+
+std::size_t measure(const MeasureJob& job, int dimensions, std::uint32_t* open,
+                    std::size_t& open_count) {
+  return dimensions == 2 ? measure_in<2>(job, open, open_count)
+                         : measure_in<3>(job, open, open_count);
+}
+
+}  // namespace abut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace abut::kernels {
+
+HWY_EXPORT(measure);
+
+MeasureKernels simd_measure_kernels(std::int64_t target) {
+  hwy::ChosenTarget chosen;
+  chosen.Update(target);
+  return {HWY_DISPATCH_TABLE(measure)[chosen.GetIndex()]};
+}
+
+}  // namespace abut::kernels
+#endif

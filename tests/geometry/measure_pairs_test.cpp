@@ -1,0 +1,159 @@
+// Vectors of pairs have the bits of the scalar code at every SIMD level, wherever numbers lie.
+
+#include "geometry/measure_pairs.hpp"
+#include "exact/center_line.hpp"
+#include "exact/distance_vector.hpp"
+#include "exact/periodic_gap.hpp"
+#include "scenes/random.hpp"
+
+#include <abut/simd.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Random;
+
+template <int Dim>
+struct Pairs {
+  std::vector<exact::Sphere<Dim>> spheres;
+  std::vector<ContactPair> pairs;
+  std::vector<ImageShift> shifts;
+  exact::Lattice lattice;
+};
+
+/// A number of a scale: smooth, on a grid, 0, or of a float.
+double some_number(Random& random, double scale) {
+  const double fine = random.uniform(-1.0, 1.0);
+  switch (random.below(6)) {
+    case 0:
+      return scale * std::round(fine * 4.0) / 4.0;
+    case 1:
+      return 0.0;
+    case 2:
+      return scale * static_cast<double>(static_cast<float>(fine));
+    default:
+      return scale * fine;
+  }
+}
+
+template <int Dim>
+Pairs<Dim> some_pairs(Random& random, double scale, double radius, bool with_shifts) {
+  Pairs<Dim> result;
+  for (int k = 0; k < 40; ++k) {
+    exact::Sphere<Dim> sphere{};
+    for (double& x : sphere.center) x = some_number(random, scale);
+    sphere.radius = std::fabs(some_number(random, radius));
+    result.spheres.push_back(sphere);
+  }
+  for (std::size_t k = 0; k < Dim; ++k) {
+    result.lattice.periodic[k] = k != 1 || random.below(2) == 0;
+    for (double& x : result.lattice.vectors[k]) x = some_number(random, scale);
+  }
+  for (int k = 0; k < 1500; ++k) {
+    result.pairs.push_back(
+        {static_cast<ElementIndex>(random.below(40)), static_cast<ElementIndex>(random.below(40))});
+    if (!with_shifts) continue;
+    const auto cells = [&] {
+      return random.below(2) == 0 ? 0 : static_cast<std::int32_t>(random.below(7)) - 3;
+    };
+    result.shifts.push_back(
+        {cells(), result.lattice.periodic[1] ? cells() : 0, Dim == 3 ? cells() : 0});
+  }
+  return result;
+}
+
+bool alike(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool alike(const Vector& a, const Vector& b) {
+  return alike(a[0], b[0]) && alike(a[1], b[1]) && alike(a[2], b[2]);
+}
+
+template <int Dim>
+void check_pair(const Pairs<Dim>& given, std::size_t k, const PairGeometry& found) {
+  const auto& a = given.spheres[given.pairs[k].first];
+  const auto& b = given.spheres[given.pairs[k].second];
+  const ImageShift shift = given.shifts.empty() ? ImageShift{} : given.shifts[k];
+  ASSERT_TRUE(alike(found.gaps[k], exact::gap(a, b, shift, given.lattice))) << k;
+  const auto expected = exact::distance_vector(a, b, shift, given.lattice);
+  ASSERT_TRUE(alike(found.distances[k], expected.distance)) << k;
+  ASSERT_TRUE(alike(found.vectors[k], expected.vector)) << k;
+  const exact::CenterLine<Dim> line(a, b, shift, given.lattice);
+  ASSERT_TRUE(alike(found.normals[k], line.normal())) << k;
+  ASSERT_TRUE(alike(found.points[k], line.point())) << k;
+}
+
+template <int Dim>
+PairGeometry measured(const Pairs<Dim>& given, Simd level) {
+  PairGeometry geometry;
+  const std::size_t count = given.pairs.size();
+  geometry.gaps.resize(count);
+  geometry.distances.resize(count);
+  geometry.normals.resize(count);
+  geometry.points.resize(count);
+  geometry.vectors.resize(count);
+  const exact::Elements<Dim> elements{given.spheres, {}};
+  geometry::measure_some<Dim>({elements, elements, given.lattice, kernels::measure_kernels(level)},
+                              given.pairs, given.shifts, geometry.spans());
+  return geometry;
+}
+
+template <int Dim>
+void check(const Pairs<Dim>& given) {
+  for (const Simd level : simd_levels()) {
+    if (!available(level)) continue;
+    SCOPED_TRACE(name_of(level));
+    const PairGeometry found = measured(given, level);
+    for (std::size_t k = 0; k < given.pairs.size(); ++k) check_pair(given, k, found);
+  }
+}
+
+TEST(MeasurePairs, HaveTheBitsOfScalarCodeAtEveryScale) {
+  Random random(1510);
+  for (const double scale :
+       {1.0, 1e-9, 0x1p479, 0x1p481, 0x1p-399, 0x1p-402, 0x1p900, 0x1p1023, 0x1p-1040}) {
+    for (const double relative : {1.0, 0x1p-40, 0x1p30}) {
+      const double radius = std::min(scale * relative, 0x1p1023);
+      for (const bool with_shifts : {false, true}) {
+        check(some_pairs<2>(random, scale, radius, with_shifts));
+        check(some_pairs<3>(random, scale, radius, with_shifts));
+      }
+    }
+  }
+}
+
+/// Distances that doubles represent, and gaps of exactly 0.
+TEST(MeasurePairs, HaveTheBitsOfScalarCodeOnTouchingLattices) {
+  Pairs<3> given;
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 4; ++y) {
+      for (int z = 0; z < 4; ++z) {
+        given.spheres.push_back({{x * 1.0, y * 1.0, z * 1.0}, 0.5});
+      }
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    given.lattice.vectors[axis][axis] = 4.0;
+    given.lattice.periodic[axis] = true;
+  }
+  Random random(1511);
+  for (int k = 0; k < 3000; ++k) {
+    given.pairs.push_back(
+        {static_cast<ElementIndex>(random.below(64)), static_cast<ElementIndex>(random.below(64))});
+    given.shifts.push_back({static_cast<std::int32_t>(random.below(3)) - 1, 0, 1});
+  }
+  check(given);
+}
+
+}  // namespace
+}  // namespace abut::testing

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace abut::base {
 
@@ -48,61 +49,44 @@ class PairSink {
   PairSink& operator=(const PairSink&) = default;
 };
 
-/// A single worker's pen, for pairs of an open domain.
-class PairWriter {
+/// Writes the pairs of a single worker to a sink: PairWriter those of an open domain, which have no
+/// image shifts, and ImagePairWriter those of a periodic one.
+template <class... Shift>
+class WriterOfPairs {
  public:
-  explicit PairWriter(PairSink& sink) : sink_(sink), room_(sink.buffer(0)) {}
+  explicit WriterOfPairs(PairSink& sink) : sink_(sink) { take_buffers(); }
 
-  void push(ContactPair pair) {
-    room_[filled_++] = pair;
-    if (filled_ < room_.size()) return;
+  void push(ContactPair pair, const Shift&... shift) {
+    pairs_[filled_] = pair;
+    if constexpr (has_shifts) {
+      if (!shifts_.empty()) (..., (shifts_[filled_] = shift));
+    }
+    if (++filled_ < pairs_.size()) return;
     finish();
-    room_ = sink_.buffer(0);
+    take_buffers();
   }
 
   /// Commits the rest; nothing is pushed after it.
   void finish() {
-    const std::size_t count = filled_;
-    filled_ = 0;
+    const std::size_t count = std::exchange(filled_, 0);
     if (count > 0) sink_.commit(count, {});
   }
 
  private:
-  PairSink& sink_;
-  std::span<ContactPair> room_;
-  std::size_t filled_ = 0;
-};
+  static constexpr bool has_shifts = sizeof...(Shift) > 0;
 
-/// The same for pairs of a periodic domain.
-class ImagePairWriter {
- public:
-  explicit ImagePairWriter(PairSink& sink) : sink_(sink) { take_room(); }
-
-  void push(ContactPair pair, const ImageShift& shift) {
-    room_[filled_] = pair;
-    if (!shifts_.empty()) shifts_[filled_] = shift;
-    if (++filled_ < room_.size()) return;
-    finish();
-    take_room();
-  }
-
-  /// Commits the rest; nothing is pushed after it.
-  void finish() {
-    const std::size_t count = filled_;
-    filled_ = 0;
-    if (count > 0) sink_.commit(count, {});
-  }
-
- private:
-  void take_room() {
-    room_ = sink_.buffer(0);
-    shifts_ = sink_.shift_buffer(0);
+  void take_buffers() {
+    pairs_ = sink_.buffer(0);
+    if constexpr (has_shifts) shifts_ = sink_.shift_buffer(0);
   }
 
   PairSink& sink_;
-  std::span<ContactPair> room_;
-  std::span<ImageShift> shifts_;
+  std::span<ContactPair> pairs_;
+  std::span<ImageShift> shifts_;  ///< empty where shifts are not wanted
   std::size_t filled_ = 0;
 };
+
+using PairWriter = WriterOfPairs<>;
+using ImagePairWriter = WriterOfPairs<ImageShift>;
 
 }  // namespace abut::base

@@ -183,18 +183,13 @@ void DetectionRun::write_pairs(const DetectionRequest& request, const PairArrays
 
 void DetectionRun::order_pairs(const DetectionRequest& request, const PairArrays& arrays,
                                std::size_t workers, base::WorkCounter& work) {
-  const lists::PairPieces pieces = found_.pieces();
-  const std::size_t kept = found_.in_buffer();
-  const std::size_t elements = request.elements.size();
-  if (found_shifts(request) == Shifts::stored) {
-    const lists::ImagePieces images{pieces, found_.shift_pieces()};
-    return found_.must_be_sorted()
-               ? order_.sort(images, elements, arrays.pairs, arrays.shifts, workers, work)
-               : order_.join(images, arrays.pairs, arrays.shifts, workers, work, kept);
+  if (found_shifts(request) == Shifts::none) fill_with_none(arrays.shifts, work);
+  const lists::FoundPieces pieces = found_.pieces();
+  const lists::OutputBuffer target{arrays.pairs, arrays.shifts};
+  if (!found_.must_be_sorted()) {
+    return order_.join(pieces, target, workers, work, found_.in_buffer());
   }
-  fill_with_none(arrays.shifts, work);
-  if (found_.must_be_sorted()) return order_.sort(pieces, elements, arrays.pairs, workers, work);
-  order_.join(pieces, arrays.pairs, workers, work, kept);
+  order_.sort(pieces, request.elements.size(), target, workers, work);
 }
 
 Statistics DetectionRun::visit_batches(const DetectionRequest& request,
@@ -229,35 +224,19 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
                               const NeighborArrays& arrays, std::size_t workers,
                               base::WorkCounter& work) {
   const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
-  const lists::ResultBuffer offset_buffer(arrays.offsets, request.elements.size() + 2, memory_);
+  const lists::ResultBuffer offset_buffer(arrays.offsets, request.elements.size() + 1, memory_);
   const lists::ResultBuffer neighbor_buffer(arrays.neighbors, entries, memory_);
   const lists::ResultBuffer shift_buffer(arrays.shifts, with_shifts(request) ? entries : 0,
                                          memory_);
-  list_rows(found_shifts(request), kind, arrays, workers, work);
+  if (found_shifts(request) == Shifts::none) fill_with_none(arrays.shifts, work);
+  csr_builder_.list(found_.pieces(), kind, {arrays.offsets, arrays.neighbors, arrays.shifts},
+                    workers, work);
   if (is_measured(request)) {
     const lists::SizedGeometry sized(arrays.geometry, request.options.quantities, entries, memory_);
     request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, workers, work)
                                        : measure_rows<3>(request, arrays, workers, work);
   }
-  arrays.offsets.pop_back();
   if (request.options.shifts == Shifts::none) arrays.shifts.clear();
-}
-
-void DetectionRun::list_rows(Shifts found_shifts, NeighborListKind kind,
-                             const NeighborArrays& arrays, std::size_t workers,
-                             base::WorkCounter& work) {
-  const lists::PairPieces pieces = found_.pieces();
-  if (found_shifts == Shifts::none) {
-    fill_with_none(arrays.shifts, work);
-    return csr_builder_.list(pieces, kind,
-                             std::span(arrays.offsets).first(arrays.offsets.size() - 1),
-                             arrays.neighbors, workers, work);
-  }
-  while (row_rooms_.size() < workers) {
-    row_rooms_.push_back(base::make_array_for_overwrite<lists::Partner>(memory_, 0));
-  }
-  lists::list_image_rows({pieces, found_.shift_pieces()}, kind, arrays.offsets, arrays.neighbors,
-                         arrays.shifts, std::span(row_rooms_).first(workers), work);
 }
 
 template <int Dim>
@@ -283,8 +262,7 @@ void DetectionRun::measure_pairs(const DetectionRequest& request, const PairArra
 template <int Dim>
 void DetectionRun::measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
                                 std::size_t workers, base::WorkCounter& work) {
-  const geometry::MeasuredRows rows{std::span(arrays.offsets).first(request.elements.size() + 1),
-                                    arrays.neighbors, arrays.shifts};
+  const geometry::MeasuredRows rows{arrays.offsets, arrays.neighbors, arrays.shifts};
   geometry::measure_rows<Dim>(measured_sets<Dim>(request), rows, arrays.geometry.spans(), workers,
                               work);
 }

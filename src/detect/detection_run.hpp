@@ -11,7 +11,6 @@
 #include "geometry/measure_pairs.hpp"
 #include "lists/csr_builder.hpp"
 #include "lists/found_pairs.hpp"
-#include "lists/image_neighbor_rows.hpp"
 #include "lists/order_pairs.hpp"
 #include "lists/rule_sink.hpp"
 #include "lists/visiting_sink.hpp"
@@ -106,8 +105,6 @@ class DetectionRun {
                      base::WorkCounter& work);
   void write_rows(const DetectionRequest& request, NeighborListKind kind,
                   const NeighborArrays& arrays, std::size_t workers, base::WorkCounter& work);
-  void list_rows(Shifts found_shifts, NeighborListKind kind, const NeighborArrays& arrays,
-                 std::size_t workers, base::WorkCounter& work);
   template <int Dim>
   [[nodiscard]] geometry::MeasuredSets<Dim> measured_sets(const DetectionRequest& request);
   template <int Dim>
@@ -123,7 +120,6 @@ class DetectionRun {
   lists::RuleSink ruling_;
   lists::PairOrder order_{memory_};
   lists::CsrBuilder csr_builder_{memory_};
-  lists::RowRooms row_rooms_;
 };
 
 }  // namespace abut::detect

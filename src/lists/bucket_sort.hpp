@@ -2,8 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
-
-#include <abut/pair.hpp>
+#include "lists/pair_entry.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,23 +12,24 @@ namespace abut::lists {
 
 /// Sorts pairs whose first elements lie in a narrow range: by counting, then by insertion, which
 /// has next to nothing left to do. It keeps its arrays.
+template <PairEntry Entry>
 class BucketSort {
  public:
   explicit BucketSort(base::MemoryMeter& memory)
       : places_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
-        moved_(base::make_array_for_overwrite<ContactPair>(memory, 0)) {}
+        moved_(base::make_array_for_overwrite<Entry>(memory, 0)) {}
 
-  /// First elements are first_element .. first_element + width - 1. Equal pairs may come.
-  void sort(std::span<ContactPair> pairs, std::size_t first_element, std::size_t width,
+  /// First elements are first_element .. first_element + width - 1. Equal entries may come.
+  void sort(std::span<Entry> entries, std::size_t first_element, std::size_t width,
             base::WorkCounter& work);
 
  private:
   template <class Digit>
-  std::span<const std::uint32_t> scatter(std::span<const ContactPair> from, Digit digit,
-                                         std::span<ContactPair> target, base::WorkCounter& work);
+  std::span<const std::uint32_t> scatter(std::span<const Entry> from, Digit digit,
+                                         std::span<Entry> target, base::WorkCounter& work);
 
   base::Array<std::uint32_t> places_;
-  base::Array<ContactPair> moved_;
+  base::Array<Entry> moved_;
 };
 
 }  // namespace abut::lists

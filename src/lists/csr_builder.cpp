@@ -3,33 +3,35 @@
 #include "base/asking_workers.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 namespace abut::lists {
 namespace {
 
-/// Calls entry(row, neighbor) for each entry that some pairs make.
-template <class Entry>
-void for_each_entry(std::span<const ContactPair> pairs, NeighborListKind kind, Entry&& entry) {
-  if (kind == NeighborListKind::half) {
-    for (const ContactPair& pair : pairs) entry(pair.first, pair.second);
-    return;
-  }
-  for (const ContactPair& pair : pairs) {
-    entry(pair.first, pair.second);
-    entry(pair.second, pair.first);
-  }
-}
-
-/// Of the pieces of one share.
-template <class Entry>
-void for_each_entry_of(PairPieces pieces, NeighborListKind kind, std::size_t share,
-                       std::size_t shares, base::WorkCounter& work, Entry entry) {
+/// Calls visit(entry) for each entry that the pairs of one share make, the row its first element.
+template <PairEntry Entry, class Visit>
+void for_each_entry(const FoundPieces& pieces, NeighborListKind kind, std::size_t share,
+                    std::size_t shares, base::WorkCounter& work, Visit visit_entry) {
   const auto [first, last] = base::share_of(share, shares, pieces.size());
   for (std::size_t k = first; k < last; ++k) {
     work.did(1);
-    work.in_pieces(0, pieces[k].size(), [&](std::size_t begin, std::size_t end) {
-      for_each_entry(pieces[k].subspan(begin, end - begin), kind, Entry(entry));
+    const FoundPiece piece = pieces[k];
+    work.in_pieces(0, piece.pairs.size(), [&](std::size_t begin, std::size_t end) {
+      // Copies, of which the compiler knows that nothing written here changes them.
+      const Visit visit = visit_entry;
+      const auto [pairs, shifts] = piece;
+      if (kind == NeighborListKind::half) {
+        for (std::size_t p = begin; p < end; ++p) visit(entry_of<Entry>(pairs[p], shifts, p));
+        return;
+      }
+      for (std::size_t p = begin; p < end; ++p) {
+        const auto entry = entry_of<Entry>(pairs[p], shifts, p);
+        visit(entry);
+        visit(reversed(entry));
+      }
     });
   }
 }
@@ -38,70 +40,79 @@ void for_each_entry_of(PairPieces pieces, NeighborListKind kind, std::size_t sha
 struct Target {
   ElementRanges ranges;
   std::uint64_t* next;
-  ElementIndex* neighbors;
+  RowArrays rows;
   std::uint16_t* row_in_range;
 
-  void operator()(ElementIndex row, ElementIndex neighbor) const {
+  template <PairEntry Entry>
+  void operator()(const Entry& entry) const {
+    const auto [row, neighbor] = pair_of(entry);
     const std::uint64_t place = next[ranges.of(row)]++;
-    neighbors[place] = neighbor;
+    rows.neighbors[place] = neighbor;
+    put_shift(entry, rows.shifts, place);
     row_in_range[place] = static_cast<std::uint16_t>(row & (ranges.width() - 1));
   }
 };
 
 }  // namespace
 
-void CsrBuilder::list(PairPieces pieces, NeighborListKind kind, std::span<PairCount> offsets,
-                      std::span<ElementIndex> neighbors, std::size_t workers,
-                      base::WorkCounter& work) {
-  const ElementRanges ranges(offsets.size() - 1);
-  base::make_room(row_in_range_, neighbors.size());
+void CsrBuilder::list(const FoundPieces& pieces, NeighborListKind kind, const RowArrays& rows,
+                      std::size_t workers, base::WorkCounter& work) {
+  pieces.shifts.empty() ? list_entries<ContactPair>(pieces, kind, rows, workers, work)
+                        : list_entries<ImagePair>(pieces, kind, rows, workers, work);
+}
+
+template <PairEntry Entry>
+void CsrBuilder::list_entries(const FoundPieces& pieces, NeighborListKind kind,
+                              const RowArrays& rows, std::size_t workers, base::WorkCounter& work) {
+  const ElementRanges ranges(rows.offsets.size() - 1);
+  base::make_room(row_in_range_, rows.neighbors.size());
   const auto count_share = [&](std::size_t share, base::WorkCounter& its_work, auto&& count) {
-    for_each_entry_of(pieces, kind, share, workers, its_work,
-                      [&](ElementIndex row, ElementIndex) { count(row); });
+    for_each_entry<ContactPair>(pieces, kind, share, workers, its_work,
+                                [&](const ContactPair& entry) { count(entry.first); });
   };
   places_.count(ranges, workers, work, count_share);
   base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
-    for_each_entry_of(
+    for_each_entry<Entry>(
         pieces, kind, share, workers, its_work,
-        Target{ranges, places_.next_of(ranges, share), neighbors.data(), row_in_range_.data()});
+        Target{ranges, places_.next_of(ranges, share), rows, row_in_range_.data()});
   });
-  while (scratches_.size() < workers) scratches_.emplace_back(memory_);
+  const std::span scratches = scratch_.of<Entry>(workers);
   const auto finish_one = [&](std::size_t worker, std::size_t range, base::WorkCounter& its_work) {
-    finish_range(ranges, range, offsets, neighbors, scratches_[worker], its_work);
+    finish_range<Entry>(ranges, range, rows, scratches[worker], its_work);
   };
   base::for_each_index(workers, ranges.count(), work, finish_one);
-  offsets.back() = neighbors.size();
+  rows.offsets.back() = rows.neighbors.size();
 }
 
 /// Sorts the entries of a range and says where its rows begin.
-void CsrBuilder::finish_range(const ElementRanges& ranges, std::size_t range,
-                              std::span<PairCount> offsets, std::span<ElementIndex> neighbors,
-                              SortScratch& scratch, base::WorkCounter& work) {
+template <PairEntry Entry>
+void CsrBuilder::finish_range(const ElementRanges& ranges, std::size_t range, const RowArrays& rows,
+                              SortScratch<Entry>& scratch, base::WorkCounter& work) {
   const PairCount begin = places_.begin(range);
-  const std::size_t size = places_.size(range);
   const std::size_t first_row = ranges.first_of(range);
-  const auto rows = offsets.first(offsets.size() - 1)
-                        .subspan(first_row)
-                        .first(std::min(ranges.width(), offsets.size() - 1 - first_row));
-  base::make_room(scratch.entries, size);
-  const auto entries = std::span(scratch.entries).first(size);
-  work.in_pieces(0, size, [&](std::size_t from, std::size_t to) {
+  const auto begins = rows.offsets.first(rows.offsets.size() - 1)
+                          .subspan(first_row)
+                          .first(std::min(ranges.width(), rows.offsets.size() - 1 - first_row));
+  const std::span entries = scratch.entries_for(places_.size(range));
+  work.in_pieces(0, entries.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t k = from; k < to; ++k) {
-      entries[k] = {static_cast<ElementIndex>(first_row + row_in_range_[begin + k]),
-                    neighbors[begin + k]};
+      const auto row = static_cast<ElementIndex>(first_row + row_in_range_[begin + k]);
+      entries[k] = entry_of<Entry>({row, rows.neighbors[begin + k]}, rows.shifts, begin + k);
     }
   });
   scratch.sort.sort(entries, first_row, ranges.width(), work);
-  std::fill(rows.begin(), rows.end(), PairCount{0});
-  work.did(rows.size());
-  work.in_pieces(0, size, [&](std::size_t from, std::size_t to) {
+  std::fill(begins.begin(), begins.end(), PairCount{0});
+  work.did(begins.size());
+  work.in_pieces(0, entries.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t k = from; k < to; ++k) {
-      neighbors[begin + k] = entries[k].second;
-      ++rows[entries[k].first - first_row];
+      const auto [row, neighbor] = pair_of(entries[k]);
+      rows.neighbors[begin + k] = neighbor;
+      put_shift(entries[k], rows.shifts, begin + k);
+      ++begins[row - first_row];
     }
   });
   PairCount place = begin;
-  for (PairCount& row : rows) place += std::exchange(row, place);
+  for (PairCount& row : begins) place += std::exchange(row, place);
 }
 
 }  // namespace abut::lists

@@ -2,50 +2,51 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
-#include "lists/bucket_sort.hpp"
 #include "lists/element_ranges.hpp"
-#include "lists/order_pairs.hpp"
+#include "lists/found_pairs.hpp"
+#include "lists/sort_scratch.hpp"
 
 #include <abut/neighbor_list.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace abut::lists {
 
-/// Compressed rows of neighbors straight from the pairs as found, without image shifts: entries are
-/// written into ranges of rows, then each range is sorted in the cache. It keeps its arrays.
+/// The arrays of compressed rows. `offsets` has elements + 1 numbers, the others one for each
+/// entry; there are no shifts where none were found.
+struct RowArrays {
+  std::span<PairCount> offsets;
+  std::span<ElementIndex> neighbors;
+  std::span<ImageShift> shifts = {};
+};
+
+/// Builds compressed rows of neighbors (CSR) straight from the pairs as found: entries are written
+/// into ranges of rows, then each range is sorted by (row, neighbor, shift) in the cache. A pair
+/// that is seen from its second element has the opposite shift. It keeps its arrays.
 class CsrBuilder {
  public:
   explicit CsrBuilder(base::MemoryMeter& memory)
-      : memory_(memory),
-        places_(memory),
-        row_in_range_(base::make_array_for_overwrite<std::uint16_t>(memory, 0)) {}
+      : places_(memory),
+        row_in_range_(base::make_array_for_overwrite<std::uint16_t>(memory, 0)),
+        scratch_(memory) {}
 
-  /// `offsets` has elements + 1 numbers, `neighbors` one for each entry. Equal pairs may come.
-  void list(PairPieces pieces, NeighborListKind kind, std::span<PairCount> offsets,
-            std::span<ElementIndex> neighbors, std::size_t workers, base::WorkCounter& work);
+  /// Equal pairs may come.
+  void list(const FoundPieces& pieces, NeighborListKind kind, const RowArrays& rows,
+            std::size_t workers, base::WorkCounter& work);
 
  private:
-  /// What one worker needs to sort a range.
-  struct SortScratch {
-    explicit SortScratch(base::MemoryMeter& memory)
-        : sort(memory), entries(base::make_array_for_overwrite<ContactPair>(memory, 0)) {}
+  template <PairEntry Entry>
+  void list_entries(const FoundPieces& pieces, NeighborListKind kind, const RowArrays& rows,
+                    std::size_t workers, base::WorkCounter& work);
+  template <PairEntry Entry>
+  void finish_range(const ElementRanges& ranges, std::size_t range, const RowArrays& rows,
+                    SortScratch<Entry>& scratch, base::WorkCounter& work);
 
-    BucketSort sort;
-    base::Array<ContactPair> entries;  ///< row and neighbor
-  };
-
-  void finish_range(const ElementRanges& ranges, std::size_t range, std::span<PairCount> offsets,
-                    std::span<ElementIndex> neighbors, SortScratch& scratch,
-                    base::WorkCounter& work);
-
-  base::MemoryMeter& memory_;
   RangePlaces places_;
   base::Array<std::uint16_t> row_in_range_;  ///< of each entry, until its range is sorted
-  std::vector<SortScratch> scratches_;
+  WorkersSortScratch scratch_;
 };
 
 }  // namespace abut::lists

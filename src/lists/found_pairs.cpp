@@ -128,7 +128,7 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   worker.segments.push_back({origin.unit, worker.segments.size(), added, shifts});
 }
 
-std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
+FoundPieces FoundPairs::pieces() {
   segments_.clear();
   for (const auto& worker : workers_) {
     segments_.insert(segments_.end(), worker->segments.begin(), worker->segments.end());
@@ -145,7 +145,7 @@ std::span<const std::span<const ContactPair>> FoundPairs::pieces() {
       shift_pieces_.emplace_back(segment.shifts, segment.pairs.size());
     }
   }
-  return pieces_;
+  return {pieces_, shift_pieces_};
 }
 
 }  // namespace abut::lists

@@ -23,6 +23,29 @@ namespace abut::lists {
 struct OutputBuffer {
   std::span<ContactPair> pairs;
   std::span<ImageShift> shifts;
+
+  [[nodiscard]] OutputBuffer part(std::size_t begin, std::size_t count) const {
+    return {pairs.subspan(begin, count), shifts.empty() ? shifts : shifts.subspan(begin, count)};
+  }
+};
+
+/// Pairs that lie together, and their shifts where these were found.
+struct FoundPiece {
+  std::span<const ContactPair> pairs;
+  std::span<const ImageShift> shifts;
+};
+
+using PairPieces = std::span<const std::span<const ContactPair>>;
+
+/// Pairs as they were found, in pieces, and their shifts piece by piece where these were found.
+struct FoundPieces {
+  PairPieces pairs;
+  std::span<const std::span<const ImageShift>> shifts = {};
+
+  [[nodiscard]] std::size_t size() const noexcept { return pairs.size(); }
+  [[nodiscard]] FoundPiece operator[](std::size_t k) const {
+    return {pairs[k], shifts.empty() ? std::span<const ImageShift>{} : shifts[k]};
+  }
 };
 
 /// What is to become of found pairs.
@@ -62,13 +85,9 @@ class FoundPairs final : public base::PairSink {
     return demand_.order == Order::canonical && !comes_in_canonical_order_;
   }
 
-  /// Contiguous pieces in as_found order.
-  /// Valid until the next call or the next pairs.
-  [[nodiscard]] std::span<const std::span<const ContactPair>> pieces();
-  /// The shifts of these pieces; empty where shifts are not wanted.
-  [[nodiscard]] std::span<const std::span<const ImageShift>> shift_pieces() const noexcept {
-    return shift_pieces_;
-  }
+  /// Contiguous pieces in as_found order, with shifts where these are wanted. Valid until the next
+  /// call or the next pairs.
+  [[nodiscard]] FoundPieces pieces();
 
  private:
   struct Chunk {

@@ -1,4 +1,5 @@
 #include "periodic/image_sink.hpp"
+#include "base/opposite_shift.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,11 +10,6 @@ namespace {
 
 /// Pairs are named while they are in the nearest cache.
 constexpr std::size_t largest_buffer = 2048;
-
-/// The shift of the same pair, seen from the other element.
-ImageShift reversed(const ImageShift& shift) {
-  return {-shift.x, -shift.y, -shift.z};
-}
 
 }  // namespace
 
@@ -117,7 +113,8 @@ bool ImageSink<Dim>::name_ghost(ImageBuffer& buffer, std::size_t from, std::size
   if (buffer.shifts.empty() && images_->shifts_always_fit()) return true;
   const ImageShift shift = images_->shift_between(first, ghost);
   const bool in_order = first < ghost.element || (first == ghost.element && ImageShift{} < shift);
-  if (!buffer.shifts.empty()) buffer.of_ghosts.push_back({to, in_order ? shift : reversed(shift)});
+  if (!buffer.shifts.empty())
+    buffer.of_ghosts.push_back({to, in_order ? shift : base::opposite(shift)});
   return true;
 }
 

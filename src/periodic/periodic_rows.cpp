@@ -1,5 +1,6 @@
 #include "periodic/periodic_rows.hpp"
 
+#include "base/opposite_shift.hpp"
 #include "engine/set_search.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/lattice_unit.hpp"
@@ -86,8 +87,7 @@ class LongReach {
     if (++context_.candidate_tests % tests_between_polls == 0) context_.progress.poll();
     if (!elements_.within_reach(i, j, shift, lattice_, margin_, context_.exact_decisions)) return;
     const bool in_order = i < j || (i == j && ImageShift{} < shift);
-    pairs_.push({std::min(i, j), std::max(i, j)},
-                in_order ? shift : ImageShift{-shift.x, -shift.y, -shift.z});
+    pairs_.push({std::min(i, j), std::max(i, j)}, in_order ? shift : base::opposite(shift));
   }
 
   exact::Elements<Dim> elements_;

@@ -8,6 +8,7 @@
 
 #include "reference/direct_check_images.hpp"
 
+#include "base/opposite_shift.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "lattice/reduced_lattice.hpp"
@@ -21,10 +22,6 @@
 
 namespace abut::reference {
 namespace {
-
-ImageShift opposite(const ImageShift& shift) noexcept {
-  return {-shift.x, -shift.y, -shift.z};
-}
 
 template <int Dim>
 class Checker {
@@ -56,7 +53,7 @@ class Checker {
       if (!elements_.within_reach(i, j, *shift, lattice_, margin_, context_.exact_decisions)) {
         return;
       }
-      if (i == j && *shift < ImageShift{}) shift = opposite(*shift);
+      if (i == j && *shift < ImageShift{}) shift = base::opposite(*shift);
       pairs_.push({static_cast<ElementIndex>(i), static_cast<ElementIndex>(j)}, *shift);
     });
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/opposite_shift.hpp"
 #include "elements/element_ids.hpp"
 #include "lists/filtering_sink.hpp"
 #include "skin/displacement_tracker.hpp"
@@ -13,11 +14,6 @@
 #include <utility>
 
 namespace abut::skin {
-
-/// The other way around.
-[[nodiscard]] inline ImageShift opposite(const ImageShift& shift) noexcept {
-  return {-shift.x, -shift.y, -shift.z};
-}
 
 /// Of the pairs of some new elements against all, at their anchors, keeps each once and calls it as
 /// a detection does: the smaller number first, with the image shift between elements as given.
@@ -45,7 +41,7 @@ class CandidateInsertion final : public lists::FilteringSink {
       if (is_met_twice(pair) && !is_the_one(pair, shift)) continue;
       if (pair.first > pair.second) {
         std::swap(pair.first, pair.second);
-        shift = opposite(shift);
+        shift = base::opposite(shift);
       }
       batch.pairs[kept] = pair;
       if (periodic) batch.shifts[kept] = placing_->shift_as_given(pair, shift);

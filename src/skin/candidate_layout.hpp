@@ -3,7 +3,7 @@
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
 #include "kernels/candidate_kernels.hpp"
-#include "lists/order_pairs.hpp"
+#include "lists/found_pairs.hpp"
 
 #include <abut/pair.hpp>
 

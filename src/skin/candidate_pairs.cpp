@@ -1,6 +1,7 @@
 #include "skin/candidate_pairs.hpp"
 
 #include "base/asking_workers.hpp"
+#include "base/opposite_shift.hpp"
 #include "skin/candidate_insertion.hpp"
 #include "skin/candidate_writer.hpp"
 
@@ -99,7 +100,7 @@ base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> n
     ImageShift shift = periodic_ ? shift_list_[layout_.shifts()[k]] : ImageShift{};
     if (pair.first > pair.second) {
       std::swap(pair.first, pair.second);
-      shift = opposite(shift);
+      shift = base::opposite(shift);
     }
     writer.push(pair, periodic_ ? placing.shift_as_given(pair, shift) : shift);
   }
@@ -113,7 +114,7 @@ bool CandidatePairs<Dim>::finish(const ElementsNow<Dim>& now,
   if (found_.size() > std::numeric_limits<std::uint32_t>::max()) return false;
   if (periodic_ && !number_shifts(placing, now.work)) return false;
   size_ = found_.size();
-  layout_.arrange(found_.pieces(),
+  layout_.arrange(found_.pieces().pairs,
                   std::span<const ShiftNumber>(found_shifts_).first(periodic_ ? size_ : 0),
                   now.spheres.size(), now.workers, now.work);
   return true;
@@ -123,14 +124,13 @@ bool CandidatePairs<Dim>::finish(const ElementsNow<Dim>& now,
 template <int Dim>
 bool CandidatePairs<Dim>::number_shifts(const DisplacementTracker<Dim>& placing,
                                         base::WorkCounter& work) {
-  const auto pieces = found_.pieces();
-  const auto shift_pieces = found_.shift_pieces();
+  const lists::FoundPieces pieces = found_.pieces();
   const auto for_each_shift = [&](auto&& body) {
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       work.did(1);
-      work.in_pieces(0, pieces[p].size(), [&](std::size_t begin, std::size_t end) {
+      work.in_pieces(0, pieces.pairs[p].size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-          body(placed_shift(pieces[p][k], shift_pieces[p][k], placing));
+          body(placed_shift(pieces.pairs[p][k], pieces.shifts[p][k], placing));
         }
       });
     }

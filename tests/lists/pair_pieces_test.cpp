@@ -108,7 +108,7 @@ PairVector joined(lists::FoundPairs& found, std::size_t workers) {
   const auto pieces = found.pieces();
   PairVector result(found.size());
   base::MemoryMeter memory;
-  lists::PairOrder(memory).join(pieces, result, workers, nobody.work);
+  lists::PairOrder(memory).join(pieces, {result, {}}, workers, nobody.work);
   return result;
 }
 
@@ -135,7 +135,7 @@ TEST(FoundPairs, KeepTheirMemoryAndGiveItBackAtTheEnd) {
     EXPECT_GE(held, found.size() * sizeof(ContactPair));
     found.start_anew({});
     EXPECT_EQ(found.size(), 0U);
-    EXPECT_TRUE(found.pieces().empty());
+    EXPECT_EQ(found.pieces().size(), 0U);
     units.deliver(found, 2, 3);
     EXPECT_EQ(memory.held(), held);
   }
@@ -157,7 +157,7 @@ TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
     EXPECT_LE(in_place, room);
     EXPECT_GE(in_place + base::PairSink::smallest_buffer, std::min(room, expected.size()));
     target.resize(expected.size());
-    lists::PairOrder(memory).join(found.pieces(), target, 1, nobody.work, in_place);
+    lists::PairOrder(memory).join(found.pieces(), {target, {}}, 1, nobody.work, in_place);
     EXPECT_EQ(target, expected) << "room for " << room;
   }
 }
@@ -183,9 +183,7 @@ TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
     const std::size_t lent = std::min(room, room_for_shifts);
     EXPECT_LE(in_place, lent);
     EXPECT_GE(in_place + base::PairSink::smallest_buffer, lent);
-    const auto pieces = found.pieces();
-    lists::PairOrder(memory).join({pieces, found.shift_pieces()}, target, shifts, 1, nobody.work,
-                                  in_place);
+    lists::PairOrder(memory).join(found.pieces(), {target, shifts}, 1, nobody.work, in_place);
     EXPECT_EQ(target, expected) << "room for " << room << " and " << room_for_shifts;
     EXPECT_EQ(shifts, expected_shifts) << "room for " << room << " and " << room_for_shifts;
   }
@@ -226,7 +224,7 @@ TEST(OrderPairs, CanonicalIsSorted) {
       units.deliver(found, workers, seed);
       const auto pieces = found.pieces();
       PairVector ordered(found.size());
-      lists::PairOrder(memory).sort(pieces, elements, ordered, workers, nobody.work);
+      lists::PairOrder(memory).sort(pieces, elements, {ordered, {}}, workers, nobody.work);
       EXPECT_EQ(ordered, expected) << workers << " workers";
     }
   }
@@ -258,7 +256,7 @@ TEST(OrderPairs, FewOrManyPairsOfNearOrFarPartners) {
       const std::span<const ContactPair> piece(pairs);
       base::MemoryMeter memory;
       PairVector ordered(pairs.size());
-      lists::PairOrder(memory).sort({&piece, 1}, count, ordered, 2, nobody.work);
+      lists::PairOrder(memory).sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
       EXPECT_EQ(ordered, expected) << pairs.size() << " pairs, partners up to " << furthest;
     }
   }
@@ -275,18 +273,50 @@ TEST(OrderPairs, OneCrowdedElement) {
   for (const std::size_t workers : {1U, 3U}) {
     base::MemoryMeter memory;
     PairVector ordered(pairs.size());
-    lists::PairOrder(memory).sort({&piece, 1}, count, ordered, workers, nobody.work);
+    lists::PairOrder(memory).sort({{&piece, 1}}, count, {ordered, {}}, workers, nobody.work);
     EXPECT_EQ(ordered, expected);
+  }
+}
+
+/// Many images of the same pairs, as small periodic cells have them, too.
+TEST(OrderPairs, ShiftsFollowTheirPairsAndDecideAmongEqualOnes) {
+  Random random(9);
+  for (const ElementIndex count : {2U, 50U, 5000U}) {
+    std::set<std::pair<ContactPair, ImageShift>> expected;
+    PairVector pairs;
+    std::vector<ImageShift> shifts;
+    while (pairs.size() < 30000) {
+      const auto first = static_cast<ElementIndex>(random.below(count - 1));
+      const ContactPair pair{first, static_cast<ElementIndex>(first + random.below(2))};
+      const auto number = [&] { return static_cast<std::int32_t>(random.below(41)) - 20; };
+      const ImageShift shift{number(), number(), number()};
+      if (!expected.insert({pair, shift}).second) continue;
+      pairs.push_back(pair);
+      shifts.push_back(shift);
+    }
+    const std::array pieces{std::span<const ContactPair>(pairs).first(1000),
+                            std::span<const ContactPair>(pairs).subspan(1000)};
+    const std::array shift_pieces{std::span<const ImageShift>(shifts).first(1000),
+                                  std::span<const ImageShift>(shifts).subspan(1000)};
+    base::MemoryMeter memory;
+    PairVector ordered(pairs.size());
+    std::vector<ImageShift> ordered_shifts(pairs.size());
+    lists::PairOrder(memory).sort({pieces, shift_pieces}, count, {ordered, ordered_shifts}, 2,
+                                  nobody.work);
+    std::size_t k = 0;
+    for (const auto& [pair, shift] : expected) {
+      ASSERT_EQ(ordered[k], pair) << k;
+      ASSERT_EQ(ordered_shifts[k++], shift) << k;
+    }
   }
 }
 
 TEST(OrderPairs, NoPairsNoWork) {
   base::MemoryMeter memory;
-  PairVector none;
   lists::PairOrder order(memory);
-  order.sort({}, 0, none, 2, nobody.work);
-  order.sort({}, 10, none, 2, nobody.work);
-  order.join({}, none, 2, nobody.work);
+  order.sort({}, 0, {}, 2, nobody.work);
+  order.sort({}, 10, {}, 2, nobody.work);
+  order.join({}, {}, 2, nobody.work);
   EXPECT_EQ(memory.held(), 0U);
 }
 
@@ -307,7 +337,7 @@ TEST(CsrBuilder, HoldThePartnersAscending) {
       base::MemoryMeter memory;
       std::vector<PairCount> offsets(elements + 1, 12345);
       std::vector<ElementIndex> neighbors(pairs.size() * (kind == NeighborListKind::full ? 2 : 1));
-      lists::CsrBuilder(memory).list(pieces, kind, offsets, neighbors, workers, nobody.work);
+      lists::CsrBuilder(memory).list({pieces}, kind, {offsets, neighbors}, workers, nobody.work);
       ASSERT_EQ(offsets[0], 0U);
       ASSERT_EQ(offsets[elements], neighbors.size());
       for (std::size_t e = 0; e < elements; ++e) {

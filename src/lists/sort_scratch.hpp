@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "lists/bucket_sort.hpp"
+
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace abut::lists {
+
+/// Memory of one worker that sorts entries range by range.
+template <PairEntry Entry>
+struct SortScratch {
+  explicit SortScratch(base::MemoryMeter& memory)
+      : sort(memory), entries(base::make_array_for_overwrite<Entry>(memory, 0)) {}
+
+  /// Room for entries that do not lie together, on their way through the sort.
+  [[nodiscard]] std::span<Entry> entries_for(std::size_t count) {
+    base::make_room(entries, count);
+    return std::span(entries).first(count);
+  }
+
+  BucketSort<Entry> sort;
+  base::Array<Entry> entries;
+};
+
+/// The scratch of all workers, for either type of entry. It keeps its arrays.
+class WorkersSortScratch {
+ public:
+  explicit WorkersSortScratch(base::MemoryMeter& memory) : memory_(memory) {}
+
+  template <PairEntry Entry>
+  [[nodiscard]] std::span<SortScratch<Entry>> of(std::size_t workers) {
+    auto& all = std::get<std::vector<SortScratch<Entry>>>(scratches_);
+    while (all.size() < workers) all.emplace_back(memory_);
+    return all;
+  }
+
+ private:
+  base::MemoryMeter& memory_;
+  std::tuple<std::vector<SortScratch<ContactPair>>, std::vector<SortScratch<ImagePair>>> scratches_;
+};
+
+}  // namespace abut::lists

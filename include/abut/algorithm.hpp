@@ -26,10 +26,10 @@ struct AlgorithmInfo {
   std::string_view time;        ///< cost law
   std::string_view memory;      ///< law of its own arrays, in integers
   std::string_view book_pages;  ///< Munjiza, The Combined Finite-Discrete Element Method, 2004
-  int min_dimensions;           ///< fewest dimensions of its elements
-  int max_dimensions;           ///< most dimensions of its elements
-  bool periodic;                ///< true if it supports periodic domains
-  bool traceable;               ///< true if trace::run shows its arrays
+  int min_dimensions = 2;       ///< fewest dimensions of its elements
+  int max_dimensions = 3;       ///< most dimensions of its elements
+  bool periodic = false;        ///< true if it supports periodic domains
+  bool traceable = false;       ///< true if trace::run shows its arrays
 };
 
 /// Lists all algorithms that have a name, in the order of the book; not `automatic`.

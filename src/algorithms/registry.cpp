@@ -87,33 +87,36 @@ void periodic_rows(const AlgorithmInput<Dim>& input, base::Array<exact::Sphere<D
 template <int Dim>
 constexpr EntryPoints<Dim> rows_entry{.on_elements = rows<Dim>, .on_images = periodic_rows<Dim>};
 
-constexpr std::array<AlgorithmEntry, 6> table{{
-    {{Algorithm::direct_check, "direct_check", "every element against every other", "N^2", "0",
-      "77-80", 2, 3, true, true},
-     direct_check_entry<2>,
-     direct_check_entry<3>},
-    {{Algorithm::binary_tree, "binary_tree", "occupied cells as leaves of a tree of halvings",
-      "N log N", "at most 2 N b + 2 N (b levels)", "81-87", 2, 3, false, true},
-     binary_tree_entry<2>,
-     binary_tree_entry<3>},
-    {{Algorithm::screening_array, "screening_array", "one list for each cell, empty or not",
-      "N + cells", "cells + N", "89-94", 2, 3, false, true},
-     screening_array_entry<2>,
-     screening_array_entry<3>},
-    {{Algorithm::sorting_array, "sorting_array", "elements sorted by cell, cells found by halving",
-      "N log N", "3 N in 2D, 4 N in 3D", "94-102, 120", 2, 3, false, true},
-     sorting_array_entry<2>,
-     sorting_array_entry<3>},
-    {{Algorithm::munjiza_nbs, "munjiza_nbs", "lists of rows, then of the cells of two rows only",
-      "N", "2 N + n_y + 2 n_x in 2D, 3 N + n_z + 2 n_y + 2 n_x in 3D", "102-127", 2, 3, false,
-      true},
-     munjiza_nbs_2d_entry,
-     munjiza_nbs_3d_entry},
-    {{Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N",
-      "at most 32 N + 32768, and 131072 a further thread", "", 2, 3, true, false},
-     rows_entry<2>,
-     rows_entry<3>},
-}};
+/// A row of the table: what the entry points support stands in the facts.
+constexpr AlgorithmEntry entry(AlgorithmInfo info, const EntryPoints<2>& in_2d,
+                               const EntryPoints<3>& in_3d) {
+  info.periodic = in_2d.on_images != nullptr && in_3d.on_images != nullptr;
+  info.traceable = in_2d.trace != nullptr && in_3d.trace != nullptr;
+  return {info, {in_2d, in_3d}};
+}
+
+constexpr std::array table{
+    entry({Algorithm::direct_check, "direct_check", "every element against every other", "N^2", "0",
+           "77-80"},
+          direct_check_entry<2>, direct_check_entry<3>),
+    entry({Algorithm::binary_tree, "binary_tree", "occupied cells as leaves of a tree of halvings",
+           "N log N", "at most 2 N b + 2 N (b levels)", "81-87"},
+          binary_tree_entry<2>, binary_tree_entry<3>),
+    entry({Algorithm::screening_array, "screening_array", "one list for each cell, empty or not",
+           "N + cells", "cells + N", "89-94"},
+          screening_array_entry<2>, screening_array_entry<3>),
+    entry({Algorithm::sorting_array, "sorting_array",
+           "elements sorted by cell, cells found by halving", "N log N", "3 N in 2D, 4 N in 3D",
+           "94-102, 120"},
+          sorting_array_entry<2>, sorting_array_entry<3>),
+    entry(
+        {Algorithm::munjiza_nbs, "munjiza_nbs", "lists of rows, then of the cells of two rows only",
+         "N", "2 N + n_y + 2 n_x in 2D, 3 N + n_z + 2 n_y + 2 n_x in 3D", "102-127"},
+        munjiza_nbs_2d_entry, munjiza_nbs_3d_entry),
+    entry({Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N",
+           "at most 32 N + 32768, and 131072 a further thread", ""},
+          rows_entry<2>, rows_entry<3>),
+};
 
 constexpr auto infos = [] {
   std::array<AlgorithmInfo, table.size()> result{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/by_dimension.hpp"
 #include "base/detection_context.hpp"
 #include "base/pair_sink.hpp"
 #include "engine/rows.hpp"
@@ -48,17 +49,7 @@ struct EntryPoints {
 /// One algorithm: what users read about it, and how it is run.
 struct AlgorithmEntry {
   AlgorithmInfo info;
-  EntryPoints<2> in_2d;
-  EntryPoints<3> in_3d;
-
-  template <int Dim>
-  [[nodiscard]] const EntryPoints<Dim>& entry_points() const noexcept {
-    if constexpr (Dim == 2) {
-      return in_2d;
-    } else {
-      return in_3d;
-    }
-  }
+  base::ByDimension<EntryPoints> entry_points;
 };
 
 [[nodiscard]] std::span<const AlgorithmEntry> registry();
@@ -69,7 +60,7 @@ struct AlgorithmEntry {
 template <int Dim>
 [[nodiscard]] double grid_bytes(const AlgorithmEntry& row,
                                 const grid::CellCoordinates<Dim>& cells) {
-  const auto bytes = row.entry_points<Dim>().grid_bytes;
+  const auto bytes = row.entry_points.in<Dim>().grid_bytes;
   return bytes == nullptr ? 0.0 : bytes(cells);
 }
 

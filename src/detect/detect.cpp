@@ -34,6 +34,17 @@ Options options_with(const ElementView& points, double cutoff, const Options& op
   });
 }
 
+NeighborList neighbor_list_of(const detect::DetectionRequest& request, NeighborListKind kind) {
+  NeighborList::Offsets offsets;
+  NeighborList::Neighbors neighbors;
+  ShiftArray shifts;
+  PairGeometry geometry;
+  Statistics statistics =
+      new_run()->list_neighbors(request, kind, {offsets, neighbors, shifts, geometry});
+  return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
+                      std::move(geometry), std::move(statistics));
+}
+
 }  // namespace
 
 PairList find_contact_pairs(const ElementView& elements, const Domain& domain,
@@ -55,21 +66,6 @@ Statistics count_contact_pairs(const ElementView& elements, const Domain& domain
                                const Options& options) {
   return new_run()->visit_batches({elements, domain, options}, {});
 }
-
-namespace {
-
-NeighborList neighbor_list_of(const detect::DetectionRequest& request, NeighborListKind kind) {
-  NeighborList::Offsets offsets;
-  NeighborList::Neighbors neighbors;
-  ShiftArray shifts;
-  PairGeometry geometry;
-  Statistics statistics =
-      new_run()->list_neighbors(request, kind, {offsets, neighbors, shifts, geometry});
-  return NeighborList(std::move(offsets), std::move(neighbors), std::move(shifts),
-                      std::move(geometry), std::move(statistics));
-}
-
-}  // namespace
 
 NeighborList build_neighbor_list(const ElementView& elements, const Domain& domain,
                                  NeighborListKind kind, const Options& options) {

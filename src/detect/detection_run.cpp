@@ -87,7 +87,7 @@ Statistics DetectionRun::guarded(const DetectionRequest& request, Body&& body) {
 template <int Dim>
 void DetectionRun::search(const DetectionRequest& request, const SearchTask& task, PairSink& sink,
                           DetectionContext& context, Statistics& statistics) {
-  RunArrays<Dim>& own = arrays<Dim>();
+  RunArrays<Dim>& own = arrays_.in<Dim>();
   if (request.others != nullptr) {
     return own.two_set_search.search(own.search, own.elements, task, sink, context, statistics);
   }
@@ -105,7 +105,7 @@ void DetectionRun::search(const DetectionRequest& request, const SearchTask& tas
 template <int Dim>
 Statistics DetectionRun::find_in(const DetectionRequest& request, PairSink& sink,
                                  DetectionContext& context) {
-  RunArrays<Dim>& own = arrays<Dim>();
+  RunArrays<Dim>& own = arrays_.in<Dim>();
   const SearchTask task = task_of(request);
   Statistics statistics;
   statistics.elements = request.size();
@@ -137,30 +137,33 @@ Statistics DetectionRun::find(const DetectionRequest& request, PairSink& sink,
                                             : find_in<3>(request, *target, context);
 }
 
-Statistics DetectionRun::store(const DetectionRequest& request, const lists::PairDemand& demand,
-                               DetectionContext& context) {
-  found_.start_anew(demand);
-  Statistics statistics = find(request, found_, context);
-  statistics.contact_pairs = found_.size();
-  skin_.note_survivors(found_.size());
-  context.progress.begin("order", found_.size());
-  return statistics;
-}
-
-Statistics DetectionRun::list_pairs(const DetectionRequest& request, const PairArrays& arrays) {
-  lists::ListBuffer list(arrays.pairs, arrays.shifts);
-  lists::GeometryBuffers buffers(arrays.geometry);
-  const Statistics result = guarded(request, [&](DetectionContext& context) {
-    const Options& options = request.options;
-    Statistics statistics = store(
-        request, {options.max_pairs, found_shifts(request), options.order, list.buffer()}, context);
+template <class Write>
+Statistics DetectionRun::list(const DetectionRequest& request, const lists::PairDemand& demand,
+                              Write&& write) {
+  return guarded(request, [&](DetectionContext& context) {
+    found_.start_anew(demand);
+    Statistics statistics = find(request, found_, context);
+    statistics.contact_pairs = found_.size();
+    skin_.note_survivors(found_.size());
+    context.progress.begin("order", found_.size());
     Stopwatch stopwatch;
-    write_pairs(request, arrays, static_cast<std::size_t>(statistics.threads), context.work);
+    write(static_cast<std::size_t>(statistics.threads), context.work);
     statistics.order_seconds = stopwatch.lap();
     return statistics;
   });
-  list.keep();
-  buffers.keep();
+}
+
+Statistics DetectionRun::list_pairs(const DetectionRequest& request, const PairArrays& arrays) {
+  lists::ListBuffer list_buffer(arrays.pairs, arrays.shifts);
+  lists::GeometryBuffers geometry(arrays.geometry);
+  const Options& options = request.options;
+  const Statistics result =
+      list(request, {options.max_pairs, found_shifts(request), options.order, list_buffer.buffer()},
+           [&](std::size_t workers, base::WorkCounter& work) {
+             write_pairs(request, arrays, workers, work);
+           });
+  list_buffer.keep();
+  geometry.keep();
   return result;
 }
 
@@ -207,14 +210,11 @@ Statistics DetectionRun::list_neighbors(const DetectionRequest& request, Neighbo
                                         const NeighborArrays& arrays) {
   lists::RowBuffers buffers(arrays);
   lists::GeometryBuffers geometry(arrays.geometry);
-  const Statistics result = guarded(request, [&](DetectionContext& context) {
-    Statistics statistics = store(
-        request, {.limit = request.options.max_pairs, .shifts = found_shifts(request)}, context);
-    Stopwatch stopwatch;
-    write_rows(request, kind, arrays, static_cast<std::size_t>(statistics.threads), context.work);
-    statistics.order_seconds = stopwatch.lap();
-    return statistics;
-  });
+  const Statistics result =
+      list(request, {.limit = request.options.max_pairs, .shifts = found_shifts(request)},
+           [&](std::size_t workers, base::WorkCounter& work) {
+             write_rows(request, kind, arrays, workers, work);
+           });
   buffers.keep();
   geometry.keep();
   return result;
@@ -241,7 +241,7 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
 
 template <int Dim>
 geometry::MeasuredSets<Dim> DetectionRun::measured_sets(const DetectionRequest& request) {
-  const RunArrays<Dim>& own = arrays<Dim>();
+  const RunArrays<Dim>& own = arrays_.in<Dim>();
   const bool one_set = request.others == nullptr;
   return {one_set ? own.elements.elements() : own.two_set_search.first(),
           one_set ? own.elements.elements() : own.two_set_search.second(),

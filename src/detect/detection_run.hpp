@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/by_dimension.hpp"
 #include "base/detection_context.hpp"
 #include "base/memory_meter.hpp"
 #include "base/pair_sink.hpp"
@@ -69,15 +70,6 @@ class DetectionRun {
     TwoSetSearch<Dim> two_set_search;
   };
 
-  template <int Dim>
-  [[nodiscard]] RunArrays<Dim>& arrays() noexcept {
-    if constexpr (Dim == 2) {
-      return in_2d_;
-    } else {
-      return in_3d_;
-    }
-  }
-
   /// Checks the request, then returns what `body(context)` does, with the counters added. The
   /// floating-point environment is set meanwhile, and lack of memory becomes an Error.
   template <class Body>
@@ -92,9 +84,9 @@ class DetectionRun {
   template <int Dim>
   void search(const DetectionRequest& request, const SearchTask& task, base::PairSink& sink,
               base::DetectionContext& context, Statistics& statistics);
-  /// Finds the pairs and keeps them in `found_`.
-  Statistics store(const DetectionRequest& request, const lists::PairDemand& demand,
-                   base::DetectionContext& context);
+  /// Finds the pairs and keeps them in `found_`; then `write(workers, work)` writes the result.
+  template <class Write>
+  Statistics list(const DetectionRequest& request, const lists::PairDemand& demand, Write&& write);
 
   void write_pairs(const DetectionRequest& request, const PairArrays& arrays, std::size_t workers,
                    base::WorkCounter& work);
@@ -112,8 +104,7 @@ class DetectionRun {
                     std::size_t workers, base::WorkCounter& work);
 
   base::MemoryMeter memory_;
-  RunArrays<2> in_2d_{memory_};
-  RunArrays<3> in_3d_{memory_};
+  base::ByDimension<RunArrays> arrays_{RunArrays<2>(memory_), RunArrays<3>(memory_)};
   SkinDetection skin_{memory_};
   lists::FoundPairs found_{memory_};
   lists::VisitingSink visiting_;

@@ -47,7 +47,7 @@ void search_cells(const registry::AlgorithmEntry& row, const exact::Elements<Dim
   sink.expect_workers(1);
   base::PairWriter pairs(sink);
   reference::PairDecider<Dim> test(elements, options.margin, pairs, context);
-  row.entry_points<Dim>().on_cells(cells, test, context);
+  row.entry_points.in<Dim>().on_cells(cells, test, context);
   pairs.finish();
 }
 
@@ -67,7 +67,7 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
     statistics.simd = task.settings.simd;
   }
   context.progress.begin("search", elements.spheres.size());
-  const registry::EntryPoints<Dim>& entry = choice.row->entry_points<Dim>();
+  const registry::EntryPoints<Dim>& entry = choice.row->entry_points.in<Dim>();
   const exact::Elements<Dim> packed = elements.elements();
   const registry::AlgorithmInput<Dim> input{packed, elements.bounds, task.settings, workspace_,
                                             periodic_};

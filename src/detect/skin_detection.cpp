@@ -51,8 +51,8 @@ skin::ElementsNow<Dim> elements_now(const SkinCall<Dim>& call) {
 void SkinDetection::set_skin(Skin skin) {
   choice_.set(skin);
   statistics_ = {};
-  in_2d_.candidates.release();
-  in_3d_.candidates.release();
+  arrays_.in_2d.candidates.release();
+  arrays_.in_3d.candidates.release();
 }
 
 void SkinDetection::set_ids(std::span<const std::uint64_t> ids) {
@@ -91,13 +91,14 @@ bool SkinDetection::find_candidates(const SkinCall<Dim>& call, const skin::Named
                            settings_with_margin(call.task.settings, margin)};
     call.search.search(call.elements, wider, sink, call.context, call.statistics);
   };
-  return arrays<Dim>().candidates.find_candidates(elements_now(call), named, choice_, search_wider);
+  return arrays_.in<Dim>().candidates.find_candidates(elements_now(call), named, choice_,
+                                                      search_wider);
 }
 
 template <int Dim>
 void SkinDetection::search_insertion(const SkinCall<Dim>& call,
                                      const typename skin::SkinSearch<Dim>::Insertion& insertion) {
-  elements::GatheredElements<Dim>& joined = arrays<Dim>().insertion;
+  elements::GatheredElements<Dim>& joined = arrays_.in<Dim>().insertion;
   const Options options = options_with_margin(call.task.options, insertion.margin);
   const SearchTask wider{insertion.domain, options,
                          settings_with_margin(call.task.settings, insertion.margin)};
@@ -111,7 +112,7 @@ void SkinDetection::search_insertion(const SkinCall<Dim>& call,
 
 template <int Dim>
 bool SkinDetection::carry_over(const SkinCall<Dim>& call, const skin::NamedElements& named) {
-  skin::SkinSearch<Dim>& candidates = arrays<Dim>().candidates;
+  skin::SkinSearch<Dim>& candidates = arrays_.in<Dim>().candidates;
   const auto search_new = [&](const typename skin::SkinSearch<Dim>::Insertion& insertion) {
     search_insertion<Dim>(call, insertion);
   };
@@ -124,7 +125,7 @@ bool SkinDetection::carry_over(const SkinCall<Dim>& call, const skin::NamedEleme
 template <int Dim>
 SkinDetection::Source SkinDetection::find_source(const SkinCall<Dim>& call) {
   const skin::NamedElements named = name_elements(call.elements.spheres.size());
-  if (arrays<Dim>().candidates.covers(elements_now(call), named)) return Source::earlier_call;
+  if (arrays_.in<Dim>().candidates.covers(elements_now(call), named)) return Source::earlier_call;
   if (carry_over(call, named)) return Source::carried_over;
   return find_candidates(call, named) ? Source::this_call : Source::none;
 }
@@ -155,7 +156,7 @@ SkinDetection::Prepared SkinDetection::prepare(const SkinCall<Dim>& call) {
 
 template <int Dim>
 void SkinDetection::deliver(const SkinCall<Dim>& call, Prepared prepared, base::PairSink& sink) {
-  skin::SkinSearch<Dim>& candidates = arrays<Dim>().candidates;
+  skin::SkinSearch<Dim>& candidates = arrays_.in<Dim>().candidates;
   call.statistics.threads = static_cast<int>(call.task.settings.workers);
   statistics_.candidates = candidates.candidates();
   statistics_.skin = candidates.skin();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/by_dimension.hpp"
 #include "base/detection_context.hpp"
 #include "base/memory_meter.hpp"
 #include "base/pair_sink.hpp"
@@ -39,7 +40,8 @@ struct SkinCall {
 /// contacts among them. The searches are given to it.
 class SkinDetection {
  public:
-  explicit SkinDetection(base::MemoryMeter& memory) : in_2d_(memory), in_3d_(memory) {}
+  explicit SkinDetection(base::MemoryMeter& memory)
+      : arrays_{SkinArrays<2>(memory), SkinArrays<3>(memory)} {}
 
   /// Drops all candidates; the skin holds for the calls that follow.
   void set_skin(Skin skin);
@@ -89,15 +91,6 @@ class SkinDetection {
   };
 
   template <int Dim>
-  [[nodiscard]] SkinArrays<Dim>& arrays() noexcept {
-    if constexpr (Dim == 2) {
-      return in_2d_;
-    } else {
-      return in_3d_;
-    }
-  }
-
-  template <int Dim>
   [[nodiscard]] Source find_source(const SkinCall<Dim>& call);
   template <int Dim>
   [[nodiscard]] bool carry_over(const SkinCall<Dim>& call, const skin::NamedElements& named);
@@ -115,8 +108,7 @@ class SkinDetection {
   elements::ElementIds next_ids_;
   std::uint64_t ids_version_ = 0;
   Algorithm candidates_from_ = Algorithm::automatic;
-  SkinArrays<2> in_2d_;
-  SkinArrays<3> in_3d_;
+  base::ByDimension<SkinArrays> arrays_;
 };
 
 }  // namespace abut::detect

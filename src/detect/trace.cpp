@@ -90,7 +90,7 @@ void run(const registry::AlgorithmEntry& row, const CellSystem& system, Sink& si
                     "to read; trace at most 65536 elements and 16 MiB of arrays");
   }
   reference::CandidateRecorder recorder(sink);
-  row.entry_points<Dim>().trace(cells, recorder, context);
+  row.entry_points.in<Dim>().trace(cells, recorder, context);
 }
 
 void run_checked(Algorithm algorithm, const CellSystem& system, Sink& sink) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exact/box.hpp"
+#include "exact/far_image.hpp"
 #include "exact/lattice.hpp"
 #include "exact/periodic_box.hpp"
 #include "exact/periodic_predicate.hpp"
@@ -40,6 +41,14 @@ struct Elements {
                ? exact::within_reach(boxes[a], boxes[b], shift, lattice, margin, exact_decisions)
                : exact::within_reach(spheres[a], spheres[b], shift, lattice, margin,
                                      exact_decisions);
+  }
+
+  /// The same of an image that is no pair which could be told: its shift exceeds 32 bits.
+  [[nodiscard]] bool far_image_within_reach(std::size_t a, std::size_t b, const FarShift& shift,
+                                            const Lattice& lattice, double margin) const noexcept {
+    return are_boxes()
+               ? exact::far_image_within_reach(boxes[a], boxes[b], shift, lattice, margin)
+               : exact::far_image_within_reach(spheres[a], spheres[b], shift, lattice, margin);
   }
 };
 

@@ -1,6 +1,7 @@
 #include "lattice/check_range.hpp"
 
 #include "base/shortest_text.hpp"
+#include "lattice/lattice_unit.hpp"
 #include "lattice/orthogonal_cell.hpp"
 #include "lattice/wrapper.hpp"
 
@@ -35,7 +36,10 @@ void check_range(std::span<const exact::Sphere<Dim>> spheres, const ReducedLatti
   const OrthogonalCell<Dim> orthogonal_cell(lattice, 1.0);
   std::array<bool, Dim> along{};
   along.fill(true);
-  const Wrapper<Dim> wrapper(lattice, orthogonal_cell, along, shape, unit);
+  grid::Bounds<Dim> bounds;
+  for (const exact::Sphere<Dim>& sphere : spheres) bounds.include_center(sphere);
+  const double unit_of_result = unit_of_moved(lattice, largest_number(bounds, 0.0) * unit);
+  const Wrapper<Dim> wrapper(lattice, orthogonal_cell, along, {shape, unit, unit_of_result});
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     exact::Sphere<Dim> moved = spheres[i];
     for (double& x : moved.center) x *= unit;
@@ -52,6 +56,26 @@ void check_range(std::span<const exact::Sphere<Dim>> spheres, const ReducedLatti
   }
 }
 
+template <int Dim>
+void check_range_as_given(std::span<const exact::Sphere<Dim>> spheres,
+                          const exact::Lattice& lattice, double margin, Shape shape) {
+  grid::Bounds<Dim> bounds;
+  for (const exact::Sphere<Dim>& sphere : spheres) {
+    bounds.include_center(sphere);
+    bounds.include_radius(sphere.radius);
+  }
+  const double unit = unit_of<Dim>(lattice, largest_number(bounds, margin));
+  const ReducedLattice<Dim> reduced(times(lattice, unit));
+  check_range<Dim>(spheres, reduced, margin, shape, unit);
+}
+
+void refuse_range_of_numbers() {
+  throw Error(
+      ErrorCode::invalid_input,
+      "a lattice vector is shorter than 2^-800, and a position, a length or the margin exceeds "
+      "2^720; bring what lies so far out closer, or make the lattice vectors longer");
+}
+
 void refuse_shift(std::size_t i, std::size_t j) {
   throw Error(ErrorCode::invalid_input,
               "elements " + std::to_string(std::min(i, j)) + " and " +
@@ -63,5 +87,9 @@ template void check_range(std::span<const exact::Sphere<2>>, const ReducedLattic
                           Shape, double);
 template void check_range(std::span<const exact::Sphere<3>>, const ReducedLattice<3>&, double,
                           Shape, double);
+template void check_range_as_given(std::span<const exact::Sphere<2>>, const exact::Lattice&, double,
+                                   Shape);
+template void check_range_as_given(std::span<const exact::Sphere<3>>, const exact::Lattice&, double,
+                                   Shape);
 
 }  // namespace abut::lattice

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exact/lattice.hpp"
 #include "exact/sphere.hpp"
 #include "lattice/reduced_lattice.hpp"
 
@@ -18,7 +19,12 @@ template <int Dim>
 void check_range(std::span<const exact::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
                  double margin, Shape shape, double unit = 1.0);
 
-/// Elements i and j pair, or may pair, with a shift beyond 2^31 - 1.
+/// The same with the lattice as given, which is reduced times whatever unit its numbers need.
+template <int Dim>
+void check_range_as_given(std::span<const exact::Sphere<Dim>> spheres,
+                          const exact::Lattice& lattice, double margin, Shape shape);
+
+/// Elements i and j pair with a shift beyond 2^31 - 1.
 [[noreturn]] void refuse_shift(std::size_t i, std::size_t j);
 
 }  // namespace abut::lattice

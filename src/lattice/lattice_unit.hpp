@@ -2,6 +2,7 @@
 
 #include "exact/lattice.hpp"
 #include "grid/bounds.hpp"
+#include "lattice/reduced_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +15,21 @@ template <int Dim>
 [[nodiscard]] double largest_number(const grid::Bounds<Dim>& bounds, double margin) noexcept {
   double largest = std::max(bounds.largest_radius, margin);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
+    if (bounds.lower[axis] > bounds.upper[axis]) continue;  // no element
     largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
   }
   return largest;
 }
 
+/// A lattice vector is below 2^-800, and some number above 2^720.
+[[noreturn]] void refuse_range_of_numbers();
+
 /// The power of two by which lattice and positions are to be multiplied before a lattice is
 /// reduced. Not 1 only where a vector is so short that its inverse, or how often it fits into the
-/// largest position, might exceed the numbers. Nothing is rounded then. Where `largest`, the
-/// largest position or length, would exceed them instead it is 1.
+/// largest position, might exceed the numbers. Nothing is rounded then. Throws Error{invalid_input}
+/// where `largest`, the largest position, length or margin, would exceed them instead.
 template <int Dim>
-[[nodiscard]] double unit_of(const exact::Lattice& lattice, double largest) noexcept {
+[[nodiscard]] double unit_of(const exact::Lattice& lattice, double largest) {
   constexpr double short_vector = 0x1p-800;
   constexpr double enlargement = 0x1p200;
   constexpr double largest_enlarged = 0x1p720;
@@ -38,7 +43,19 @@ template <int Dim>
     shortest = std::min(shortest, length);
     largest = std::max(largest, length);
   }
-  return shortest < short_vector && largest <= largest_enlarged ? enlargement : 1.0;
+  if (!(shortest < short_vector)) return 1.0;
+  if (largest > largest_enlarged) refuse_range_of_numbers();
+  return enlargement;
+}
+
+/// The power of two by which positions that were moved are kept: not 1 only where they, or sums of
+/// them, might exceed the numbers. `largest` as above.
+template <int Dim>
+[[nodiscard]] double unit_of_moved(const ReducedLattice<Dim>& lattice, double largest) noexcept {
+  constexpr double largest_unscaled = 0x1p960;
+  constexpr double reduction = 0x1p-128;
+  for (std::size_t k = 0; k < lattice.count; ++k) largest = std::max(largest, lattice.length[k]);
+  return largest > largest_unscaled ? reduction : 1.0;
 }
 
 [[nodiscard]] inline exact::Lattice times(exact::Lattice lattice, double unit) noexcept {

@@ -26,15 +26,21 @@ namespace {
 /// are, so that the reduction ends.
 constexpr double shorter = 1.0 - 0x1p-20;
 
-/// Squares of shorter vectors, beside the longest, would lose bits.
+/// Squares of shorter vectors, beside a largest component between 1/2 and 1, would lose bits.
 constexpr double least_square = 0x1p-900;
 
-__extension__ using Int128 = __int128;
+using exact::Int128;
 
 [[noreturn]] void refuse_shape() {
   throw Error(ErrorCode::invalid_input,
-              "the lattice vectors are so skewed, or so unequal in length, that a short basis "
-              "exceeds the range of numbers; give vectors of the same lattice that are shorter");
+              "the lattice vectors are so skewed that a short basis exceeds the range of numbers; "
+              "give vectors of the same lattice that are shorter");
+}
+
+[[noreturn]] void refuse_ratio() {
+  throw Error(ErrorCode::invalid_input,
+              "the lattice has a vector that is shorter than 2^-450 of the longest one given; give "
+              "vectors of more equal lengths, or make the axis of the long one open");
 }
 
 std::int64_t narrowed(Int128 value) {
@@ -100,7 +106,7 @@ class Reduction {
     to_given[k] = numbers;
     vectors_[k] = scaled<Dim>(combined(numbers), exponent_);
     squares_[k] = dot<Dim>(vectors_[k], vectors_[k]);
-    if (!(squares_[k] >= least_square)) refuse_shape();
+    if (!(squares_[k] >= least_square)) refuse_ratio();
   }
 
   /// Tries the shorter vectors first; false when nothing can be shortened.
@@ -320,15 +326,25 @@ void ReducedLattice<Dim>::turn(std::size_t k) noexcept {
 }
 
 template <int Dim>
+exact::FarShift ReducedLattice<Dim>::far_shift_of(const ImageNumbers& numbers) const noexcept {
+  exact::FarShift shift{};
+  for (std::size_t l = 0; l < count; ++l) {
+    for (std::size_t k = 0; k < count; ++k) {
+      shift[axis_of[l]] += Int128{numbers[k]} * to_given[k][l];
+    }
+  }
+  return shift;
+}
+
+template <int Dim>
 std::optional<ImageShift> ReducedLattice<Dim>::shift_of(
     const ImageNumbers& numbers) const noexcept {
   constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
+  const exact::FarShift far = far_shift_of(numbers);
   std::array<std::int32_t, 3> shift{};
-  for (std::size_t l = 0; l < count; ++l) {
-    Int128 sum = 0;
-    for (std::size_t k = 0; k < count; ++k) sum += Int128{numbers[k]} * to_given[k][l];
-    if (sum > largest || sum < -Int128{largest}) return std::nullopt;
-    shift[axis_of[l]] = static_cast<std::int32_t>(sum);
+  for (std::size_t l = 0; l < 3; ++l) {
+    if (far[l] > largest || far[l] < -Int128{largest}) return std::nullopt;
+    shift[l] = static_cast<std::int32_t>(far[l]);
   }
   return ImageShift{shift[0], shift[1], shift[2]};
 }

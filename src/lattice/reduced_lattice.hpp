@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exact/far_image.hpp"
 #include "exact/lattice.hpp"
 
 #include <array>
@@ -52,8 +53,10 @@ struct ReducedLattice {
   /// Puts -b_k in place of b_k.
   void turn(std::size_t k) noexcept;
 
-  /// `numbers` of the b_k, each below 2^60, in terms of the lattice as given; nothing where one of
-  /// these exceeds 2^31 - 1.
+  /// `numbers` of the b_k, each below 2^60, in terms of the lattice as given.
+  [[nodiscard]] exact::FarShift far_shift_of(const ImageNumbers& numbers) const noexcept;
+
+  /// The same; nothing where one of these exceeds 2^31 - 1.
   [[nodiscard]] std::optional<ImageShift> shift_of(const ImageNumbers& numbers) const noexcept;
 };
 

@@ -34,12 +34,11 @@ template <int Dim>
 template <int Dim>
 Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice,
                       const OrthogonalCell<Dim>& orthogonal_cell,
-                      const std::array<bool, Dim>& along, Shape shape, double unit) noexcept
-    : orthogonal_cell_(orthogonal_cell),
-      along_(along),
-      shape_(shape),
-      unit_(unit),
-      scale_(lattice.scale) {
+                      const std::array<bool, Dim>& along, const WrapSettings& settings) noexcept
+    : orthogonal_cell_(orthogonal_cell), along_(along), settings_(settings), scale_(lattice.scale) {
+  // Large numbers are made smaller before they are made larger.
+  const double unit = settings.result_unit;
+  to_result_ = scale_ < 1.0 ? std::array{unit, 1.0 / scale_} : std::array{1.0 / scale_, unit};
   for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
     const std::size_t v = orthogonal_cell.vector_of[k];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -51,11 +50,12 @@ Wrapper<Dim>::Wrapper(const ReducedLattice<Dim>& lattice,
 }
 
 template <int Dim>
-typename Wrapper<Dim>::Cells Wrapper<Dim>::cells_of(const double* position) const noexcept {
+typename Wrapper<Dim>::Cells Wrapper<Dim>::cells_of(const double* position,
+                                                    double times) const noexcept {
   Cells cells{};
   for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
     if (!along_[k]) continue;
-    double place = orthogonal_cell_.coordinate(k, position);
+    double place = orthogonal_cell_.coordinate(k, position) * times;
     for (std::size_t l = 0; l < k; ++l) place -= cells[l] * orthogonal_cell_.offset[l][k];
     cells[k] = std::floor(place);
   }
@@ -66,8 +66,8 @@ template <int Dim>
 void Wrapper<Dim>::move(const double* from, const Cells& cells, double* to) const noexcept {
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     // Where no vector leads nothing is added, and the coordinate may be too large for the scale.
-    to[axis] = from[axis];
-    if (!is_led_along_[axis]) continue;
+    to[axis] = from[axis] * settings_.result_unit;
+    if (!is_led_along_[axis] || cells == Cells{}) continue;
     exact::CompensatedSum sum;
     sum.add(from[axis] * scale_);
     for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
@@ -76,29 +76,32 @@ void Wrapper<Dim>::move(const double* from, const Cells& cells, double* to) cons
       sum.add(exact::two_product(-cells[k], vectors_[k][axis]));
       if (remainders_[k][axis] != 0.0) sum.add(-cells[k] * remainders_[k][axis]);
     }
-    to[axis] = sum.value().high * (1.0 / scale_);
+    to[axis] = sum.value().high * to_result_[0] * to_result_[1];
   }
 }
 
 template <int Dim>
 CellsMoved Wrapper<Dim>::wrap(exact::Sphere<Dim>& sphere, std::size_t number) const {
-  Cells cells = cells_of(sphere.center);
-  if (cells == Cells{}) return {};
+  Cells cells = cells_of(sphere.center, 1.0);
   exact::Sphere<Dim> moved = sphere;
+  moved.radius *= settings_.result_unit;
   const auto require_fit = [&] {
     for (const double count : cells) {
-      if (!(std::fabs(count) <= most_cells_away)) refuse(number, sphere, shape_, unit_);
+      if (!(std::fabs(count) <= most_cells_away)) {
+        refuse(number, sphere, settings_.shape, settings_.given_unit);
+      }
     }
   };
   require_fit();
   move(sphere.center, cells, moved.center);
-  // Far outside, the quotient is off by some cells' hundredth: once more, from close by.
-  const Cells rest = cells_of(moved.center);
-  if (rest != Cells{}) {
-    for (std::size_t k = 0; k < Dim; ++k) cells[k] += rest[k];
-    require_fit();
-    if (cells == Cells{}) return {};
-    move(sphere.center, cells, moved.center);
+  if (cells != Cells{}) {
+    // Far outside, the quotient is off by some cells' hundredth: once more, from close by.
+    const Cells rest = cells_of(moved.center, 1.0 / settings_.result_unit);
+    if (rest != Cells{}) {
+      for (std::size_t k = 0; k < Dim; ++k) cells[k] += rest[k];
+      require_fit();
+      move(sphere.center, cells, moved.center);
+    }
   }
   sphere = moved;
   CellsMoved result{};

@@ -14,10 +14,6 @@
 namespace abut::periodic {
 namespace {
 
-/// Beyond this, sums could leave the exponent range; locals and ghosts are scaled down.
-constexpr double largest_unscaled = 0x1p960;
-constexpr double scale_down = 0x1p-128;
-
 /// Relative to magnitude_of (docs/derivations/periodic_images.md, 4).
 constexpr double slack_of_ghosts = 0x1p-48;
 constexpr double slack_of_fast_wraps = 0x1p-47;
@@ -100,9 +96,7 @@ void Images<Dim>::start_anew(std::span<const exact::Sphere<Dim>> elements,
   bounds_ = bounds;
   places_ = {};
   steps_ = {};
-  double largest = lattice::largest_number(bounds, settings.margin);
-  for (std::size_t k = 0; k < lattice.count; ++k) largest = std::max(largest, lattice.length[k]);
-  unit_ = largest > largest_unscaled ? scale_down : 1.0;
+  unit_ = lattice::unit_of_moved(lattice, lattice::largest_number(bounds, settings.margin));
   given_unit_ = settings.given_unit;
   size_cut_ = settings.size_cut * unit_;
   slack_ = 0.0;
@@ -196,7 +190,9 @@ template <int Dim>
 void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
                                const lattice::OrthogonalCell<Dim>& orthogonal_cell,
                                const Along& along, std::size_t workers) {
-  const lattice::Wrapper<Dim> wrapper(*lattice_, orthogonal_cell, along);
+  lattice::WrapSettings wrap_settings;
+  wrap_settings.result_unit = unit_;
+  const lattice::Wrapper<Dim> wrapper(*lattice_, orthogonal_cell, along, wrap_settings);
   cells_moved_.make_room(elements.size(), false);
   const lattice::OrthogonalCell<Dim> scaled_orthogonal_cell(*lattice_, unit_);
   base::for_each_worker(workers, [&](std::size_t worker) {
@@ -211,8 +207,6 @@ void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
       for (std::size_t k = 0; k < 3; ++k) {
         part.farthest[k] = std::max(part.farthest[k], std::abs(moved[k]));
       }
-      for (double& x : sphere.center) x *= unit_;
-      sphere.radius *= unit_;
       own_locals_[i] = sphere;
       part.bounds.include_center(sphere);
       part.bounds.include_radius(sphere.radius);
@@ -390,15 +384,21 @@ void Images<Dim>::packed_shifts_between(std::span<const ContactPair> pairs,
 }
 
 template <int Dim>
-ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
-                                      const std::array<std::int32_t, 3>& image) const {
+lattice::ImageNumbers Images<Dim>::numbers_between(std::size_t i, std::size_t j,
+                                                   const std::array<std::int32_t, 3>& image) const {
   lattice::ImageNumbers numbers{};
   for (std::size_t k = 0; k < lattice_->count; ++k) {
     std::int64_t& number = numbers[vector_of_[k]];
     number = image[k];
     if (moved_any_) number += std::int64_t{cells_moved_[i][k]} - cells_moved_[j][k];
   }
-  if (const auto shift = lattice_->shift_of(numbers)) return *shift;
+  return numbers;
+}
+
+template <int Dim>
+ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
+                                      const std::array<std::int32_t, 3>& image) const {
+  if (const auto shift = lattice_->shift_of(numbers_between(i, j, image))) return *shift;
   lattice::refuse_shift(i, j);
 }
 

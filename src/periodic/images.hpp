@@ -133,6 +133,14 @@ class Images {
   [[nodiscard]] ImageShift shift_between(std::size_t i, const Ghost& ghost) const {
     return shift_between(i, ghost.element, ghost.image);
   }
+
+  /// The same in terms of the reduced lattice, of any size.
+  [[nodiscard]] lattice::ImageNumbers numbers_between(
+      std::size_t i, std::size_t j, const std::array<std::int32_t, 3>& image) const;
+
+  [[nodiscard]] const lattice::ReducedLattice<Dim>& reduced_lattice() const noexcept {
+    return *lattice_;
+  }
   /// Of many pairs of two locals.
   void shifts_between(std::span<const ContactPair> pairs, std::span<ImageShift> shifts) const;
 

@@ -3,6 +3,7 @@
 #include "base/opposite_shift.hpp"
 #include "engine/set_search.hpp"
 #include "lattice/check_range.hpp"
+#include "lattice/image_decider.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "lattice/orthogonal_cell.hpp"
 #include "lattice/reduced_lattice.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace abut::periodic {
 namespace {
@@ -60,9 +62,8 @@ class LongReach {
   LongReach(const exact::Elements<Dim>& elements, const exact::Lattice& lattice, double margin,
             const Images<Dim>& images, base::PairSink& sink, base::DetectionContext& context)
       : elements_(elements),
-        lattice_(lattice),
-        margin_(margin),
         images_(images),
+        decider_(elements, lattice, images.reduced_lattice(), margin),
         pairs_(sink),
         context_(context) {}
 
@@ -70,10 +71,10 @@ class LongReach {
     const auto count = static_cast<std::uint32_t>(elements_.size());
     for (std::uint32_t j = 0; j < count; ++j) {
       context_.progress.at(j);
-      for (std::uint32_t i = 0; i < j; ++i) decide(i, j, images_.shift_between(i, j));
+      for (std::uint32_t i = 0; i < j; ++i) decide(i, {j, {}});
       images_.for_each_ghost_of(j, [&](const Ghost& ghost) {
         for (std::uint32_t i = 0; i < count; ++i) {
-          if (images_.counts(i, ghost)) decide(i, j, images_.shift_between(i, ghost));
+          if (images_.counts(i, ghost)) decide(i, ghost);
         }
       });
     }
@@ -83,17 +84,19 @@ class LongReach {
  private:
   static constexpr std::uint64_t tests_between_polls = 1 << 18;
 
-  void decide(std::uint32_t i, std::uint32_t j, const ImageShift& shift) {
+  void decide(std::uint32_t i, const Ghost& image) {
     if (++context_.candidate_tests % tests_between_polls == 0) context_.progress.poll();
-    if (!elements_.within_reach(i, j, shift, lattice_, margin_, context_.exact_decisions)) return;
-    const bool in_order = i < j || (i == j && ImageShift{} < shift);
-    pairs_.push({std::min(i, j), std::max(i, j)}, in_order ? shift : base::opposite(shift));
+    const std::uint32_t j = image.element;
+    const std::optional<ImageShift> shift = decider_.shift_within_reach(
+        i, j, images_.numbers_between(i, j, image.image), context_.exact_decisions);
+    if (!shift) return;
+    const bool in_order = i < j || (i == j && ImageShift{} < *shift);
+    pairs_.push({std::min(i, j), std::max(i, j)}, in_order ? *shift : base::opposite(*shift));
   }
 
   exact::Elements<Dim> elements_;
-  const exact::Lattice& lattice_;
-  double margin_;
   const Images<Dim>& images_;
+  lattice::ImageDecider<Dim> decider_;
   base::ImagePairWriter pairs_;
   base::DetectionContext& context_;
 };

@@ -10,12 +10,11 @@
 
 #include "base/opposite_shift.hpp"
 #include "lattice/check_range.hpp"
-#include "lattice/lattice_unit.hpp"
+#include "lattice/image_decider.hpp"
 #include "lattice/reduced_lattice.hpp"
 #include "reference/image_window.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,13 +28,14 @@ class Checker {
   Checker(const exact::Elements<Dim>& elements, const exact::Lattice& lattice, double margin,
           base::ImagePairWriter& pairs, base::DetectionContext& context)
       : elements_(elements),
-        lattice_(lattice),
         reduced_(lattice),
         windows_(reduced_),
+        decider_(elements, lattice, reduced_, margin),
         margin_(margin),
         pairs_(pairs),
         context_(context) {
-    require_range();
+    lattice::check_range_as_given<Dim>(elements.spheres, lattice, margin,
+                                       elements.are_boxes() ? Shape::box : Shape::sphere);
   }
 
   void check(std::size_t i, std::size_t j) {
@@ -48,11 +48,9 @@ class Checker {
       // Of (i, i, n) and (i, i, -n) one is a pair: look at one of them, name the positive one.
       if (i == j && numbers <= lattice::ImageNumbers{}) return;
       ++context_.candidate_tests;
-      std::optional<ImageShift> shift = reduced_.shift_of(numbers);
-      if (!shift) lattice::refuse_shift(i, j);
-      if (!elements_.within_reach(i, j, *shift, lattice_, margin_, context_.exact_decisions)) {
-        return;
-      }
+      std::optional<ImageShift> shift =
+          decider_.shift_within_reach(i, j, numbers, context_.exact_decisions);
+      if (!shift) return;
       if (i == j && *shift < ImageShift{}) shift = base::opposite(*shift);
       pairs_.push({static_cast<ElementIndex>(i), static_cast<ElementIndex>(j)}, *shift);
     });
@@ -65,20 +63,6 @@ class Checker {
     if (++steps_ % steps_between_polls == 0) context_.progress.poll();
   }
 
-  void require_range() const {
-    const auto& spheres = elements_.spheres;
-    double largest = margin_;
-    for (const exact::Sphere<Dim>& sphere : spheres) {
-      for (const double x : sphere.center) largest = std::max(largest, std::fabs(x));
-      largest = std::max(largest, sphere.radius);
-    }
-    const double unit = lattice::unit_of<Dim>(lattice_, largest);
-    const Shape shape = elements_.are_boxes() ? Shape::box : Shape::sphere;
-    if (unit == 1.0) return lattice::check_range<Dim>(spheres, reduced_, margin_, shape);
-    const lattice::ReducedLattice<Dim> enlarged(lattice::times(lattice_, unit));
-    lattice::check_range<Dim>(spheres, enlarged, margin_, shape, unit);
-  }
-
   [[nodiscard]] ImageWindow window_of(std::size_t i, std::size_t j) const noexcept {
     const auto& [spheres, boxes] = elements_;
     return elements_.are_boxes() ? windows_.of(boxes[i], boxes[j], margin_)
@@ -86,9 +70,9 @@ class Checker {
   }
 
   exact::Elements<Dim> elements_;
-  const exact::Lattice& lattice_;
   lattice::ReducedLattice<Dim> reduced_;
   ImageWindows<Dim> windows_;
+  lattice::ImageDecider<Dim> decider_;
   double margin_;
   base::ImagePairWriter& pairs_;
   base::DetectionContext& context_;

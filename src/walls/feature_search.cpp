@@ -7,7 +7,6 @@
 #include "elements/lattice_of.hpp"
 #include "kernels/simd_level.hpp"
 #include "lattice/check_range.hpp"
-#include "lattice/reduced_lattice.hpp"
 #include "walls/box_cover.hpp"
 
 #include <abut/error.hpp>
@@ -94,8 +93,8 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
     // Too far out: said of the sphere rather than of the box around it, and by the caller's
     // numbers.
     base::reporting_lack_of_memory(memory_, [&] {
-      const lattice::ReducedLattice<Dim> reduced(elements::lattice_of(domain));
-      lattice::check_range<Dim>(spheres_, reduced, options.margin, Shape::sphere);
+      lattice::check_range_as_given<Dim>(spheres_, elements::lattice_of(domain), options.margin,
+                                         Shape::sphere);
     });
     if (near_.size() == spheres_.size()) throw;
     base::reporting_lack_of_memory(memory_, [&] { keep_all(); });

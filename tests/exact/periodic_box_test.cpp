@@ -2,6 +2,7 @@
 
 #include "exact/periodic_box.hpp"
 
+#include "exact/far_images.hpp"
 #include "exact/hard_pairs.hpp"
 #include "support/dimensions.hpp"
 
@@ -81,6 +82,7 @@ struct Count {
   std::uint64_t pairs = 0;
   std::uint64_t within = 0;
   std::uint64_t exact_decisions = 0;
+  std::uint64_t far = 0;
 };
 
 template <int Dim>
@@ -110,6 +112,15 @@ void compare(const BoxPair<Dim>& pair, Count& count) {
   const exact::LatticeSteps<Dim> steps(pair.shift, pair.lattice);
   ASSERT_EQ(exact::within_reach_exactly(pair.box[0], pair.box[1], steps, pair.margin), expected)
       << pair;
+  for (const int bits : {0, 61, 92}) {
+    const auto far = by_shorter_vectors(pair.lattice, pair.shift, bits);
+    if (!far) continue;
+    ASSERT_EQ(exact::far_image_within_reach(pair.box[0], pair.box[1], far->shift, far->lattice,
+                                            pair.margin),
+              expected)
+        << pair << " by " << bits << " bits";
+    ++count.far;
+  }
   const double computed = exact::gap(pair.box[0], pair.box[1], pair.shift, pair.lattice);
   ASSERT_TRUE(is_rounded(gap, computed)) << computed << ": " << pair;
   ASSERT_EQ(computed <= 0.0, gap <= 0) << computed << ": " << pair;
@@ -204,6 +215,7 @@ TYPED_TEST(PeriodicBoxes, CancellationAtEveryNumberOfCells) {
     EXPECT_GT(count.exact_decisions, count.pairs / 4) << "the slow path must be reached";
     EXPECT_GT(count.within, count.pairs / 5) << bits;
     EXPECT_LT(count.within, count.pairs * 4 / 5) << bits;
+    EXPECT_EQ(count.far, count.pairs * 3) << bits;
   }
 }
 

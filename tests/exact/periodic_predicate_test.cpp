@@ -2,6 +2,7 @@
 
 #include "exact/periodic_predicate.hpp"
 
+#include "exact/far_images.hpp"
 #include "exact/periodic_pairs.hpp"
 #include "exact/periodic_stages.hpp"
 #include "support/dimensions.hpp"
@@ -22,6 +23,7 @@ struct Count {
   std::uint64_t exact_decisions = 0;
   std::uint64_t with_exact_difference = 0;
   std::uint64_t doubled = 0;
+  std::uint64_t far = 0;
 };
 
 template <int Dim>
@@ -44,6 +46,13 @@ void compare(const PeriodicPair<Dim>& pair, Count& count) {
   ASSERT_EQ(with_exact_difference.value_or(expected), expected) << pair;
   const auto doubled = exact::decide_in_double_double(a, b, steps, margin);
   ASSERT_EQ(doubled.value_or(expected), expected) << pair;
+  for (const int bits : {0, 61, 92}) {
+    const auto far = by_shorter_vectors(pair.lattice, pair.shift, bits);
+    if (!far) continue;
+    ASSERT_EQ(exact::far_image_within_reach(a, b, far->shift, far->lattice, margin), expected)
+        << pair << " by " << bits << " bits";
+    ++count.far;
+  }
   count.with_exact_difference += with_exact_difference.has_value() ? 1 : 0;
   count.doubled += doubled.has_value() ? 1 : 0;
   count.within += expected ? 1 : 0;
@@ -69,6 +78,7 @@ TYPED_TEST(PeriodicPredicate, CancellationAtEveryNumberOfCells) {
     EXPECT_GT(count.with_exact_difference, count.pairs / 10) << bits;
     EXPECT_LT(count.with_exact_difference, count.pairs) << bits;
     EXPECT_GT(count.doubled, count.pairs / 4) << bits;
+    EXPECT_EQ(count.far, count.pairs * 3) << bits;
   }
 }
 

@@ -314,11 +314,28 @@ TEST(ReducedLattice, DecidesByTheExactDeterminantOfThree) {
 }
 
 TEST(ReducedLattice, RefusesWhatNoShortBasisFits) {
-  const std::string expected = "the lattice vectors are so skewed, or so unequal in length";
   const Matrix skewed{{{1, 0, 0}, {1e20, 1, 0}, {}}};
-  EXPECT_EQ(error_of(lattice_of(skewed, {true, true, false}), 2).find(expected), 0u);
-  const Matrix unequal{{{1e-200, 0, 0}, {0, 1e200, 0}, {}}};
-  EXPECT_EQ(error_of(lattice_of(unequal, {true, true, false}), 2).find(expected), 0u);
+  EXPECT_EQ(error_of(lattice_of(skewed, {true, true, false}), 2)
+                .find("the lattice vectors are so skewed that a short basis"),
+            0u);
+}
+
+/// The limit is the same wherever the numbers lie, and holds for the shortest vector of the
+/// lattice, whatever vectors are given.
+TEST(ReducedLattice, RefusesVectorsOfVeryUnequalLengths) {
+  const std::string expected = "the lattice has a vector that is shorter than 2^-450";
+  for (const int exponent : {-560, 0, 500}) {
+    const auto error_at = [&](int ratio, double offset) {
+      const double side = std::ldexp(1.0, exponent);
+      const double length = std::ldexp(0.75, exponent + ratio);
+      const Matrix vectors{{{side, 0, 0}, {offset * side, length, 0}, {}}};
+      return error_of(lattice_of(vectors, {true, true, false}), 2);
+    };
+    for (const double offset : {0.0, 0.25, 1e9}) {
+      EXPECT_EQ(error_at(450, offset), "") << exponent << ", " << offset;
+      EXPECT_EQ(error_at(451, offset).find(expected), 0u) << exponent << ", " << offset;
+    }
+  }
 }
 
 }  // namespace

@@ -293,7 +293,16 @@ OracleAnswer ExactOracle::pairs(std::uint64_t most) const {
   return answer;
 }
 
+bool ExactOracle::is_unequal() const {
+  long square_bits = 0;
+  for (const Vector& vector : lattice_)
+    square_bits = std::max(square_bits, bits(dot(vector, vector)));
+  return !levels_.empty() &&
+         square_bits - bits(dot(levels_[0].vector, levels_[0].vector)) > 2 * 448;
+}
+
 bool ExactOracle::is_far() const {
+  if (is_unequal()) return true;
   long coordinate_bits = bits(margin_);
   for (const auto* vectors : {&centers_, &sizes_}) {
     for (const Vector& vector : *vectors) {

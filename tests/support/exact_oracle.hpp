@@ -34,8 +34,8 @@ struct OracleAnswer {
   std::vector<ImagePair> pairs;  ///< in canonical order
   bool too_many = false;         ///< more images within reach than were asked for: no answer
   bool beyond_shifts = false;    ///< some pair has a shift beyond 32 bits; it is left out
-  /// Elements or their reach may extend over more than 2^20 lattice vectors, or a short basis needs
-  /// as many of a vector.
+  /// Elements or their reach may extend over more than 2^20 lattice vectors, a short basis needs as
+  /// many of a vector, or some vector is nearly 2^450 times shorter than the longest one given.
   bool far = false;
 };
 
@@ -79,6 +79,7 @@ class ExactOracle {
   void reduce_lattice();
   void make_functionals();
   [[nodiscard]] bool is_far() const;
+  [[nodiscard]] bool is_unequal() const;
   [[nodiscard]] Vector difference(const ImagePair& image) const;
   [[nodiscard]] mpq_class number(const mpz_class& whole) const;
   [[nodiscard]] mpq_class box_gap(const ImagePair& image) const;

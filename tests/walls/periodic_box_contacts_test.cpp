@@ -223,6 +223,24 @@ TEST(PeriodicBoxContacts, WithARule) {
   EXPECT_EQ(list[0].box, 1U);
 }
 
+/// In cells of any size an error names what lies too far out, and nothing that does not.
+TEST(PeriodicBoxContacts, WhatLiesTooFarOutIsNamedAtEveryScale) {
+  for (const int exponent : {0, -500, -801, -1000, -1030}) {
+    const double s = std::ldexp(1.0, exponent);
+    const Numbers inside{0.5 * s}, radius{0.25 * s}, zero{0.0}, one{s};
+    const Numbers far{0x1p40 * s}, farther{0x1p41 * s};
+    const Domain square = Domain::periodic({s, s});
+    expect_error(ErrorCode::invalid_input, {"element 1 has xmin", "counted from 1"}, [&] {
+      static_cast<void>(find_box_contacts(discs(inside, inside, radius),
+                                          rectangles(far, zero, farther, one), square));
+    });
+    expect_error(ErrorCode::invalid_input, {"element 0 has y"}, [&] {
+      static_cast<void>(
+          find_box_contacts(discs(inside, far, radius), rectangles(zero, zero, one, one), square));
+    });
+  }
+}
+
 TEST(PeriodicBoxContacts, BadInputIsRefused) {
   const Numbers far{0x1p40}, one{1.0};
   const Domain square = Domain::periodic({1.0, 1.0});

@@ -6,6 +6,7 @@
 namespace abut::exact {
 
 __extension__ using Uint128 = unsigned __int128;
+__extension__ using Int128 = __int128;
 
 /// A finite double as sign * significand * 2^exponent, exactly.
 struct Decomposed {

@@ -20,21 +20,23 @@ namespace abut::exact {
 ///   weight  2^-2148 (the smallest product)  1        2^2048 and headroom, sign
 ///
 /// The largest product is below 2^2048; some 280 bits above it leave room for a factor of 64 bits
-/// and any number of terms that a program can add. (Kulisch's idea of a long accumulator.)
+/// and any number of terms that a program can add, or for a factor below 2^255 and a few hundred.
+/// (Kulisch's idea of a long accumulator.)
 template <int Degree = 2>
 class ExactAccumulator {
  public:
-  /// Adds factor * a.
-  void add(double a, std::int64_t factor) noexcept requires(Degree == 1) {
+  /// Adds factor * 2^power * a, the power from 0 to 128.
+  void add(double a, std::int64_t factor, int power = 0) noexcept requires(Degree == 1) {
     const Decomposed da = decompose(a);
-    add(da.significand, da.exponent, da.negative, factor);
+    add(da.significand, da.exponent + power, da.negative, factor);
   }
 
-  /// Adds factor * a * b.
-  void add_product(double a, double b, std::int64_t factor) noexcept requires(Degree == 2) {
+  /// Adds factor * 2^power * a * b, the power from 0 to 192.
+  void add_product(double a, double b, std::int64_t factor, int power = 0) noexcept
+      requires(Degree == 2) {
     const Decomposed da = decompose(a);
     const Decomposed db = decompose(b);
-    add(Uint128{da.significand} * db.significand, da.exponent + db.exponent,
+    add(Uint128{da.significand} * db.significand, da.exponent + db.exponent + power,
         da.negative != db.negative, factor);
   }
 

@@ -7,8 +7,6 @@
 namespace abut::fuzz {
 namespace {
 
-constexpr std::uint64_t most_images = 2500;
-
 bool groups_allow(const Rule& rule, const Traits& a, const Traits& b, std::size_t i,
                   std::size_t j) {
   if (a.sets.empty() || b.sets.empty()) return true;
@@ -43,7 +41,7 @@ bool allows(const System& system, std::size_t first, std::size_t second) {
   });
 }
 
-std::optional<Expected> expected_of(const System& system) {
+std::optional<Expected> expected_of(const System& system, std::uint64_t most_images) {
   const ElementArrays both =
       system.second ? testing::joined(system.first, *system.second) : system.first;
   const testing::ExactOracle oracle(both, system.domain, system.margin);

@@ -17,8 +17,8 @@ struct Expected {
   bool may_refuse = false;       ///< elements are far out, or reach far
 };
 
-/// None where there are more images within reach than a fuzzer should wait for.
-[[nodiscard]] std::optional<Expected> expected_of(const System& system);
+/// None where there are more pairs and images within reach than that.
+[[nodiscard]] std::optional<Expected> expected_of(const System& system, std::uint64_t most_images);
 
 /// Whether the rule of the system allows elements `first` and `second` to pair.
 [[nodiscard]] bool allows(const System& system, std::size_t first, std::size_t second);

@@ -3,12 +3,18 @@
 
 #include "fuzz/check_case.hpp"
 #include "fuzz/dump_case.hpp"
+#include "fuzz/number_memory.hpp"
 
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <optional>
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  abut::fuzz::keep_memory_of_numbers();
+  return 0;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace abut::fuzz;

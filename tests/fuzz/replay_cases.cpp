@@ -5,6 +5,7 @@
 
 #include "fuzz/check_case.hpp"
 #include "fuzz/dump_case.hpp"
+#include "fuzz/number_memory.hpp"
 #include "scenes/random.hpp"
 
 #include <algorithm>
@@ -89,6 +90,7 @@ int show(std::span<char*> paths) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_memory_of_numbers();
   if (argc > 1 && std::string_view(argv[1]) == "--show") {
     return show(std::span(argv + 2, argv + argc));
   }

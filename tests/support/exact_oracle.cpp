@@ -25,23 +25,29 @@ Decomposed decompose(double value) {
   return {significand, exponent};
 }
 
+// Numbers are changed in place: temporary ones would take most of the time.
+
+void set_to_dot(mpz_class& result, const Vector& a, const Vector& b) {
+  mpz_mul(result.get_mpz_t(), a[0].get_mpz_t(), b[0].get_mpz_t());
+  mpz_addmul(result.get_mpz_t(), a[1].get_mpz_t(), b[1].get_mpz_t());
+  mpz_addmul(result.get_mpz_t(), a[2].get_mpz_t(), b[2].get_mpz_t());
+}
+
 mpz_class dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  mpz_class result;
+  set_to_dot(result, a, b);
+  return result;
 }
 
 void subtract(Vector& from, const mpz_class& times, const Vector& vector) {
-  for (std::size_t axis = 0; axis < 3; ++axis) from[axis] -= times * vector[axis];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    mpz_submul(from[axis].get_mpz_t(), times.get_mpz_t(), vector[axis].get_mpz_t());
+  }
 }
 
 mpz_class floor_of_quotient(const mpz_class& a, const mpz_class& b) {
   mpz_class result;
   mpz_fdiv_q(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
-  return result;
-}
-
-mpz_class ceiling_of_quotient(const mpz_class& a, const mpz_class& b) {
-  mpz_class result;
-  mpz_cdiv_q(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
   return result;
 }
 
@@ -205,6 +211,10 @@ struct ExactOracle::Search {
   Vector reach{};  ///< of spheres the first
   mpz_class reach_squared{};
   std::array<mpz_class, 3> multiples{};
+  std::array<mpz_class, 3> last_multiples{};
+  std::array<mpz_class, 3> most_values{};  ///< the largest of each level's functional within reach
+  std::array<Vector, 4> differences{};     ///< left above each level
+  mpz_class scratch{};
 
   void begin(std::size_t first, std::size_t second) {
     i = first;
@@ -213,17 +223,21 @@ struct ExactOracle::Search {
       reach[axis] = oracle.sizes_[i][axis] + oracle.sizes_[j][axis] + oracle.margin_;
     }
     reach_squared = reach[0] * reach[0];
-    Vector difference;
+    const std::size_t height = oracle.levels_.size();
+    for (std::size_t k = 0; k < height; ++k) most_values[k] = extent(oracle.levels_[k]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      difference[axis] = oracle.centers_[i][axis] - oracle.centers_[j][axis];
+      differences[height][axis] = oracle.centers_[i][axis] - oracle.centers_[j][axis];
     }
-    descend(oracle.levels_.size(), difference);
+    descend(height);
   }
 
-  [[nodiscard]] bool within_reach(const Vector& difference) const {
-    if (oracle.shape_ == Shape::sphere) return dot(difference, difference) <= reach_squared;
+  [[nodiscard]] bool within_reach(const Vector& difference) {
+    if (oracle.shape_ == Shape::sphere) {
+      set_to_dot(scratch, difference, difference);
+      return scratch <= reach_squared;
+    }
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(oracle.dimensions_); ++axis) {
-      if (abs(difference[axis]) > reach[axis]) return false;
+      if (mpz_cmpabs(difference[axis].get_mpz_t(), reach[axis].get_mpz_t()) > 0) return false;
     }
     return true;
   }
@@ -238,26 +252,39 @@ struct ExactOracle::Search {
     return sum;
   }
 
-  void descend(std::size_t height, const Vector& difference) {
+  /// The multiples of a level's vector that may be within reach of what is left above it. False
+  /// where there are too many.
+  [[nodiscard]] bool find_multiples(std::size_t k) {
+    const Level& level = oracle.levels_[k];
+    mpz_class& first = multiples[k];
+    mpz_class& last = last_multiples[k];
+    set_to_dot(scratch, level.functional, differences[k + 1]);
+    first = scratch - most_values[k];
+    mpz_cdiv_q(first.get_mpz_t(), first.get_mpz_t(), level.determinant.get_mpz_t());
+    last = scratch + most_values[k];
+    mpz_fdiv_q(last.get_mpz_t(), last.get_mpz_t(), level.determinant.get_mpz_t());
+    scratch = last - first;
+    return scratch <= static_cast<unsigned long>(most);
+  }
+
+  void descend(std::size_t height) {
     if (answer.too_many) return;
     if (height == 0) {
-      if (within_reach(difference)) record();
+      if (within_reach(differences[0])) record();
       return;
     }
-    const Level& level = oracle.levels_[height - 1];
-    const mpz_class value = dot(level.functional, difference);
-    const mpz_class most_value = extent(level);
-    mpz_class multiple = ceiling_of_quotient(value - most_value, level.determinant);
-    const mpz_class last = floor_of_quotient(value + most_value, level.determinant);
-    if (last - multiple > static_cast<unsigned long>(most)) {
+    const std::size_t k = height - 1;
+    if (!find_multiples(k)) {
       answer.too_many = true;
       return;
     }
-    for (; multiple <= last; ++multiple) {
-      multiples[height - 1] = multiple;
-      Vector rest = difference;
-      subtract(rest, multiple, level.vector);
-      descend(height - 1, rest);
+    differences[k] = differences[height];
+    subtract(differences[k], multiples[k], oracle.levels_[k].vector);
+    for (; multiples[k] <= last_multiples[k]; ++multiples[k]) {
+      descend(k);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        differences[k][axis] -= oracle.levels_[k].vector[axis];
+      }
     }
   }
 

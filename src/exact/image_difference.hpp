@@ -2,7 +2,10 @@
 
 #include "exact/lattice.hpp"
 #include "exact/numbers/double_double.hpp"
+#include "exact/numbers/exact_accumulator.hpp"
 #include "exact/sphere.hpp"
+
+#include <cstdint>
 
 namespace abut::exact {
 
@@ -20,6 +23,17 @@ template <int Dim>
     difference.add(two_product(-static_cast<double>(step.number), step.vector[axis] * scale));
   }
   return difference;
+}
+
+/// The same of numbers of any size, rounded once; infinite beyond the largest double.
+template <int Dim>
+[[nodiscard]] double rounded_difference(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                        const LatticeSteps<Dim>& steps, int axis) noexcept {
+  ExactAccumulator<1> sum;
+  sum.add(a.center[axis], 1);
+  sum.add(b.center[axis], -1);
+  for (const auto& step : steps) sum.add(step.vector[axis], -std::int64_t{step.number});
+  return sum.rounded();
 }
 
 }  // namespace abut::exact

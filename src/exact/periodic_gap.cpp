@@ -12,18 +12,50 @@
 namespace abut::exact {
 namespace {
 
-/// Numbers whose sums or products by a shift might overflow, or lose bits in Dekker's splitting,
-/// are made smaller first: n A is below 2^1055.
+/// Sums of larger numbers, or their products by a shift, might overflow or lose bits in Dekker's
+/// splitting: n A is below 2^1055.
+constexpr double largest_summed = 0x1p900;
+
+/// Brings differences and radii that exceed this bound to where their squares can be scaled.
+constexpr double scale_of_large = 0x1p-128;
+
 template <int Dim>
-double scale_of_numbers(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                        const LatticeSteps<Dim>& steps) noexcept {
+double largest_number(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                      const LatticeSteps<Dim>& steps) noexcept {
   double largest = std::max(a.radius, b.radius);
   for (int axis = 0; axis < Dim; ++axis) {
     largest = std::max({largest, std::fabs(a.center[axis]), std::fabs(b.center[axis])});
     for (const auto& step : steps) largest = std::max(largest, std::fabs(step.vector[axis]));
   }
-  return largest > 0x1p900 ? 0x1p-128 : 1.0;
+  return largest;
 }
+
+/// x_a - (x_b + n A), times a power of two.
+template <int Dim>
+struct ScaledDifference {
+  ScaledDifference(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                   const LatticeSteps<Dim>& steps) noexcept
+      : largest(std::max(a.radius, b.radius)) {
+    const bool large = largest_number(a, b, steps) > largest_summed;
+    for (int axis = 0; axis < Dim; ++axis) {
+      component[axis] = large ? rounded_difference(a, b, steps, axis)
+                              : image_difference(a, b, steps, axis).value().high;
+      largest = std::max(largest, std::fabs(component[axis]));
+    }
+    if (!large || largest <= largest_summed) return;
+    // Beside a number that large, what scaling loses of the others is of no account.
+    scale = scale_of_large;
+    largest = std::max(a.radius, b.radius) * scale;
+    for (int axis = 0; axis < Dim; ++axis) {
+      component[axis] = image_difference(a, b, steps, axis, scale).value().high;
+      largest = std::max(largest, std::fabs(component[axis]));
+    }
+  }
+
+  double component[Dim] = {};
+  double scale = 1.0;
+  double largest;  ///< of the components and the radii, times the scale
+};
 
 /// A further power of two that brings distance or radii near one where squares would leave the
 /// exponent range.
@@ -40,16 +72,11 @@ double gap(const Sphere<Dim>& a, const Sphere<Dim>& b, const ImageShift& shift,
            const Lattice& lattice) noexcept {
   const LatticeSteps<Dim> steps(shift, lattice);
   if (steps.empty()) return gap(a, b);
-  const double first_scale = scale_of_numbers(a, b, steps);
-  double difference[Dim];
-  double largest = std::max(a.radius, b.radius) * first_scale;
-  for (int axis = 0; axis < Dim; ++axis) {
-    difference[axis] = image_difference(a, b, steps, axis, first_scale).value().high;
-    largest = std::max(largest, std::fabs(difference[axis]));
-  }
-  const double scale = scale_of_squares(largest);
+  const ScaledDifference<Dim> difference(a, b, steps);
+  const double first_scale = difference.scale;
+  const double scale = scale_of_squares(difference.largest);
   double distance_squared = 0.0;
-  for (const double component : difference) {
+  for (const double component : difference.component) {
     distance_squared += (component * scale) * (component * scale);
   }
   const double radii = a.radius * first_scale * scale + b.radius * first_scale * scale;

@@ -99,6 +99,21 @@ TEST(PeriodicGapCases, PlainNumbers) {
   EXPECT_EQ(exact::gap(a, a, {1, 0, 0}, lattice), 8.0);
 }
 
+/// The largest numbers cancel exactly, and leave those at the other end of the range.
+TEST(PeriodicGapCases, SmallNumbersStayBesideLargeOnesThatCancel) {
+  constexpr double huge = std::numeric_limits<double>::max();
+  exact::Lattice lattice;
+  lattice.vectors[0] = {huge, 0.0, 0.0};
+  lattice.periodic[0] = true;
+  for (const int exponent : {-300, -900, -950, -1060}) {
+    const double s = std::ldexp(1.0, exponent);
+    const exact::Sphere<2> far{{huge, 0.0}, s};
+    const exact::Sphere<2> near{{0.0, 7.0 * s}, 2.0 * s};
+    EXPECT_EQ(exact::gap(far, near, {1, 0, 0}, lattice), 4.0 * s) << exponent;
+    EXPECT_EQ(exact::gap(near, far, {-1, 0, 0}, lattice), 4.0 * s) << exponent;
+  }
+}
+
 TEST(PeriodicGapCases, AGapThatNoDoubleHoldsIsTheLargest) {
   constexpr double huge = std::numeric_limits<double>::max();
   exact::Lattice lattice;

@@ -71,6 +71,8 @@ int check_random(std::uint64_t count, std::uint64_t first_seed) {
     std::ofstream(name, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
+    std::printf("%s fails, after %llu that were checked\n", name.c_str(),
+                static_cast<unsigned long long>(checked - 1));
     return 1;
   }
   std::printf("%llu random cases from seed %llu on, %llu checked, no failure\n",

@@ -62,6 +62,21 @@ TEST(Detector, GivesWhatTheFreeFunctionsGive) {
   }
 }
 
+TEST(Detector, CountsTheWorkOfEachCall) {
+  for (const char* name : names) {
+    SCOPED_TRACE(name);
+    const Scene scene = made(name, 20000);
+    const Options options{.algorithm = Algorithm::rows, .threads = 2};
+    const Statistics expected = count_contact_pairs(view_of(scene), Domain::open(), options);
+    Detector detector(options);
+    for (int call = 0; call < 3; ++call) {
+      const Statistics found = detector.count_contact_pairs(view_of(scene));
+      EXPECT_EQ(found.candidate_tests, expected.candidate_tests);
+      EXPECT_EQ(found.exact_decisions, expected.exact_decisions);
+    }
+  }
+}
+
 /// Blocks that a call asks for after the same call, of the same elements.
 template <class Call>
 std::uint64_t requests_of_the_second(const Call& call) {

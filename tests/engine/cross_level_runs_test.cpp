@@ -26,6 +26,9 @@ class CrossLevelRunsOf : public ::testing::Test {
   static constexpr double largest_radius = 0.02;
   static constexpr double margin = 0.005;
 
+  /// Own elements, as large as any, whose cell ends or begins where they are.
+  static bool is_on_a_face(std::size_t k) { return k < 3000 && k % 10 == 0; }
+
   /// 3000 own elements in a tile of side 0.9 at the corner (5, 5, 5), and copies around it.
   CrossLevelRunsOf() : tile(memory), cross_level(memory) {
     Random random(11);
@@ -36,6 +39,8 @@ class CrossLevelRunsOf : public ::testing::Test {
       grid.count[axis] = 1;
       grid.lower[axis] = 5.0;
     }
+    const auto cells = engine::choose_tile_cells(grid, 1.0, 3300);
+    frame.cell_size = cells.size_in_unit(grid, 1.0);
     for (std::size_t k = 0; k < 3300; ++k) {
       const bool own = k < 3000;
       exact::Sphere<dim> sphere{};
@@ -43,20 +48,22 @@ class CrossLevelRunsOf : public ::testing::Test {
       for (std::size_t axis = 0; axis < dim; ++axis) {
         sphere.center[axis] = random.uniform(5.0, 5.9);
         if (!own && axis == k % dim) sphere.center[axis] = 4.98;
+        if (axis == 0 && is_on_a_face(k)) {
+          const double face = std::floor((sphere.center[0] - 5.0) / frame.cell_size[0]);
+          sphere.center[0] = 5.0 + face * frame.cell_size[0] + random.uniform(-1e-5, 1e-5);
+        }
         record.center[axis] = static_cast<float>(sphere.center[axis] - 5.0);
       }
-      sphere.radius = largest_radius * random.uniform();
+      sphere.radius = largest_radius * (is_on_a_face(k) ? 1.0 : random.uniform());
       radii.push_back(static_cast<float>(sphere.radius));
       record.number = static_cast<std::uint32_t>(k);
       spheres.push_back(sphere);
       records.push_back(record);
     }
-    const auto cells = engine::choose_tile_cells(grid, 1.0, records.size());
     const auto kernels = kernels::element_kernels(Simd::scalar);
     abut::testing::NobodyAsked nobody;
     tile.count(records, 3000, cells, kernels, nobody.work);
     tile.sort(records, {kernels::TileShape::spheres, radii, 0.0f}, kernels, nobody.work);
-    frame.cell_size = cells.size_in_unit(grid, 1.0);
     frame.largest_radius = largest_radius;
     frame.margin = margin;
   }
@@ -109,6 +116,29 @@ TYPED_TEST(CrossLevelRunsOf, RunsHoldAllThatIsWithinReach) {
   }
   EXPECT_GT(within, 10000U);
   EXPECT_LT(offered, 3 * within) << "rows far beyond the ball";
+}
+
+/// Coarse elements that just reach an element, straight along its row.
+TYPED_TEST(CrossLevelRunsOf, RunsEndBehindTheLastElementWithinReach) {
+  const kernels::TileView& view = this->tile.view();
+  for (std::uint32_t e = 0; e < 3000; e += 10) {
+    ASSERT_TRUE(this->is_on_a_face(e));
+    for (const double side : {-1.0, 1.0}) {
+      const auto& element = this->spheres[e];
+      exact::Sphere<TypeParam::value> coarse = element;
+      coarse.radius = 0.3;
+      const double reach = coarse.radius + element.radius + this->margin;
+      coarse.center[0] += side * (reach - 1e-9);
+      ASSERT_TRUE(exact::within_reach_exactly(coarse, element, this->margin));
+      bool is_in_a_run = false;
+      for (const kernels::Run& run : this->cross_level.runs(view, this->frame, just(coarse), 0)) {
+        for (std::uint32_t p = run.begin; p < run.end; ++p) {
+          is_in_a_run = is_in_a_run || view.number[p] == e;
+        }
+      }
+      EXPECT_TRUE(is_in_a_run) << "element " << e << ", side " << side;
+    }
+  }
 }
 
 TYPED_TEST(CrossLevelRunsOf, NoRunsForCoarseElementsOutOfReach) {

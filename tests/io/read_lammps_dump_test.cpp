@@ -140,6 +140,19 @@ TEST(ReadLammpsDump, FramesBeforeATruncatedOneCanBeRead) {
   EXPECT_THROW(static_cast<void>(read_text("a.dump", text)), Error);
 }
 
+/// Whether the frame itself is asked for or one behind it.
+TEST(ReadLammpsDump, AFrameWithTooFewAtomsIsTold) {
+  const std::string whole = frame(unit_box, "x y z radius", {"1 2 3 4", "5 6 7 8"});
+  const std::string text = whole.substr(0, whole.find("5 6 7 8")) + whole;
+  for (const std::int64_t asked : {0, 1, -1}) {
+    const std::string sentence = sentence_of(ErrorCode::invalid_input, [&] {
+      static_cast<void>(read_text("a.dump", text, at_frame(asked)));
+    });
+    EXPECT_NE(sentence.find("a section begins after 1 of the 2 atoms"), std::string::npos)
+        << sentence;
+  }
+}
+
 TEST(ReadLammpsDump, RealPour) {
   const std::string path = ABUT_EXAMPLE_DATA "/lammps_pour.dump";
   const Snapshot snapshot = read_snapshot(path);

@@ -85,6 +85,24 @@ TEST(WriteContacts, ImageShiftsOfPeriodicDomains) {
   EXPECT_NE(sentence.find("0 image shifts for 3 contact pairs"), std::string::npos) << sentence;
 }
 
+/// Three different numbers, whose places tell the axes apart.
+TEST(WriteContacts, ShiftsStandInTheOrderOfTheAxes) {
+  Snapshot one;
+  one.dimensions = 3;
+  one.x = one.y = one.z = {0.0};
+  one.radius = {0.5};
+  const std::vector<ContactPair> pairs{{0, 0}};
+  const std::vector<ImageShift> shifts{{2, -3, 6}};
+  const ContactImages images{std::span(shifts), Domain::periodic({1.0, 1.0, 1.0})};
+  const Scratch scratch;
+  const auto text = [&](ContactFormat format) {
+    write_contacts({scratch.path("out"), format, IdColumns::without, {}}, one, pairs, images);
+    return text_of(scratch.path("out"));
+  };
+  EXPECT_EQ(text(ContactFormat::csv), "i,j,nx,ny,nz,gap\n0,0,2,-3,6,6\n");
+  EXPECT_NE(text(ContactFormat::json).find("\n[0, 0, 2, -3, 6, 6]\n"), std::string::npos);
+}
+
 /// i of the first set and j of the second, whose gaps and ids are its own.
 TEST(WriteContacts, TwoSets) {
   Snapshot other = three_in_a_row();

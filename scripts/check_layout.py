@@ -48,6 +48,7 @@ MAY_INCLUDE = CORE | {
     "cli": {"include/abut", "src/io", "src/io/read", "src/io/write", "scenes"},
     "benchmarks": {"include/abut", "src/io", "src/io/read", "src/io/write", "scenes"},
     "examples": {"include/abut"},
+    "bindings/python": {"include/abut", "src/io", "src/io/read", "src/io/write"},
 }
 # What the core may include besides: headers of the standard library, which have no dot, and these.
 SYSTEM_HEADERS = {"hwy/foreach_target.h", "hwy/highway.h", "hwy/targets.h", "omp.h", "pthread.h",

@@ -1,0 +1,228 @@
+"""Contact pairs, and what is asked of them."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _abut
+from ._domain import OPEN, Domain
+from ._elements import Elements
+from ._errors import UsageError
+from ._statistics import Statistics
+
+if TYPE_CHECKING:
+    import pandas
+    import scipy.sparse
+
+
+class Contacts:
+    """The contact pairs of one detection, each once.
+
+    Arrays are read-only views of the memory that the detection filled. They may be kept: they
+    outlive this object. `gap` is computed when it is first asked for, from the caller's positions;
+    ask before these change.
+
+    >>> import abut
+    >>> c = abut.contacts([[0, 0, 0], [1, 0, 0], [1.75, 0, 0]], 0.5)
+    >>> c
+    <abut.Contacts: 2 contact pairs of 3 spheres, mean coordination 1.333>
+    >>> c.i, c.j
+    (array([0, 1], dtype=uint32), array([1, 2], dtype=uint32))
+    >>> c.gap
+    array([ 0.  , -0.25])
+    """
+
+    def __init__(
+        self,
+        results: _abut.PairResults,
+        elements: Elements,
+        others: Elements | None,
+        domain: Domain | None,
+        *,
+        is_canonical: bool = True,
+    ) -> None:
+        self._results: _abut.PairResults | None = results
+        self._elements = elements
+        self._others = others
+        self._domain = OPEN if domain is None else domain
+        self._is_canonical = is_canonical
+
+    def __len__(self) -> int:
+        return len(self.pairs) if self._results is None else len(self._results)
+
+    @cached_property
+    def pairs(self) -> npt.NDArray[np.uint32]:
+        """Table (M, 2) of the indices of the two elements of each pair."""
+        return self._native().pairs
+
+    @property
+    def i(self) -> npt.NDArray[np.uint32]:
+        """Index of the first element of each pair: a view of `pairs`."""
+        return self.pairs[:, 0]
+
+    @property
+    def j(self) -> npt.NDArray[np.uint32]:
+        """Index of the second element of each pair: a view of `pairs`."""
+        return self.pairs[:, 1]
+
+    @cached_property
+    def shift(self) -> npt.NDArray[np.int32]:
+        """Table (M, 3) of image shifts n: j, moved by n times the lattice vectors, touches i."""
+        shifts = self._native().shifts
+        if len(shifts) == len(self):
+            return shifts
+        if self._domain.is_periodic:
+            raise UsageError("image shifts were not stored; ask for them with shifts=True")
+        return np.broadcast_to(np.int32(0), (len(self), 3))
+
+    @cached_property
+    def gap(self) -> npt.NDArray[np.float64]:
+        """Distance of the surfaces of each pair, in the unit of the positions; <= 0 exactly where
+        the elements touch."""
+        gaps = _abut.gaps(
+            self._elements._native,
+            None if self._others is None else self._others._native,
+            self._domain._native,
+            self.pairs,
+            np.ascontiguousarray(self.shift),
+        )
+        gaps.flags.writeable = False
+        return gaps
+
+    @cached_property
+    def statistics(self) -> Statistics:
+        """Work and cost of the detection."""
+        return Statistics(**self._native().statistics)
+
+    @property
+    def elements(self) -> Elements:
+        """The elements of the only or the first set."""
+        return self._elements
+
+    @property
+    def others(self) -> Elements | None:
+        """The elements of the second set, or None."""
+        return self._others
+
+    @property
+    def domain(self) -> Domain:
+        """The domain of the detection."""
+        return self._domain
+
+    @cached_property
+    def _rows(self) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.uint32]]:
+        counts = np.bincount(self.i, minlength=len(self._elements))
+        indptr = np.concatenate(([0], np.cumsum(counts)))
+        if self._is_canonical:
+            return indptr, self.j
+        return indptr, self.j[np.argsort(self.i, kind="stable")]
+
+    @property
+    def indptr(self) -> npt.NDArray[np.int64]:
+        """Compressed rows: the pairs of element e are indices[indptr[e]:indptr[e + 1]]."""
+        return self._rows[0]
+
+    @property
+    def indices(self) -> npt.NDArray[np.uint32]:
+        """Second elements of the pairs, row after row of first elements."""
+        return self._rows[1]
+
+    def _only_set(self, what: str) -> int:
+        if self._others is not None:
+            raise UsageError(f"{what} is of contacts within one set; these are of two")
+        return len(self._elements)
+
+    def coordination(self) -> npt.NDArray[np.int64]:
+        """Number of contacts of each element. An image of itself counts twice.
+
+        >>> import abut
+        >>> abut.contacts([[0, 0], [1, 0], [2, 0]], 0.5).coordination()
+        array([1, 2, 1])
+        """
+        count = self._only_set("the coordination number")
+        return np.bincount(self.i, minlength=count) + np.bincount(self.j, minlength=count)
+
+    def rattlers(self, needed: int | None = None) -> npt.NDArray[np.bool_]:
+        """True for elements without support: those with fewer than `needed` contacts, when these
+        are taken away those that then have fewer, and so on.
+
+        Parameters
+        ----------
+        needed : int
+            Contacts that hold an element; the number of dimensions + 1 by default.
+
+        >>> import abut
+        >>> abut.contacts([[0, 0], [1, 0], [2, 0]], 0.5).rattlers(2)
+        array([ True,  True,  True])
+        """
+        count = self._only_set("a rattler")
+        if needed is None:
+            needed = self._elements.dimensions + 1
+        return _abut.rattlers(self.pairs, count, needed).view(np.bool_)
+
+    def clusters(self) -> npt.NDArray[np.int64]:
+        """Number of the cluster of each element: elements joined by contacts are in one cluster.
+        Clusters are numbered from 0 in the order of their smallest elements.
+
+        >>> import abut
+        >>> abut.contacts([[0, 0], [5, 0], [1, 0]], 0.5).clusters()
+        array([0, 1, 0])
+        """
+        return _abut.clusters(self.pairs, self._only_set("a cluster")).view(np.int64)
+
+    def to_scipy(self, values: npt.ArrayLike | None = None) -> scipy.sparse.csr_array:
+        """Sparse matrix (N, N), symmetric; of two sets (N, M).
+
+        Parameters
+        ----------
+        values : array (number of pairs,)
+            Value of each pair; 1 by default. Values of several images of a pair are added up.
+        """
+        import scipy.sparse
+
+        data = np.ones(len(self)) if values is None else np.asarray(values)
+        partners = self._elements if self._others is None else self._others
+        shape = (len(self._elements), len(partners))
+        i, j = self.i.astype(np.int64), self.j.astype(np.int64)
+        if self._others is None:
+            i, j, data = np.append(i, j), np.append(j, i), np.append(data, data)
+        return scipy.sparse.csr_array(scipy.sparse.coo_array((data, (i, j)), shape=shape))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Data frame with columns i, j, in a periodic domain nx, ny, nz, and gap."""
+        import pandas
+
+        columns: dict[str, Any] = {"i": self.i, "j": self.j}
+        if self._domain.is_periodic:
+            columns |= {name: self.shift[:, k] for k, name in enumerate(("nx", "ny", "nz"))}
+        return pandas.DataFrame(columns | {"gap": self.gap})
+
+    def __repr__(self) -> str:
+        plural = {"box": "boxes"}.get(self._elements.shape, self._elements.shape + "s")
+        text = f"<abut.Contacts: {len(self):,} contact pairs of {len(self._elements):,}"
+        if self._others is not None:
+            return f"{text} and {len(self._others):,} {plural}>"
+        mean = 2 * len(self) / max(1, len(self._elements))
+        return f"{text} {plural}, mean coordination {mean:.4g}>"
+
+    def _native(self) -> _abut.PairResults:
+        if self._results is None:
+            raise UsageError("contacts that were pickled no longer have this")
+        return self._results
+
+    def __getstate__(self) -> dict[str, Any]:
+        has_shifts = len(self._native().shifts) if self._results else "shift" in self.__dict__
+        return {
+            "_results": None,
+            "_elements": self._elements,
+            "_others": self._others,
+            "_domain": self._domain,
+            "_is_canonical": self._is_canonical,
+            "pairs": self.pairs,
+            "statistics": self.statistics,
+            **({"shift": self.shift} if has_shifts or not self._domain.is_periodic else {}),
+        }

@@ -1,0 +1,160 @@
+"""One detection: contacts, pairs and counts."""
+
+from __future__ import annotations
+
+from typing import Any, Unpack
+
+import numpy.typing as npt
+
+from . import _abut
+from ._contacts import Contacts
+from ._domain import Domain, native_domain
+from ._elements import Elements, require_elements, round_elements
+from ._options import Options, ProgressFunction, call_options
+from ._rules import ExclusionList
+from ._statistics import Statistics
+
+
+def contacts(
+    x: Any,
+    r: Any = None,
+    *,
+    domain: Domain | None = None,
+    margin: float = 0.0,
+    groups: npt.ArrayLike | None = None,
+    exclude: npt.ArrayLike | ExclusionList | None = None,
+    algorithm: str = "auto",
+    order: str = "canonical",
+    shifts: bool | None = None,
+    max_pairs: int | None = None,
+    max_bytes: int | None = None,
+    threads: int | None = None,
+    progress: ProgressFunction | None = None,
+    **others: Any,
+) -> Contacts:
+    """Finds which spheres (in 2D: discs) touch: all pairs with |x_i - x_j| <= r_i + r_j + margin.
+
+    The comparison is made as with real numbers: no pair is missed, none comes twice, none is there
+    by rounding. Touching counts.
+
+    Parameters
+    ----------
+    x : array (N, 2) or (N, 3), tuple of columns, list of points, or table
+        Positions. Arrays of float32 and float64 are read where they are, whatever their strides.
+        A tuple always means columns (x, y[, z]), a list always points. A table (data frame, data
+        set, mapping, structured array) has columns x, y[, z] and, if `r` is left out, radius or r.
+    r : array (N,) or number
+        Radii, at least 0, in the unit of the positions.
+    domain : Domain
+        Open space by default.
+    margin : float
+        Distance from touching up to which elements are contact pairs, too; at least 0.
+    groups : array (N,) of whole numbers
+        Elements of equal groups do not pair.
+    exclude : array (K, 2) of whole numbers, or ExclusionList
+        Pairs that are none.
+    algorithm : str
+        'auto', or a name of `algorithms`. All give the same pairs.
+    order : 'canonical' or 'as_found'
+        Canonical: ascending by (i, j, shift).
+    shifts : bool
+        Whether image shifts are stored; by default in periodic domains.
+    max_pairs, max_bytes : int
+        Limits on the number of pairs and on abut's own memory.
+    threads : int
+        Number of threads; OpenMP's default if it is left out. Any number gives the same bytes.
+    progress : function
+        Called with a phase, the elements treated in it and their number; False cancels.
+    **others
+        `rule` and `simd`, as in `Options`.
+
+    Returns
+    -------
+    Contacts
+
+    Raises
+    ------
+    InputError, InputTypeError
+        NaN, infinity, a negative radius (the text names the first bad element), a wrong shape or
+        type.
+    UsageError
+        An option out of range.
+    LimitError
+        More pairs or memory than allowed.
+    KeyboardInterrupt
+        Ctrl-C.
+
+    Examples
+    --------
+    >>> import abut
+    >>> c = abut.contacts([[0, 0], [1, 0], [3, 0]], 0.5)
+    >>> c.pairs
+    array([[0, 1]], dtype=uint32)
+    """
+    elements = x if isinstance(x, Elements) and r is None else round_elements(x, r)
+    native = native_domain(domain)
+    options = call_options(
+        (len(elements), None),
+        domain,
+        margin,
+        groups,
+        exclude,
+        algorithm=algorithm,
+        order=order,
+        shifts=shifts,
+        max_pairs=max_pairs,
+        max_bytes=max_bytes,
+        threads=threads,
+        progress=progress,
+        **others,
+    )
+    results = _abut.find_contact_pairs(elements._native, None, native, options)
+    return Contacts(results, elements, None, domain, is_canonical=order == "canonical")
+
+
+def _prepared(
+    elements: Elements, others: Elements | None, options: Options
+) -> tuple[Any, Any, _abut.Domain, _abut.CallOptions]:
+    first = require_elements(elements)
+    second = None if others is None else require_elements(others)
+    native = native_domain(options.get("domain"))
+    sizes = (len(first), None if second is None else len(second))
+    return (
+        first._native,
+        None if second is None else second._native,
+        native,
+        call_options(sizes, **options),
+    )
+
+
+def find_contact_pairs(
+    elements: Elements, others: Elements | None = None, **options: Unpack[Options]
+) -> Contacts:
+    """Finds the contact pairs of elements of any shape, or of two sets of elements.
+
+    With two sets, i is of `elements` and j of `others`; elements of one set never pair with each
+    other. The options are those of `contacts`.
+
+    >>> import abut
+    >>> boxes = abut.boxes([[0, 0, 0], [1, 0, 0]], [[1, 1, 1], [2, 1, 1]])
+    >>> abut.find_contact_pairs(boxes)
+    <abut.Contacts: 1 contact pairs of 2 boxes, mean coordination 1>
+    >>> probes = abut.points([[0.0, 0.0, 0.0]])
+    >>> len(abut.find_contact_pairs(probes, abut.spheres([[0.5, 0.0, 0.0]], 0.5)))
+    1
+    """
+    results = _abut.find_contact_pairs(*_prepared(elements, others, options))
+    is_canonical = options.get("order", "canonical") == "canonical"
+    return Contacts(results, elements, others, options.get("domain"), is_canonical=is_canonical)
+
+
+def count_contact_pairs(
+    elements: Elements, others: Elements | None = None, **options: Unpack[Options]
+) -> Statistics:
+    """Counts the contact pairs without storing them: `contact_pairs` of what it returns.
+
+    >>> import abut
+    >>> abut.count_contact_pairs(abut.discs([[0, 0], [1, 0]], 0.5)).contact_pairs
+    1
+    """
+    return Statistics(**_abut.count_contact_pairs(*_prepared(elements, others, options)))

@@ -1,0 +1,78 @@
+"""Options that every detection takes, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypedDict
+
+import numpy.typing as npt
+
+from . import _abut
+from ._arrays import count, number
+from ._domain import Domain
+from ._errors import InputTypeError
+from ._rules import ExclusionList, PairRule, rule_of
+
+#: Called with the phase, the elements treated in it and their number; False cancels.
+ProgressFunction = Callable[[str, int, int], "bool | None"]
+
+
+class Options(TypedDict, total=False):
+    """Options of a detection; each may be left out."""
+
+    domain: Domain | None  #: Open space if it is left out.
+    margin: float  #: Distance from touching up to which elements are contact pairs, too.
+    groups: npt.ArrayLike | tuple[npt.ArrayLike, npt.ArrayLike] | None  #: Equal ones do not pair.
+    exclude: npt.ArrayLike | ExclusionList | None  #: Pairs that are none.
+    rule: PairRule | None  #: In place of groups and exclude.
+    algorithm: str  #: 'auto' or a name of `algorithms`.
+    order: str  #: 'canonical' or 'as_found'.
+    shifts: bool | None  #: Whether image shifts are stored; None: in periodic domains.
+    max_pairs: int | None  #: One pair more raises LimitError.
+    max_bytes: int | None  #: Bound on the bytes of abut's own buffers.
+    threads: int | None  #: None for OpenMP's default.
+    simd: str  #: Instruction set, 'auto' or a name of `simd_levels`.
+    progress: ProgressFunction | None  #: Called now and then.
+
+
+def call_options(
+    sizes: tuple[int, int | None],
+    domain: Domain | None = None,
+    margin: float = 0.0,
+    groups: Any = None,
+    exclude: Any = None,
+    rule: PairRule | None = None,
+    algorithm: str = "auto",
+    order: str = "canonical",
+    shifts: bool | None = None,
+    max_pairs: int | None = None,
+    max_bytes: int | None = None,
+    threads: int | None = None,
+    simd: str = "auto",
+    progress: ProgressFunction | None = None,
+) -> _abut.CallOptions:
+    """Options for the compiled module, checked as far as types go."""
+    for what, name in (("algorithm", algorithm), ("order", order), ("simd", simd)):
+        if not isinstance(name, str):
+            raise InputTypeError(f"{what} is a name, not {name!r}")
+    if progress is not None and not callable(progress):
+        raise InputTypeError(f"progress is a function, not {progress!r}")
+    if shifts is None:
+        shifts = domain is not None and domain.is_periodic
+    return _abut.CallOptions(
+        number(margin, "the margin"),
+        algorithm,
+        order,
+        bool(shifts),
+        rule_of(rule, groups, exclude, sizes),
+        count(max_pairs, "max_pairs"),
+        count(max_bytes, "max_bytes"),
+        _threads(threads),
+        simd,
+        progress,
+    )
+
+
+def _threads(given: int | None) -> int | None:
+    threads = count(given, "threads")
+    return None if threads is None else min(threads, 2**31 - 1)

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace abut::python {
+
+namespace nb = nanobind;
+
+/// An array of NumPy that cannot be written.
+template <class T>
+using ReadOnlyArray = nb::ndarray<nb::numpy, const T>;
+
+/// Shows numbers that `owner` holds; the array keeps the owner alive. No copy.
+template <class T>
+[[nodiscard]] ReadOnlyArray<T> array_of(std::span<const T> numbers, nb::handle owner) {
+  return ReadOnlyArray<T>(numbers.data(), {numbers.size()}, owner);
+}
+
+/// Shows records of `width` numbers of type T each as rows of a table. No copy.
+template <class T, class Record>
+[[nodiscard]] ReadOnlyArray<T> table_of(std::span<const Record> records, nb::handle owner) {
+  constexpr std::size_t width = sizeof(Record) / sizeof(T);
+  static_assert(width * sizeof(T) == sizeof(Record));
+  return ReadOnlyArray<T>(static_cast<const void*>(records.data()), {records.size(), width}, owner);
+}
+
+/// Gives a vector to NumPy, which may write to it.
+template <class T>
+[[nodiscard]] nb::ndarray<nb::numpy, T> given_away(std::vector<T> numbers) {
+  auto kept = std::make_unique<std::vector<T>>(std::move(numbers));
+  const nb::capsule owner(
+      kept.get(), [](void* vector) noexcept { delete static_cast<std::vector<T>*>(vector); });
+  std::vector<T>& vector = *kept.release();
+  return nb::ndarray<nb::numpy, T>(vector.data(), {vector.size()}, owner);
+}
+
+}  // namespace abut::python

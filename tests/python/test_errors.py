@@ -1,0 +1,129 @@
+"""Each error of the library is an exception of Python's own kind, too; Ctrl-C arrives."""
+
+import os
+import pickle
+import re
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+from conftest import SOURCES
+
+import abut
+from abut import _errors
+
+BUILT_IN = {
+    "unexpected": RuntimeError,
+    "wrong_usage": ValueError,
+    "invalid_input": ValueError,
+    "limit_exceeded": MemoryError,
+    "output_failed": OSError,
+    "unavailable": RuntimeError,
+    "check_failed": AssertionError,
+    "cancelled": KeyboardInterrupt,
+}
+
+
+def test_every_code_has_its_exception():
+    header = (SOURCES / "include/abut/error.hpp").read_text()
+    codes = dict(re.findall(r"^  (\w+) = (\d+),", header, re.MULTILINE))
+    assert codes.keys() == BUILT_IN.keys()
+    for name, code in codes.items():
+        error = _errors.made(int(code), "a sentence")
+        assert isinstance(error, abut.Error)
+        assert isinstance(error, BUILT_IN[name])
+        assert error.code == int(code)
+        assert str(error) == "a sentence"
+        assert type(pickle.loads(pickle.dumps(error))) is type(error)
+    assert len({type(_errors.made(int(code), "")) for code in codes.values()}) == len(codes)
+
+
+def test_wrong_usage():
+    x = [[0, 0], [1, 0]]
+    for options in (
+        {"algorithm": "quick"},
+        {"order": "random"},
+        {"simd": "mmx"},
+        {"margin": -1},
+        {"margin": np.nan},
+    ):
+        with pytest.raises(abut.Error) as caught:
+            abut.contacts(x, 0.5, **options)
+        assert isinstance(caught.value, ValueError), options
+    for options in (
+        {"algorithm": 3},
+        {"margin": "wide"},
+        {"margin": [1, 2]},
+        {"max_pairs": 1.5},
+        {"progress": 3},
+        {"threads": "two"},
+        {"rule": 3},
+    ):
+        with pytest.raises(TypeError):
+            abut.contacts(x, 0.5, **options)
+    with pytest.raises(ValueError, match="max_pairs"):
+        abut.contacts(x, 0.5, max_pairs=-1)
+
+
+def test_limits_are_memory_errors_and_the_interpreter_lives(cloud):
+    with pytest.raises(MemoryError) as caught:
+        abut.contacts(*cloud, max_pairs=3)
+    assert isinstance(caught.value, abut.LimitError)
+    with pytest.raises(MemoryError):
+        abut.contacts(*cloud, max_bytes=1000)
+    assert len(abut.contacts(*cloud, max_pairs=10**6)) > 3
+
+
+def test_progress_is_told_and_may_cancel(cloud):
+    told = []
+    abut.contacts(*cloud, progress=lambda *now: told.append(now))
+    assert told
+    assert all(isinstance(phase, str) and done <= total for phase, done, total in told)
+    with pytest.raises(abut.Cancelled):
+        abut.contacts(*cloud, progress=lambda *now: False)
+    with pytest.raises(ZeroDivisionError):
+        abut.contacts(*cloud, progress=lambda *now: 1 // 0)
+
+
+def long_detection():
+    """All pairs of many coincident elements, counted: seconds of work."""
+    return abut.count_contact_pairs(abut.discs(np.zeros((300_000, 2)), 0.5))
+
+
+def test_ctrl_c_stops_a_detection():
+    threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        long_detection()
+
+
+def test_other_threads_run_during_a_detection():
+    ticks = []
+    stop = threading.Event()
+
+    def tick():
+        while not stop.is_set():
+            ticks.append(None)
+            time.sleep(0.001)
+
+    def cancel(*_):
+        return len(ticks) < 5
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    try:
+        with pytest.raises(abut.Cancelled):
+            abut.count_contact_pairs(abut.discs(np.zeros((300_000, 2)), 0.5), progress=cancel)
+    finally:
+        stop.set()
+        thread.join()
+    assert len(ticks) >= 5
+
+
+def test_a_forked_child_detects(cloud):
+    expected = len(abut.contacts(*cloud, threads=2))
+    child = os.fork()
+    if child == 0:
+        os._exit(0 if len(abut.contacts(*cloud, threads=2)) == expected else 1)
+    assert os.waitpid(child, 0)[1] == 0

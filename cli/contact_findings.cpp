@@ -2,8 +2,6 @@
 
 #include "interrupt.hpp"
 
-#include <abut/two_sets.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
@@ -29,14 +27,12 @@ Findings findings(const ElementSets& sets, const PairList& pairs) {
   std::vector<std::uint32_t> of_first(sets.first.size(), 0);
   std::vector<std::uint32_t> of_second(sets.are_two() ? sets.second->size() : 0, 0);
   std::vector<std::uint32_t>& of_partners = sets.are_two() ? of_second : of_first;
-  const ElementView first = sets.first.elements();
-  const ElementView partners = sets.partners().elements();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const ContactPair& pair = pairs[k];
     const ImageShift shift = pairs.shifts().empty() ? ImageShift{} : pairs.shifts()[k];
     ++of_first[pair.first];
     ++of_partners[pair.second];
-    const double gap_here = gap(first, partners, sets.domain, pair, shift);
+    const double gap_here = pairs.gaps()[k];
     // Of equal gaps the first in canonical order, whatever the order of the list.
     if (gap_here < found.smallest_gap ||
         (gap_here == found.smallest_gap &&

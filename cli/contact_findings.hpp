@@ -24,7 +24,7 @@ struct Findings {
   ImageShift shift;  ///< of the closest
 };
 
-/// Throws Error{cancelled} after an interrupt.
+/// The pairs with their gaps. Throws Error{cancelled} after an interrupt.
 [[nodiscard]] Findings findings(const ElementSets& sets, const PairList& pairs);
 
 }  // namespace abut::cli

@@ -4,11 +4,12 @@
 
 namespace abut::cli {
 
-/// Wall-clock time of the phases of a command; `search` includes the ordering of the pairs.
+/// Wall-clock time of the phases of a command; `search` includes ordering and measuring the pairs.
 struct PhaseSeconds {
   double read = 0.0;
   double search = 0.0;
   double write = 0.0;
+  double summary = 0.0;
   double total = 0.0;
 };
 

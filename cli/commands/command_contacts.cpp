@@ -59,6 +59,8 @@ PairList detect(const ContactsOptions& options, const ElementSets& sets, const L
   detection.rule = rule.rule();
   const bool only_counted = options.report == Report::count && options.output.empty();
   if (sets.domain.is_periodic() && !only_counted) detection.shifts = Shifts::stored;
+  const bool summarized = options.report == Report::summary && !console.is_quiet();
+  if (summarized || !options.output.empty()) detection.quantities = Quantity::gap;
   const ElementView first = sets.first.elements();
   if (sets.are_two()) {
     const ElementView second = sets.second->elements();
@@ -74,7 +76,7 @@ void write(const ContactsOptions& options, io::ContactFormat format, const Eleme
   const auto ids = options.ids ? io::IdColumns::with : io::IdColumns::without;
   const io::Durability durability =
       io::write_contacts({options.output, format, ids, console.progress()}, sets.elements(),
-                         pairs.pairs(), {pairs.shifts(), sets.domain});
+                         pairs.pairs(), {pairs.shifts(), sets.domain, pairs.gaps()});
   warn_unless_synced(durability, options.output, console);
 }
 
@@ -144,11 +146,16 @@ void run(const ContactsOptions& options) {
     write(options, format, sets, pairs, console);
     seconds.write = stopwatch.lap();
   }
-  seconds.total = seconds.read + seconds.search + seconds.write;
   console.finish();
 
   if (options.report == Report::summary && console.is_quiet()) return;
-  report_beside(options.output, report_text(options, {sets, rule, pairs}, seconds));
+  Findings found;
+  if (options.report == Report::summary) {
+    found = findings(sets, pairs);
+    seconds.summary = stopwatch.lap();
+  }
+  seconds.total = seconds.read + seconds.search + seconds.write + seconds.summary;
+  report_beside(options.output, report_text(options, {sets, rule, pairs, found}, seconds));
 }
 
 }  // namespace abut::cli

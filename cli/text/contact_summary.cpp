@@ -100,10 +100,14 @@ std::string closest_elements(const ElementSets& sets, const Findings& found) {
 std::string time_text(const ContactsOptions& options, const PairList& pairs,
                       const PhaseSeconds& seconds) {
   const double order = pairs.statistics().order_seconds;
-  std::string text = fmt::format("{}: read {}, search {}", duration(seconds.total),
-                                 duration(seconds.read), duration(seconds.search - order));
+  const double measuring = pairs.statistics().measure_seconds;
+  std::string text =
+      fmt::format("{}: read {}, search {}", duration(seconds.total), duration(seconds.read),
+                  duration(seconds.search - order - measuring));
   if (options.detection.order == Order::canonical) text += ", order " + duration(order);
+  text += ", measure " + duration(measuring);
   if (!options.output.empty()) text += ", write " + duration(seconds.write);
+  text += ", summarize " + duration(seconds.summary);
   return text;
 }
 
@@ -142,7 +146,7 @@ std::string contact_summary(const ContactsOptions& options, const Contacts& cont
   table.add_row({"contact pairs", count});
   if (!contacts.rule.text().empty()) table.add_row({"left out", contacts.rule.text()});
   if (sets.first.size() > 0 && sets.partners().size() > 0) {
-    const Findings found = findings(sets, pairs);
+    const Findings& found = contacts.found;
     table.add_row({"coordination", coordination_text(sets, pairs, found)});
     table.add_row({with_margin ? "without a pair" : "touch nothing", alone_text(sets, found)});
     if (!pairs.empty()) {

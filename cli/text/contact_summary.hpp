@@ -1,6 +1,7 @@
 #pragma once
 
 #include "commands/command_contacts.hpp"
+#include "contact_findings.hpp"
 #include "element_sets.hpp"
 #include "options/rule_options.hpp"
 #include "phase_seconds.hpp"
@@ -16,6 +17,7 @@ struct Contacts {
   const ElementSets& sets;
   const LoadedRule& rule;
   const PairList& pairs;  ///< with their shifts where the domain is periodic
+  const Findings& found;
 };
 
 /// What people want to know about a packing at first sight.

@@ -28,9 +28,10 @@ struct Statistics {
   std::uint64_t peak_bytes = 0;       ///< most bytes held at once in abut's own buffers
   std::uint64_t working_bytes = 0;  ///< most bytes without the pairs: elements, cells, heads, lists
 
-  double gather_seconds = 0.0;  ///< reading and checking the caller's arrays
-  double search_seconds = 0.0;  ///< mapping to cells, candidates, tests
-  double order_seconds = 0.0;   ///< bringing the pairs into canonical order
+  double gather_seconds = 0.0;   ///< reading and checking the caller's arrays
+  double search_seconds = 0.0;   ///< mapping to cells, candidates, tests
+  double order_seconds = 0.0;    ///< bringing the pairs into canonical order
+  double measure_seconds = 0.0;  ///< measuring the quantities that were asked for
 };
 
 }  // namespace abut

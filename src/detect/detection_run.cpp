@@ -146,9 +146,7 @@ Statistics DetectionRun::list(const DetectionRequest& request, const lists::Pair
     statistics.contact_pairs = found_.size();
     skin_.note_survivors(found_.size());
     context.progress.begin("order", found_.size());
-    Stopwatch stopwatch;
-    write(static_cast<std::size_t>(statistics.threads), context.work);
-    statistics.order_seconds = stopwatch.lap();
+    write(Writing{static_cast<std::size_t>(statistics.threads), context, statistics});
     return statistics;
   });
 }
@@ -159,28 +157,37 @@ Statistics DetectionRun::list_pairs(const DetectionRequest& request, const PairA
   const Options& options = request.options;
   const Statistics result =
       list(request, {options.max_pairs, found_shifts(request), options.order, list_buffer.buffer()},
-           [&](std::size_t workers, base::WorkCounter& work) {
-             write_pairs(request, arrays, workers, work);
-           });
+           [&](const Writing& writing) { write_pairs(request, arrays, writing); });
   list_buffer.keep();
   geometry.keep();
   return result;
 }
 
+template <class Measure>
+void DetectionRun::measure(const DetectionRequest& request, PairGeometry& geometry,
+                           PairCount entries, const Writing& writing, Measure&& fill) {
+  if (!is_measured(request)) return;
+  Stopwatch stopwatch;
+  const lists::SizedGeometry sized(geometry, request.options.quantities, entries, memory_);
+  writing.context.progress.begin("measure", entries);
+  fill();
+  writing.statistics.measure_seconds = stopwatch.lap();
+}
+
 void DetectionRun::write_pairs(const DetectionRequest& request, const PairArrays& arrays,
-                               std::size_t workers, base::WorkCounter& work) {
+                               const Writing& writing) {
+  Stopwatch stopwatch;
   const std::size_t kept = found_.in_buffer();
   const std::size_t shift_count = with_shifts(request) ? found_.size() : 0;
   const lists::ResultBuffer pair_buffer(arrays.pairs, found_.size(), memory_, kept);
   const lists::ResultBuffer shift_buffer(arrays.shifts, shift_count, memory_,
                                          std::min(kept, arrays.shifts.size()));
-  order_pairs(request, arrays, workers, work);
-  if (is_measured(request)) {
-    const lists::SizedGeometry sized(arrays.geometry, request.options.quantities, found_.size(),
-                                     memory_);
-    request.elements.dimensions() == 2 ? measure_pairs<2>(request, arrays, workers, work)
-                                       : measure_pairs<3>(request, arrays, workers, work);
-  }
+  order_pairs(request, arrays, writing.workers, writing.context.work);
+  writing.statistics.order_seconds = stopwatch.lap();
+  measure(request, arrays.geometry, found_.size(), writing, [&] {
+    request.elements.dimensions() == 2 ? measure_pairs<2>(request, arrays, writing)
+                                       : measure_pairs<3>(request, arrays, writing);
+  });
   if (request.options.shifts == Shifts::none) arrays.shifts.clear();
 }
 
@@ -212,30 +219,29 @@ Statistics DetectionRun::list_neighbors(const DetectionRequest& request, Neighbo
   lists::GeometryBuffers geometry(arrays.geometry);
   const Statistics result =
       list(request, {.limit = request.options.max_pairs, .shifts = found_shifts(request)},
-           [&](std::size_t workers, base::WorkCounter& work) {
-             write_rows(request, kind, arrays, workers, work);
-           });
+           [&](const Writing& writing) { write_rows(request, kind, arrays, writing); });
   buffers.keep();
   geometry.keep();
   return result;
 }
 
 void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind kind,
-                              const NeighborArrays& arrays, std::size_t workers,
-                              base::WorkCounter& work) {
+                              const NeighborArrays& arrays, const Writing& writing) {
+  Stopwatch stopwatch;
   const PairCount entries = found_.size() * (kind == NeighborListKind::full ? 2 : 1);
   const lists::ResultBuffer offset_buffer(arrays.offsets, request.elements.size() + 1, memory_);
   const lists::ResultBuffer neighbor_buffer(arrays.neighbors, entries, memory_);
   const lists::ResultBuffer shift_buffer(arrays.shifts, with_shifts(request) ? entries : 0,
                                          memory_);
+  base::WorkCounter& work = writing.context.work;
   if (found_shifts(request) == Shifts::none) fill_with_none(arrays.shifts, work);
   csr_builder_.list(found_.pieces(), kind, {arrays.offsets, arrays.neighbors, arrays.shifts},
-                    workers, work);
-  if (is_measured(request)) {
-    const lists::SizedGeometry sized(arrays.geometry, request.options.quantities, entries, memory_);
-    request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, workers, work)
-                                       : measure_rows<3>(request, arrays, workers, work);
-  }
+                    writing.workers, work);
+  writing.statistics.order_seconds = stopwatch.lap();
+  measure(request, arrays.geometry, entries, writing, [&] {
+    request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, writing)
+                                       : measure_rows<3>(request, arrays, writing);
+  });
   if (request.options.shifts == Shifts::none) arrays.shifts.clear();
 }
 
@@ -251,20 +257,20 @@ geometry::MeasuredSets<Dim> DetectionRun::measured_sets(const DetectionRequest& 
 
 template <int Dim>
 void DetectionRun::measure_pairs(const DetectionRequest& request, const PairArrays& arrays,
-                                 std::size_t workers, base::WorkCounter& work) {
+                                 const Writing& writing) {
   const std::span<const ImageShift> shifts = request.domain.is_periodic()
                                                  ? std::span<const ImageShift>(arrays.shifts)
                                                  : std::span<const ImageShift>();
   geometry::measure_pairs<Dim>(measured_sets<Dim>(request), arrays.pairs, shifts,
-                               arrays.geometry.spans(), workers, work);
+                               arrays.geometry.spans(), writing.workers, writing.context.work);
 }
 
 template <int Dim>
 void DetectionRun::measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
-                                std::size_t workers, base::WorkCounter& work) {
+                                const Writing& writing) {
   const geometry::MeasuredRows rows{arrays.offsets, arrays.neighbors, arrays.shifts};
-  geometry::measure_rows<Dim>(measured_sets<Dim>(request), rows, arrays.geometry.spans(), workers,
-                              work);
+  geometry::measure_rows<Dim>(measured_sets<Dim>(request), rows, arrays.geometry.spans(),
+                              writing.workers, writing.context.work);
 }
 
 }  // namespace abut::detect

@@ -88,20 +88,32 @@ class DetectionRun {
   template <class Write>
   Statistics list(const DetectionRequest& request, const lists::PairDemand& demand, Write&& write);
 
-  void write_pairs(const DetectionRequest& request, const PairArrays& arrays, std::size_t workers,
-                   base::WorkCounter& work);
+  /// With what results are written, and where it is told what that takes.
+  struct Writing {
+    std::size_t workers;
+    base::DetectionContext& context;
+    Statistics& statistics;
+  };
+
+  /// Sizes the arrays of the quantities that are wanted and calls `fill` for them.
+  template <class Measure>
+  void measure(const DetectionRequest& request, PairGeometry& geometry, PairCount entries,
+               const Writing& writing, Measure&& fill);
+
+  void write_pairs(const DetectionRequest& request, const PairArrays& arrays,
+                   const Writing& writing);
   void order_pairs(const DetectionRequest& request, const PairArrays& arrays, std::size_t workers,
                    base::WorkCounter& work);
   template <int Dim>
-  void measure_pairs(const DetectionRequest& request, const PairArrays& arrays, std::size_t workers,
-                     base::WorkCounter& work);
+  void measure_pairs(const DetectionRequest& request, const PairArrays& arrays,
+                     const Writing& writing);
   void write_rows(const DetectionRequest& request, NeighborListKind kind,
-                  const NeighborArrays& arrays, std::size_t workers, base::WorkCounter& work);
+                  const NeighborArrays& arrays, const Writing& writing);
   template <int Dim>
   [[nodiscard]] geometry::MeasuredSets<Dim> measured_sets(const DetectionRequest& request);
   template <int Dim>
   void measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
-                    std::size_t workers, base::WorkCounter& work);
+                    const Writing& writing);
 
   base::MemoryMeter memory_;
   base::ByDimension<RunArrays> arrays_{RunArrays<2>(memory_), RunArrays<3>(memory_)};

@@ -1,7 +1,7 @@
 #include "io/write/contact_writer.hpp"
 
 #include <abut/error.hpp>
-#include <abut/two_sets.hpp>
+#include <abut/measure.hpp>
 
 #include <fmt/format.h>
 
@@ -17,11 +17,11 @@ ContactWriter::ContactWriter(const ContactOutput& output, const ContactElements&
       second_(elements.partners().elements()),
       pairs_(pairs),
       images_(images),
-      with_ids_(output.ids == IdColumns::with) {}
-
-double ContactWriter::gap(std::uint64_t k) const {
-  return is_periodic() ? abut::gap(first_, second_, images_.domain, pairs_[k], images_.shifts[k])
-                       : abut::gap(first_, second_, pairs_[k]);
+      gaps_(images.gaps),
+      with_ids_(output.ids == IdColumns::with) {
+  if (gaps_.size() == pairs.size()) return;
+  own_gaps_ = measure(first_, second_, {pairs, images.shifts}, Quantity::gap, images.domain).gaps;
+  gaps_ = own_gaps_;
 }
 
 std::vector<std::string_view> ContactWriter::column_names() const {

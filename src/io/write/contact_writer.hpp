@@ -5,6 +5,7 @@
 #include "io/write/write_contacts.hpp"
 
 #include <abut/pair.hpp>
+#include <abut/pair_geometry.hpp>
 
 #include <cstdint>
 #include <span>
@@ -31,7 +32,7 @@ class ContactWriter {
   [[nodiscard]] ImageShift shift(std::uint64_t k) const {
     return is_periodic() ? images_.shifts[k] : ImageShift{};
   }
-  [[nodiscard]] double gap(std::uint64_t k) const;
+  [[nodiscard]] double gap(std::uint64_t k) const noexcept { return gaps_[k]; }
 
   /// The files' own numbers of the elements of pair k.
   [[nodiscard]] std::int64_t first_id(std::uint64_t k) const {
@@ -68,6 +69,8 @@ class ContactWriter {
   ElementView second_;  ///< what j is one of
   std::span<const ContactPair> pairs_;
   const ContactImages& images_;
+  NumberArray own_gaps_;  ///< where none were given
+  std::span<const double> gaps_;
   bool with_ids_;
   std::string text_;
 };

@@ -55,6 +55,7 @@ struct ContactElements {
 struct ContactImages {
   std::span<const ImageShift> shifts;  ///< one a pair
   Domain domain = Domain::open();
+  std::span<const double> gaps = {};  ///< one a pair, as measured; none: they are measured here
 };
 
 /// Writes the pairs in the order given, with their gaps.

@@ -76,6 +76,15 @@ void refuse_range_of_numbers() {
       "2^720; bring what lies so far out closer, or make the lattice vectors longer");
 }
 
+void require_narrow_window(double most_cells) {
+  constexpr double widest = 0x1p36;
+  if (most_cells <= widest) return;
+  throw Error(
+      ErrorCode::invalid_input,
+      "the lattice vectors differ so much in length that images along the shortest cannot be "
+      "told apart for elements so many cells out; move the elements into the cell");
+}
+
 void refuse_shift(std::size_t i, std::size_t j) {
   throw Error(ErrorCode::invalid_input,
               "elements " + std::to_string(std::min(i, j)) + " and " +

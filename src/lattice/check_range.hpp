@@ -24,6 +24,11 @@ template <int Dim>
 void check_range_as_given(std::span<const exact::Sphere<Dim>> spheres,
                           const exact::Lattice& lattice, double margin, Shape shape);
 
+/// Throws Error{invalid_input} unless images are told apart: where windows of them are far wider
+/// than any reach that check_range allows, what is rounded of a long vector covers too many of a
+/// short one.
+void require_narrow_window(double most_cells);
+
 /// Elements i and j pair with a shift beyond 2^31 - 1.
 [[noreturn]] void refuse_shift(std::size_t i, std::size_t j);
 

@@ -35,27 +35,10 @@ class GhostWindow {
               const CellExtent<Dim>& extent, const Reaches& reaches, double unit) noexcept
       : orthogonal_cell_(orthogonal_cell), extent_(extent) {
     const double scale = lattice.scale / unit;
-    const Vector farthest_numbers = farthest_numbers_of(lattice, reaches, scale);
-    for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-      double moved = 0.0;  // by images along earlier sides
-      double rounding = 0x1p-47 * orthogonal_cell.magnitude(k, extent.farthest) + 0x1p-40;
-      for (std::size_t l = 0; l < orthogonal_cell.count; ++l) {
-        rounding += 0x1p-60 * orthogonal_cell.weight[k][l];
-        if (l < k) {
-          const double offset = std::fabs(orthogonal_cell.offset[l][k]) * most_cells_[l];
-          moved += offset;
-          rounding += 0x1p-48 * offset + most_cells_[l] * orthogonal_cell.error[k][l];
-        } else if (l > k && orthogonal_cell.error[k][l] > 0.0) {
-          rounding += farthest_numbers[l] * orthogonal_cell.error[k][l];
-        }
-      }
-      set_widths(k, reaches, scale, rounding);
-      // Images along the side itself: of its own error they take twice the part that they are.
-      const double most = extent.upper[k] - extent.lower[k] + widest_[k] + moved;
-      rounding += 2.0 * orthogonal_cell.error[k][k] * most;
-      set_widths(k, reaches, scale, rounding);
-      set_most_cells(k, moved, rounding);
-    }
+    Vector farthest_numbers = farthest_numbers_of(lattice, reaches, scale);
+    do {
+      measure(reaches, scale, farthest_numbers);
+    } while (lower(farthest_numbers));
   }
 
   [[nodiscard]] std::size_t sides() const noexcept { return orthogonal_cell_.count; }
@@ -134,6 +117,44 @@ class GhostWindow {
     for (std::size_t k = 0; k < orthogonal_cell_.count; ++k)
       result[k] = 2.5 * (distance / length(k));
     return result;
+  }
+
+  /// All widths, with numbers of no more than that along later sides.
+  void measure(const Reaches& reaches, double scale, const Vector& farthest_numbers) noexcept {
+    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+      double moved = 0.0;  // by images along earlier sides
+      double rounding = 0x1p-47 * orthogonal_cell_.magnitude(k, extent_.farthest) + 0x1p-40;
+      for (std::size_t l = 0; l < orthogonal_cell_.count; ++l) {
+        rounding += 0x1p-60 * orthogonal_cell_.weight[k][l];
+        if (l < k) {
+          const double offset = std::fabs(orthogonal_cell_.offset[l][k]) * most_cells_[l];
+          moved += offset;
+          rounding += 0x1p-48 * offset + most_cells_[l] * orthogonal_cell_.error[k][l];
+        } else if (l > k && orthogonal_cell_.error[k][l] > 0.0) {
+          rounding += farthest_numbers[l] * orthogonal_cell_.error[k][l];
+        }
+      }
+      set_widths(k, reaches, scale, rounding);
+      // Images along the side itself: of its own error they take twice the part that they are.
+      const double most = extent_.upper[k] - extent_.lower[k] + widest_[k] + moved;
+      rounding += 2.0 * orthogonal_cell_.error[k][k] * most;
+      set_widths(k, reaches, scale, rounding);
+      set_most_cells(k, moved, rounding);
+    }
+  }
+
+  /// Takes the numbers that windows hold in place of bounds that are far above them. Returns
+  /// whether there were any that may matter.
+  [[nodiscard]] bool lower(Vector& farthest_numbers) const noexcept {
+    constexpr double far_more_than_any = 0x1p36;
+    bool lowered = false;
+    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+      if (!(farthest_numbers[k] > far_more_than_any)) continue;
+      if (!(most_cells_[k] < 0.5 * farthest_numbers[k])) continue;
+      farthest_numbers[k] = most_cells_[k];
+      lowered = true;
+    }
+    return lowered;
   }
 
   void set_widths(std::size_t k, const Reaches& reaches, double scale, double rounding) noexcept {

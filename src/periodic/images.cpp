@@ -231,6 +231,9 @@ void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
 template <int Dim>
 void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
                              const ImageSettings& settings) {
+  for (std::size_t k = 0; k < plan.orthogonal_cell.count; ++k) {
+    lattice::require_narrow_window(plan.windows.of_large.most_cells(k));
+  }
   note_shifts(plan.windows.of_large);
   reach_is_long_ = plan.to_move.empty() && is_long_reach<Dim>(home, plan.windows);
   if (reach_is_long_) {

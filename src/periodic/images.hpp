@@ -138,9 +138,11 @@ class Images {
   [[nodiscard]] lattice::ImageNumbers numbers_between(
       std::size_t i, std::size_t j, const std::array<std::int32_t, 3>& image) const;
 
+  /// Times given_unit(), as the elements that were given to `find`.
   [[nodiscard]] const lattice::ReducedLattice<Dim>& reduced_lattice() const noexcept {
     return *lattice_;
   }
+  [[nodiscard]] double given_unit() const noexcept { return given_unit_; }
   /// Of many pairs of two locals.
   void shifts_between(std::span<const ContactPair> pairs, std::span<ImageShift> shifts) const;
 

@@ -22,7 +22,7 @@ class PeriodicDecider final : public engine::ExactDecider {
         lattice_(lattice),
         images_(images),
         margin_(margin),
-        by_numbers_(originals, lattice, images.reduced_lattice(), margin) {}
+        by_numbers_(originals, lattice, images.reduced_lattice(), images.given_unit(), margin) {}
 
   [[nodiscard]] bool within_reach(std::uint32_t first, std::uint32_t second,
                                   std::uint64_t& exact_decisions) const override {

@@ -63,7 +63,7 @@ class LongReach {
             const Images<Dim>& images, base::PairSink& sink, base::DetectionContext& context)
       : elements_(elements),
         images_(images),
-        decider_(elements, lattice, images.reduced_lattice(), margin),
+        decider_(elements, lattice, images.reduced_lattice(), images.given_unit(), margin),
         pairs_(sink),
         context_(context) {}
 

@@ -30,7 +30,7 @@ class Checker {
       : elements_(elements),
         reduced_(lattice),
         windows_(reduced_),
-        decider_(elements, lattice, reduced_, margin),
+        decider_(elements, lattice, reduced_, 1.0, margin),
         margin_(margin),
         pairs_(pairs),
         context_(context) {
@@ -42,6 +42,7 @@ class Checker {
     count_step();
     ImageWindow window = window_of(i, j);
     if (window.is_empty()) return;
+    lattice::require_narrow_window(window.farthest());
     if (i == j) window.first[0] = 0;
     for_each_image(window, [&](const lattice::ImageNumbers& numbers) {
       count_step();

@@ -21,6 +21,13 @@ struct ImageWindow {
   [[nodiscard]] bool is_empty() const noexcept {
     return first[0] > last[0] || first[1] > last[1] || first[2] > last[2];
   }
+
+  /// The largest of the numbers, by magnitude.
+  [[nodiscard]] double farthest() const noexcept {
+    std::int64_t result = 0;
+    for (std::size_t k = 0; k < 3; ++k) result = std::max({result, -first[k], last[k]});
+    return static_cast<double>(result);
+  }
 };
 
 template <class Body>
@@ -49,6 +56,9 @@ constexpr double farthest_number = 0x1p40;
 // that a long side of the cell leaves no trace on the others.
 //   |m_l| <= (|d| + R) D_l but for 2^-40, since |b_l| D_l <= 2 and e_kl <= 2^-45 D_k |b_l|
 // (lattice::ReducedLattice); for l = k also |m_k| (1 - e_kk) <= |t_k| + |g_k . v| + the other e_kl.
+// The first is coarse where vectors differ much in length: d may be long along one of them, and m_l
+// count another. But the window itself bounds m_l, with any bounds of the others in it. So windows
+// are computed again with these, as long as they shrink.
 // Rounding in d and t_k is below 2^-50 of the sum of |g_k| |d| over the axes. The window takes
 // 2^-48 of it, 2^-40 of |g_k . v|, twice all e_kl, and 2^-40 for numbers below the normal range.
 //
@@ -131,29 +141,65 @@ class ImageWindows {
     return std::fabs(product - (k == l ? 1.0 : 0.0)) + 0x1p-50 * weight;
   }
 
+  /// On one side: where the number of an image lies, and how far off it may be for what all sides
+  /// but itself leave in doubt.
+  struct Place {
+    double number = 0.0;
+    double width = 0.0;
+  };
+
   /// half_bound(k) is half of a bound of |g_k . v|.
   template <class HalfBound>
   [[nodiscard]] ImageWindow window(const HalfDifference& difference,
                                    HalfBound&& half_bound) const noexcept {
-    ImageWindow window;
+    std::array<Place, Dim> places;
+    std::array<double, Dim> most{};  // of the numbers, by magnitude
     for (std::size_t k = 0; k < lattice_.count; ++k) {
-      double number = 0.0;
       double magnitude = 0.0;
       for (std::size_t axis = 0; axis < Dim; ++axis) {
         const double term = 2.0 * lattice_.dual[k][axis] * difference.center[axis];
-        number += term;
+        places[k].number += term;
         magnitude += std::fabs(term);
       }
-      double width = 2.0 * half_bound(k) * (1.0 + 0x1p-40) + 0x1p-48 * magnitude + 0x1p-40;
-      for (std::size_t l = 0; l < lattice_.count; ++l) {
-        if (l == k || error_[k][l] == 0.0) continue;
-        width += 2.0 * error_[k][l] * (lattice_.dual_length[l] * (2.0 * difference.span));
-      }
-      width += 2.0 * error_[k][k] * (std::fabs(number) + width);
-      window.first[k] = static_cast<std::int64_t>(std::ceil(cut(number - width)));
-      window.last[k] = static_cast<std::int64_t>(std::floor(cut(number + width)));
+      places[k].width = 2.0 * half_bound(k) * (1.0 + 0x1p-40) + 0x1p-48 * magnitude + 0x1p-40;
+      most[k] = lattice_.dual_length[k] * (2.0 * difference.span);
+    }
+    while (lower(most, places)) {
+    }
+    ImageWindow window;
+    for (std::size_t k = 0; k < lattice_.count; ++k) {
+      const double width = width_of(k, places[k], most);
+      window.first[k] = static_cast<std::int64_t>(std::ceil(cut(places[k].number - width)));
+      window.last[k] = static_cast<std::int64_t>(std::floor(cut(places[k].number + width)));
     }
     return window;
+  }
+
+  /// The whole width, with numbers up to `most` on the other sides.
+  [[nodiscard]] double width_of(std::size_t k, const Place& place,
+                                const std::array<double, Dim>& most) const noexcept {
+    double width = place.width;
+    for (std::size_t l = 0; l < lattice_.count; ++l) {
+      if (l == k || error_[k][l] == 0.0) continue;
+      width += 2.0 * error_[k][l] * most[l];
+    }
+    return width + 2.0 * error_[k][k] * (std::fabs(place.number) + width);
+  }
+
+  /// Puts the windows in place of bounds that are far above them. Returns whether there were any
+  /// that may matter.
+  [[nodiscard]] bool lower(std::array<double, Dim>& most,
+                           const std::array<Place, Dim>& places) const noexcept {
+    constexpr double far_more_than_any = 0x1p36;
+    bool lowered = false;
+    for (std::size_t k = 0; k < lattice_.count; ++k) {
+      if (!(most[k] > far_more_than_any)) continue;
+      const double bound = std::fabs(places[k].number) + width_of(k, places[k], most);
+      if (!(bound < 0.5 * most[k])) continue;
+      most[k] = bound;
+      lowered = true;
+    }
+    return lowered;
   }
 
   const lattice::ReducedLattice<Dim>& lattice_;

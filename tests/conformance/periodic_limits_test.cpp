@@ -111,6 +111,31 @@ TEST(LongCell, CostsNoMoreThanAShortOne) {
   }
 }
 
+/// Found by the fuzzer: two short vectors oblique to each other, and elements many long ones out.
+TEST(LongCell, MayHaveObliqueShortVectors) {
+  constexpr double length = 0x1p300;
+  const Domain domain = Domain::lattice({81, 0, 0}, {9, 16, 0}, {0, 0, length});
+  const Scene scene = scene_of(
+      3, {{1, 2, 0, 4}, {5, 2, 53 * length, 3}, {79, 2, -12 * length, 3}, {10, 18, length, 3}});
+  std::vector<double> lower[3], upper[3];
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    const double centers[] = {scene.x[k], scene.y[k], scene.z[k]};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lower[axis].push_back(centers[axis] - 1.0);
+      upper[axis].push_back(centers[axis] + 1.0);
+    }
+  }
+  const ElementView of_boxes = boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
+  for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {
+    const Options options{.algorithm = algorithm};
+    const auto of_spheres = count_contact_pairs(view_of(scene), domain, options);
+    EXPECT_EQ(of_spheres.contact_pairs, 5U) << name_of(algorithm);
+    EXPECT_LT(of_spheres.candidate_tests, 1000U) << name_of(algorithm);
+    EXPECT_EQ(count_contact_pairs(of_boxes, domain, options).contact_pairs, 1U)
+        << name_of(algorithm);
+  }
+}
+
 /// Many elements close together in a cell that is far longer than where they are: cells of the
 /// search are not larger than they would be in a short one.
 TEST(LongCell, HasCellsAsSmallAsTheReach) {

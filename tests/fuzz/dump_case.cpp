@@ -1,5 +1,7 @@
 #include "fuzz/dump_case.hpp"
 
+#include "fuzz/wall_case.hpp"
+
 #include <cstdint>
 #include <cstdio>
 
@@ -87,6 +89,23 @@ std::string dump_case(const Case& given) {
       append_elements(text, *state.second, state.storage[1]);
     }
   }
+  return text;
+}
+
+std::string dump_wall_case(const WallCase& given) {
+  std::string text =
+      "choices " + listed(given.choices) + "; margin " + written(given.margin) + "\n";
+  append_domain(text, given.domain);
+  text += "# balls\n";
+  append_elements(text, given.balls, given.storage[0]);
+  text += "# solids\n";
+  append_elements(text, given.solids, given.storage[1]);
+  text += "# vertices\n";
+  for (const auto& [x, y, z] : given.mesh.vertices) {
+    text += written(x) + "," + written(y) + "," + written(z) + "\n";
+  }
+  text += "# triangles\n";
+  for (const testing::Cell& cell : given.mesh.triangles) text += listed(cell) + "\n";
   return text;
 }
 

@@ -2,10 +2,12 @@
 //   replay_cases FOLDER|FILE...
 //   replay_cases --show FILE...          prints the cases, as text
 //   replay_cases --random COUNT [SEED]   checks random cases as fuzz_contacts does, but unguided
+//   replay_cases --walls ...             the same of the cases of fuzz_walls
 
 #include "fuzz/check_case.hpp"
 #include "fuzz/dump_case.hpp"
 #include "fuzz/number_memory.hpp"
+#include "fuzz/wall_case.hpp"
 #include "scenes/random.hpp"
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -36,21 +39,47 @@ struct Outcome {
   bool checked = false;  ///< neither without a cell nor with too many images
 };
 
-Outcome check(const std::string& name, std::span<const std::uint8_t> bytes,
+/// What is asked of bytes: cases of elements, or of walls.
+struct Target {
+  std::function<Outcome(std::span<const std::uint8_t>, Thoroughness)> check;
+  std::function<std::string(std::span<const std::uint8_t>)> dump;  ///< empty: encloses no cell
+};
+
+Target contacts() {
+  return {[](std::span<const std::uint8_t> bytes, Thoroughness thoroughness) -> Outcome {
+            const std::optional<Case> given = decode_case(bytes);
+            return {true, given && check_case(*given, thoroughness)};
+          },
+          [](std::span<const std::uint8_t> bytes) {
+            const std::optional<Case> given = decode_case(bytes);
+            return given ? dump_case(*given) : std::string();
+          }};
+}
+
+Target walls() {
+  return {[](std::span<const std::uint8_t> bytes, Thoroughness) -> Outcome {
+            const std::optional<WallCase> given = decode_wall_case(bytes);
+            return {true, given && check_wall_case(*given)};
+          },
+          [](std::span<const std::uint8_t> bytes) {
+            const std::optional<WallCase> given = decode_wall_case(bytes);
+            return given ? dump_wall_case(*given) : std::string();
+          }};
+}
+
+Outcome check(const Target& target, const std::string& name, std::span<const std::uint8_t> bytes,
               Thoroughness thoroughness) {
-  const std::optional<Case> given = decode_case(bytes);
-  if (!given) return {};
   try {
-    return {true, check_case(*given, thoroughness)};
+    return target.check(bytes, thoroughness);
   } catch (const std::exception& failure) {
-    std::printf("%s: %s\n%s", name.c_str(), failure.what(), dump_case(*given).c_str());
+    std::printf("%s: %s\n%s", name.c_str(), failure.what(), target.dump(bytes).c_str());
     return {false, true};
   }
 }
 
-int replay(const std::vector<fs::path>& files) {
-  const auto failures = std::ranges::count_if(files, [](const fs::path& path) {
-    return !check(path.string(), bytes_of(path), Thoroughness::complete).passed;
+int replay(const Target& target, const std::vector<fs::path>& files) {
+  const auto failures = std::ranges::count_if(files, [&](const fs::path& path) {
+    return !check(target, path.string(), bytes_of(path), Thoroughness::complete).passed;
   });
   std::printf("%zu cases, %zu failures\n", files.size(), static_cast<std::size_t>(failures));
   return files.empty() || failures > 0 ? 1 : 0;
@@ -58,14 +87,14 @@ int replay(const std::vector<fs::path>& files) {
 
 /// Each case follows from a seed of its own. Stops at the first failure, and leaves its bytes in a
 /// file.
-int check_random(std::uint64_t count, std::uint64_t first_seed) {
+int check_random(const Target& target, std::uint64_t count, std::uint64_t first_seed) {
   std::uint64_t checked = 0;
   for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
     abut::scenes::Random random(seed);
     std::vector<std::uint8_t> bytes(24 + random.below(400));
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.below(256));
     const std::string name = "case_" + std::to_string(seed);
-    const Outcome outcome = check(name, bytes, Thoroughness::sampled);
+    const Outcome outcome = check(target, name, bytes, Thoroughness::sampled);
     checked += outcome.checked ? 1 : 0;
     if (outcome.passed) continue;
     std::ofstream(name, std::ios::binary)
@@ -81,30 +110,38 @@ int check_random(std::uint64_t count, std::uint64_t first_seed) {
   return 0;
 }
 
-int show(std::span<char*> paths) {
+int show(const Target& target, std::span<char*> paths) {
   for (const char* path : paths) {
-    const std::optional<Case> given = decode_case(bytes_of(path));
-    std::printf("%s: %s\n", path, given ? dump_case(*given).c_str() : "encloses no cell");
+    const std::string text = target.dump(bytes_of(path));
+    std::printf("%s: %s\n", path, text.empty() ? "encloses no cell" : text.c_str());
   }
   return 0;
+}
+
+std::vector<fs::path> files_among(std::span<char*> paths) {
+  std::vector<fs::path> files;
+  for (const char* path : paths) {
+    if (fs::is_regular_file(path)) files.emplace_back(path);
+    if (!fs::is_directory(path)) continue;
+    for (const auto& entry : fs::directory_iterator(path)) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   keep_memory_of_numbers();
-  if (argc > 1 && std::string_view(argv[1]) == "--show") {
-    return show(std::span(argv + 2, argv + argc));
+  std::span<char*> words(argv + 1, argv + argc);
+  const auto next_is = [&](std::string_view word) { return !words.empty() && words[0] == word; };
+  const bool of_walls = next_is("--walls");
+  const Target target = of_walls ? walls() : contacts();
+  if (of_walls) words = words.subspan(1);
+  if (next_is("--show")) return show(target, words.subspan(1));
+  if (next_is("--random") && words.size() > 1) {
+    return check_random(target, std::stoull(words[1]),
+                        words.size() > 2 ? std::stoull(words[2]) : 1);
   }
-  if (argc > 2 && std::string_view(argv[1]) == "--random") {
-    return check_random(std::stoull(argv[2]), argc > 3 ? std::stoull(argv[3]) : 1);
-  }
-  std::vector<fs::path> files;
-  for (int k = 1; k < argc; ++k) {
-    if (fs::is_regular_file(argv[k])) files.emplace_back(argv[k]);
-    if (!fs::is_directory(argv[k])) continue;
-    for (const auto& entry : fs::directory_iterator(argv[k])) files.push_back(entry.path());
-  }
-  std::ranges::sort(files);
-  return replay(files);
+  return replay(target, files_among(words));
 }

@@ -311,6 +311,10 @@ struct ExactOracle::Search {
 
 OracleAnswer ExactOracle::pairs(std::uint64_t most) const {
   OracleAnswer answer;
+  if (has_wide_boxes()) {
+    answer.too_many = true;
+    return answer;
+  }
   answer.far = is_far();
   Search search{*this, most, answer};
   for (std::size_t i = 0; i < centers_.size() && !answer.too_many; ++i) {
@@ -326,6 +330,16 @@ bool ExactOracle::is_unequal() const {
     square_bits = std::max(square_bits, bits(dot(vector, vector)));
   return !levels_.empty() &&
          square_bits - bits(dot(levels_[0].vector, levels_[0].vector)) > 2 * 448;
+}
+
+bool ExactOracle::has_wide_boxes() const {
+  long side_bits = 0;
+  for (const Vector& sizes : sizes_) {
+    for (const mpz_class& x : sizes) side_bits = std::max(side_bits, bits(x) + 1);
+  }
+  return shape_ == Shape::box && std::ranges::any_of(levels_, [&](const Level& level) {
+           return side_bits - (bits(level.determinant) - bits(level.bound) / 2) > 12;
+         });
 }
 
 bool ExactOracle::is_far() const {

@@ -32,8 +32,10 @@ struct ElementArrays {
 
 struct OracleAnswer {
   std::vector<ImagePair> pairs;  ///< in canonical order
-  bool too_many = false;         ///< more images within reach than were asked for: no answer
-  bool beyond_shifts = false;    ///< some pair has a shift beyond 32 bits; it is left out
+  /// More images within reach than were asked for, or boxes far wider than the cell, along whatever
+  /// axis, of which the library looks at as many images: no answer.
+  bool too_many = false;
+  bool beyond_shifts = false;  ///< some pair has a shift beyond 32 bits; it is left out
   /// Elements or their reach may extend over more than 2^20 lattice vectors, a short basis needs as
   /// many of a vector, or some vector is nearly 2^450 times shorter than the longest one given.
   bool far = false;
@@ -80,6 +82,7 @@ class ExactOracle {
   void make_functionals();
   [[nodiscard]] bool is_far() const;
   [[nodiscard]] bool is_unequal() const;
+  [[nodiscard]] bool has_wide_boxes() const;
   [[nodiscard]] Vector difference(const ImagePair& image) const;
   [[nodiscard]] mpq_class number(const mpz_class& whole) const;
   [[nodiscard]] mpq_class box_gap(const ImagePair& image) const;

@@ -154,6 +154,7 @@ std::vector<VertexSet> touched(const testing::RationalPoint& center, double radi
 
 /// Whether a number is that of an image at the border of those looked at.
 bool on_border(const ImageShift& shift, const MeshQuestion& question) {
+  if (question.images) return false;
   const std::int32_t numbers[] = {shift.x, shift.y, shift.z};
   for (int axis = 0; axis < 3; ++axis) {
     if (question.domain.is_periodic(axis) && std::abs(numbers[axis]) == question.farthest) {
@@ -180,7 +181,8 @@ std::vector<MovedContact> oracle_mesh_contacts(const std::vector<Ball>& balls,
   std::vector<OrderedCell> cells;
   for (const Cell& cell : arrays.triangles) cells.emplace_back(arrays, cell);
   const exact::Lattice lattice = lattice_of(question.domain);
-  const std::vector<ImageShift> shifts = shifts_of(question);
+  std::vector<ImageShift> shifts;
+  if (!question.images) shifts = shifts_of(question);
   std::vector<MovedContact> contacts;
   for (std::size_t k = 0; k < balls.size(); ++k) {
     double center[3];
@@ -189,6 +191,7 @@ std::vector<MovedContact> oracle_mesh_contacts(const std::vector<Ball>& balls,
     for (std::size_t t = 0; question.allows && t < cells.size(); ++t) {
       is_there[t] = question.allows(k, t);
     }
+    if (question.images) shifts = question.images(k);
     for (const ImageShift& shift : shifts) {
       const auto seen_from = testing::moved_back(center, shift, lattice);
       for (const VertexSet& feature :

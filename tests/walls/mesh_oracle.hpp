@@ -63,6 +63,8 @@ struct MeshQuestion {
   std::int32_t farthest = 0;  ///< images from -farthest to farthest along each periodic axis
   /// Whether a triangle is there for a ball; all are if this is empty.
   std::function<bool(std::size_t ball, std::size_t triangle)> allows = {};
+  /// The images that may be within reach of a ball, where they are known; in place of `farthest`.
+  std::function<std::vector<ImageShift>(std::size_t ball)> images = {};
 };
 
 /// Fails the test when a contact lies on the border of the images looked at, because others may lie

@@ -21,10 +21,14 @@
 namespace abut::walls {
 namespace {
 
-/// No less than the sum that was rounded to x, and never infinite: at least the next double, but
-/// for subnormal sums, which are exact.
+/// No less than the sum that was rounded to x: at least the next double, but for subnormal sums,
+/// which are exact.
 double upwards(double x) noexcept {
-  return std::min(x + std::fabs(x) * 0x1p-52, std::numeric_limits<double>::max());
+  return x + std::fabs(x) * 0x1p-52;
+}
+
+double finite(double x) noexcept {
+  return std::min(x, std::numeric_limits<double>::max());
 }
 
 template <int Dim>
@@ -54,10 +58,10 @@ bool leads_along(const Domain& domain, int axis) noexcept {
 template <int Dim>
 exact::Box<Dim> box_around(const exact::Sphere<Dim>& sphere, double margin) noexcept {
   exact::Box<Dim> box{};
-  const double reach = upwards(sphere.radius + margin);
+  const double reach = upwards(sphere.radius + margin);  // may be infinite
   for (int axis = 0; axis < Dim; ++axis) {
-    box.lower[axis] = -upwards(reach - sphere.center[axis]);
-    box.upper[axis] = upwards(reach + sphere.center[axis]);
+    box.lower[axis] = -finite(upwards(reach - sphere.center[axis]));
+    box.upper[axis] = finite(upwards(reach + sphere.center[axis]));
   }
   return box;
 }

@@ -7,6 +7,7 @@
 #include <abut/simd.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -178,10 +179,27 @@ class StateChecker {
   Refusal refusal_;
 };
 
+/// Whether candidates within the skin may be images by the thousands, which only take time.
+bool is_far_longer_than_cell(const Skin& skin, const Domain& domain) {
+  double shortest = HUGE_VAL;
+  for (int k = 0; k < 3; ++k) {
+    if (!domain.is_periodic(k)) continue;
+    double length = 0.0;
+    for (const double x : domain.vector(k)) length = std::max(length, std::fabs(x));
+    shortest = std::min(shortest, length);
+  }
+  return skin.length() > 8.0 * shortest;
+}
+
 /// Goes through all states with one Detector.
 class DetectorChecker {
  public:
-  explicit DetectorChecker(const Plan& plan) : plan_(plan) { detector_.set_skin(plan.skin); }
+  explicit DetectorChecker(const Case& given) : plan_(given.plan) {
+    const bool long_skin = std::ranges::any_of(given.states, [&](const System& state) {
+      return is_far_longer_than_cell(given.plan.skin, state.domain);
+    });
+    if (!long_skin) detector_.set_skin(given.plan.skin);
+  }
 
   void check(const StateChecker& state, const System& system, std::size_t step) {
     if (!system.second && plan_.choices[7] % 2 == 0) {
@@ -232,7 +250,7 @@ std::optional<Expected> by_direct_check(const System& system) {
 /// Every state by the algorithms in the forms chosen, and by one Detector for all. False at the
 /// first state of which nothing is expected.
 bool check_states(const Case& given, Thoroughness thoroughness, auto&& expected_of_state) {
-  DetectorChecker detector(given.plan);
+  DetectorChecker detector(given);
   for (std::size_t step = 0; step < given.states.size(); ++step) {
     const System& system = given.states[step];
     const std::optional<Expected> expected = expected_of_state(system);

@@ -338,7 +338,7 @@ bool ExactOracle::has_wide_boxes() const {
     for (const mpz_class& x : sizes) side_bits = std::max(side_bits, bits(x) + 1);
   }
   return shape_ == Shape::box && std::ranges::any_of(levels_, [&](const Level& level) {
-           return side_bits - (bits(level.determinant) - bits(level.bound) / 2) > 12;
+           return side_bits - (bits(level.determinant) - bits(level.bound) / 2) > 5;
          });
 }
 

@@ -143,5 +143,24 @@ TEST(PeriodicFaces, TouchingThroughAFaceAnEdgeAndTheCorner) {
   }
 }
 
+/// Two elements that just touch through a face, or just not, many cells away from the origin, where
+/// coordinates in cells are rounded by more than the reach is.
+TEST(PeriodicFaces, TouchingFarFromTheOrigin) {
+  Random random(14);
+  std::size_t pairs = 0;
+  constexpr int trials = 3000;
+  for (int k = 0; k < trials; ++k) {
+    SCOPED_TRACE("seed 14, trial " + std::to_string(k));
+    const double side = random.uniform(0.5, 2.0);
+    const double radius = side * random.uniform(0.01, 0.1);
+    const double lower = std::ldexp(random.uniform(-1.0, 1.0), static_cast<int>(14 + k % 15));
+    const double upper = moved_by_ulps(lower + (side - 2.0 * radius), k % 3 - 1);
+    Scene scene = scene_of(2, {{lower, 0.0, 0.0, radius}, {upper, 0.0, 0.0, radius}});
+    pairs += check(scene, Domain::periodic({side, unbounded}), 2);
+  }
+  EXPECT_GT(pairs, std::size_t{trials} / 3);
+  EXPECT_LT(pairs, std::size_t{trials});
+}
+
 }  // namespace
 }  // namespace abut::testing

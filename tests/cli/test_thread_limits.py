@@ -62,6 +62,55 @@ def test_small_stacks(scene, threads, kilobytes):
     assert digest(scene, threads, limits) == digest(scene, 1)
 
 
+NOBODY = 65534
+
+
+def of_few_processes(most):
+    """For a child before it becomes the tool: as `ulimit -u`, which binds no superuser."""
+    def limit():
+        if os.geteuid() == 0:
+            os.setgroups([])
+            os.setgid(NOBODY)
+            os.setuid(NOBODY)
+        resource.setrlimit(resource.RLIMIT_NPROC, (most, most))
+    return limit
+
+
+def start_with_few_processes(most, *arguments, stdin=None):
+    # The leak sanitizer wants a process of its own.
+    options = os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0"
+    return subprocess.run([os.environ["ABUT"], *arguments], stdin=stdin, capture_output=True,
+                          text=True, preexec_fn=of_few_processes(most), check=False, timeout=120,
+                          env=environment(ASAN_OPTIONS=options))
+
+
+def run_with_few_processes(scene, most, *arguments):
+    """On the file as standard input: a user who is nobody may not find it by its name."""
+    with open(scene, "rb") as file:
+        return start_with_few_processes(most, "contacts", "-", "-q", *arguments, stdin=file)
+
+
+@pytest.fixture(scope="module")
+def limit_of_processes():
+    """The tool can be run where threads are limited, too."""
+    try:
+        start_with_few_processes(1, "--version")
+    except (PermissionError, subprocess.SubprocessError) as error:
+        pytest.skip(f"the superuser is bound by no limit of processes, and nobody else: {error}")
+
+
+@pytest.mark.usefixtures("limit_of_processes")
+@pytest.mark.parametrize("threads", ["8", "1000"])
+@pytest.mark.parametrize("most", [1, 2, 4])
+def test_few_processes(scene, most, threads):
+    """Each thread counts as a process of the user's. Where the user has no others, `most` work."""
+    done = run_with_few_processes(scene, most, "--digest", "--threads", threads)
+    assert (done.returncode, done.stderr, done.stdout) == (0, "", digest(scene, 1))
+    told = json.loads(run_with_few_processes(scene, most, "--json", "--threads", threads).stdout)
+    assert 1 <= told["threads"] <= most
+    assert most > 1 or told["threads"] == 1
+
+
 @pytest.mark.parametrize("settings", [
     {"OMP_NUM_THREADS": "8"}, {"OMP_NUM_THREADS": "100000"}, {"OMP_THREAD_LIMIT": "1"},
     {"OMP_PROC_BIND": "true"}, {"OMP_PROC_BIND": "spread", "OMP_PLACES": "cores"},

@@ -18,8 +18,8 @@ struct ByDimension {
   }
 
  private:
-  template <int Dim, class Self>
-  [[nodiscard]] static constexpr auto& chosen(Self& self) noexcept {
+  template <int Dim>
+  [[nodiscard]] static constexpr auto& chosen(auto& self) noexcept {
     if constexpr (Dim == 2) {
       return self.in_2d;
     } else {

@@ -137,9 +137,9 @@ Statistics DetectionRun::find(const DetectionRequest& request, PairSink& sink,
                                             : find_in<3>(request, *target, context);
 }
 
-template <class Write>
+template <class ListWriter>
 Statistics DetectionRun::list(const DetectionRequest& request, const lists::PairDemand& demand,
-                              Write&& write) {
+                              ListWriter&& write) {
   return guarded(request, [&](DetectionContext& context) {
     found_.start_anew(demand);
     Statistics statistics = find(request, found_, context);

@@ -85,8 +85,9 @@ class DetectionRun {
   void search(const DetectionRequest& request, const SearchTask& task, base::PairSink& sink,
               base::DetectionContext& context, Statistics& statistics);
   /// Finds the pairs and keeps them in `found_`; then `write(workers, work)` writes the result.
-  template <class Write>
-  Statistics list(const DetectionRequest& request, const lists::PairDemand& demand, Write&& write);
+  template <class ListWriter>
+  Statistics list(const DetectionRequest& request, const lists::PairDemand& demand,
+                  ListWriter&& write);
 
   /// With what results are written, and where it is told what that takes.
   struct Writing {

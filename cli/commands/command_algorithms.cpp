@@ -15,7 +15,7 @@ namespace abut::cli {
 namespace {
 
 /// "2D 3D".
-std::string carries(const AlgorithmInfo& info) {
+std::string dimensions_of(const AlgorithmInfo& info) {
   std::string text;
   for (int dimensions = info.min_dimensions; dimensions <= info.max_dimensions; ++dimensions) {
     text += fmt::format("{}{}D", text.empty() ? "" : " ", dimensions);
@@ -25,11 +25,11 @@ std::string carries(const AlgorithmInfo& info) {
 
 std::string text_of_all() {
   TextTable table(std::vector<Align>(5, Align::left));
-  table.add_row({"algorithm", "time", "carries", "book", "idea"});
+  table.add_row({"algorithm", "time", "supports", "book", "idea"});
   TextTable memory(std::vector<Align>(3, Align::left));
   memory.add_row({"algorithm", "periodic", "memory in integers"});
   for (const AlgorithmInfo& info : algorithms()) {
-    table.add_row({std::string(info.name), std::string(info.time), carries(info),
+    table.add_row({std::string(info.name), std::string(info.time), dimensions_of(info),
                    info.book_pages.empty() ? "-" : std::string(info.book_pages),
                    std::string(info.idea)});
     memory.add_row(

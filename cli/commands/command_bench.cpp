@@ -19,7 +19,7 @@ constexpr double longest_first_call = 0.5;
 constexpr std::array forms_of_every_algorithm{Form::canonical, Form::as_found};
 constexpr std::array forms_of_the_best{Form::count, Form::half_list, Form::full_list};
 
-/// `rows` first: the answer that the others are compared with. Those that do not carry the domain
+/// `rows` first: the answer that the others are compared with. Those that do not support the domain
 /// are left out unless asked for.
 std::vector<Algorithm> algorithms_of(const BenchOptions& options, const Domain& domain) {
   if (!options.algorithms.empty()) return options.algorithms;

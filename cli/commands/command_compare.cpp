@@ -83,7 +83,7 @@ std::vector<Run> run_all(const CompareOptions& options, const Subject& subject, 
   }
   for (const AlgorithmInfo& row : algorithms()) {
     if (subject.domain.is_periodic() && !row.periodic) {
-      runs.push_back(not_run(row.algorithm, "does not carry periodic domains"));
+      runs.push_back(not_run(row.algorithm, "does not support periodic domains"));
     } else if (row.algorithm == Algorithm::direct_check &&
                subject.snapshot.size() > most_for_direct_check) {
       runs.push_back(

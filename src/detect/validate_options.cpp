@@ -25,16 +25,16 @@ std::uint64_t most_elements(Algorithm algorithm) {
              : std::numeric_limits<std::int32_t>::max() - 1;
 }
 
-void require_carried(Algorithm algorithm, const Domain& domain) {
+void require_supported(Algorithm algorithm, const Domain& domain) {
   if (!domain.is_periodic() || algorithm == Algorithm::automatic) return;
   if (registry::entry_of(algorithm).info.periodic) return;
-  std::string carriers;
+  std::string supporting;
   for (const registry::AlgorithmEntry& row : registry::registry()) {
     if (!row.info.periodic) continue;
-    carriers += (carriers.empty() ? "" : " or ") + std::string(row.info.name);
+    supporting += (supporting.empty() ? "" : " or ") + std::string(row.info.name);
   }
   throw Error(ErrorCode::wrong_usage, std::string(name_of(algorithm)) +
-                                          " does not carry periodic domains; take " + carriers +
+                                          " does not support periodic domains; take " + supporting +
                                           ", or auto");
 }
 
@@ -69,7 +69,7 @@ void require_dimensions(const ElementView& elements, const Domain& domain) {
 void validate(const Options& options, const ElementView& elements, const Domain& domain) {
   require_in_range(options);
   require_dimensions(elements, domain);
-  require_carried(options.algorithm, domain);
+  require_supported(options.algorithm, domain);
   if (elements.size() > most_elements(options.algorithm)) {
     refuse_count(std::to_string(elements.size()), options.algorithm);
   }
@@ -92,7 +92,7 @@ void validate(const Options& options, const ElementView& first, const ElementVie
   require_in_range(options);
   require_alike(first, second);
   require_dimensions(first, domain);
-  require_carried(options.algorithm, domain);
+  require_supported(options.algorithm, domain);
   const std::uint64_t most = most_elements(options.algorithm);
   if (first.size() > most || second.size() > most - first.size()) {
     refuse_count(

@@ -16,7 +16,7 @@ void require_dimensions(const ElementView& elements, const Domain& domain);
 void require_alike(const ElementView& first, const ElementView& second);
 
 /// Throws Error: the first option that is out of range, a domain that the elements do not live in
-/// or the algorithm does not carry, or too many elements.
+/// or the algorithm does not support, or too many elements.
 void validate(const Options& options, const ElementView& elements, const Domain& domain);
 
 /// The same for two sets, which must have the same number of dimensions.

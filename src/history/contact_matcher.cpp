@@ -82,7 +82,6 @@ struct ContactMatcher::State {
   ShiftArray next_shifts;
   elements::ElementIds next_ids;
   bool ids_change = false;
-  bool pairs_change = false;
   std::vector<std::uint32_t> number_before;
   std::vector<std::uint32_t> number_now;
   history::CarriedPairs carried;

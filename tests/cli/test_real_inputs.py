@@ -78,7 +78,7 @@ def test_commands_for_open_space_refuse_a_periodic_box(fails, abut):
     assert "--periodic none" in fails(2, "explain", "munjiza_nbs", LAMMPS)
     assert "munjiza_nbs" in fails(2, "bench", LAMMPS, "--algorithms", "munjiza_nbs")
     done = abut("compare", LAMMPS)
-    assert done.returncode == 0 and "munjiza_nbs: does not carry periodic domains" in done.stdout
+    assert done.returncode == 0 and "munjiza_nbs: does not support periodic domains" in done.stdout
 
 
 def test_bench_of_a_periodic_box(abut):

@@ -76,7 +76,7 @@ struct MeshQuestion {
 /// Of the library; its options say that shifts are stored.
 [[nodiscard]] std::vector<MovedContact> moved_contacts(const MeshContactList& list);
 
-/// The same from every algorithm that carries the domain and several numbers of threads; returns
+/// The same from every algorithm that supports the domain and several numbers of threads; returns
 /// it. `options` without algorithm, threads, shifts.
 [[nodiscard]] std::vector<MovedContact> agreed_contacts(const ElementView& spheres,
                                                         const TriangleMesh& mesh,

@@ -309,7 +309,7 @@ TEST_F(PeriodicMeshErrors, BadDomainsAlgorithmsAndNumbers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expect(ErrorCode::wrong_usage, {"domain of 2 dimensions"}, {{{0, 0, 0}, 1.0}},
          Domain::periodic({4.0, 4.0}));
-  expect(ErrorCode::wrong_usage, {"binary_tree", "does not carry periodic"}, {{{0, 0, 0}, 1.0}},
+  expect(ErrorCode::wrong_usage, {"binary_tree", "does not support periodic"}, {{{0, 0, 0}, 1.0}},
          block, {.algorithm = Algorithm::binary_tree});
   expect(ErrorCode::invalid_input, {"element 1", "y = nan"}, {{{0, 0, 0}, 1.0}, {{0, nan, 0}, 1.0}},
          block);

@@ -66,6 +66,13 @@ class ABUT_API Sink {
   virtual void search_step(const SearchStep& step) = 0;
   /// Called for each candidate pair, in the order in which the algorithm finds them.
   virtual void candidate_pair(ElementIndex first, ElementIndex second) = 0;
+
+ protected:
+  Sink() = default;
+  /// Copies are those of a derived class, never of a part of it.
+  Sink(const Sink&) = default;
+  /// As the constructor that copies.
+  Sink& operator=(const Sink&) = default;
 };
 
 /// The cells of the elements: all that the algorithms of the book look at before the test.

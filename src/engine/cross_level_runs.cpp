@@ -18,10 +18,6 @@ constexpr double too_large_to_square = 0x1p400;
 /// Beyond this many units the filter's error exceeds a thousandth of a tile.
 constexpr double farthest = 0x1p10;
 
-/// The error of a distance in single precision, relative to the largest number that enters it; see
-/// docs/derivations/tile_filter.md.
-constexpr double relative_error = 0x1p-20;
-
 /// A box that reaches farther out of the tile is cut off here: its own elements lie between 0 and
 /// 1, and nothing of them, nor of the margin, reaches as far as another 1.
 constexpr double box_horizon = 4.0;
@@ -134,7 +130,7 @@ std::optional<kernels::CoarseElement> sphere_in(const TileFrame<Dim>& frame,
   }
   if (largest > farthest) return std::nullopt;
   coarse.size[0] = static_cast<float>(radius);
-  coarse.slack = static_cast<float>(largest * (4.0 * relative_error));
+  coarse.slack = static_cast<float>(largest * (4.0 * kernels::filter_error));
   return coarse;
 }
 
@@ -149,7 +145,7 @@ kernels::CoarseElement box_in(const TileFrame<Dim>& frame, const exact::Box<Dim>
     coarse.center[axis] = static_cast<float>(lower);
     coarse.size[axis] = static_cast<float>(position(box.upper[axis]) - lower);
   }
-  coarse.slack = static_cast<float>(2.0 * box_horizon * (4.0 * relative_error));
+  coarse.slack = static_cast<float>(2.0 * box_horizon * (4.0 * kernels::filter_error));
   return coarse;
 }
 

@@ -30,15 +30,15 @@ class ExactDecider {
   template <class Fetch>
   void decide_each(kernels::HitBuffer& hits, std::size_t first, std::uint64_t& exact_decisions,
                    Fetch fetch) const {
-    constexpr std::size_t fetched_ahead = 8;  // enough to hide the way to memory
+    constexpr std::size_t ahead = kernels::hits_fetched_ahead;
     const auto fetch_pair = [&](std::size_t k) {
       if (k >= hits.undecided_count) return;
       fetch(hits.element[hits.undecided[k]]);
       fetch(hits.partner[hits.undecided[k]]);
     };
-    for (std::size_t k = first; k < first + fetched_ahead; ++k) fetch_pair(k);
+    for (std::size_t k = first; k < first + ahead; ++k) fetch_pair(k);
     for (std::size_t k = first; k < hits.undecided_count; ++k) {
-      fetch_pair(k + fetched_ahead);
+      fetch_pair(k + ahead);
       const std::uint32_t place = hits.undecided[k];
       const bool within = within_reach(hits.element[place], hits.partner[place], exact_decisions);
       hits.verdict[k] = within ? kernels::Verdict::within_reach : kernels::Verdict::apart;

@@ -1,6 +1,7 @@
 #include "engine/rows.hpp"
 
 #include "engine/set_search.hpp"
+#include "grid/scaling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,21 +9,9 @@
 namespace abut::engine {
 namespace {
 
-/// Differences and sums of larger numbers might overflow; such systems are mapped at a smaller
-/// scale. What the scaling rounds away is far below the smallest cell.
-constexpr double largest_unscaled = 0x1p960;
-constexpr double scale_down = 0x1p-128;
+using grid::scale_down;
 
-template <int Dim>
-double largest_number(const grid::Bounds<Dim>& bounds, double margin) {
-  double largest = std::max(bounds.largest_radius, margin);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
-  }
-  return largest;
-}
-
-/// A copy of the elements at the smaller scale.
+/// Copies the elements at the smaller scale (grid/scaling.hpp).
 template <int Dim>
 class ScaledElements {
  public:
@@ -80,7 +69,7 @@ void rows(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
   const kernels::TileKernels kernels = kernels::tile_kernels(settings.simd);
   const kernels::ElementKernels element_kernels = kernels::element_kernels(settings.simd);
   const OpenDecider<Dim> decider(elements, settings.margin, kernels::tie_kernels(settings.simd));
-  if (largest_number(bounds, settings.margin) <= largest_unscaled) {
+  if (grid::largest_number(bounds, settings.margin) <= grid::largest_unscaled) {
     const SearchInput<Dim> input{elements,        decider, settings.margin, 0.0, kernels,
                                  element_kernels, sink,    context.progress};
     return search(input, bounds, settings.workers, workspace, context);

@@ -12,7 +12,7 @@ namespace {
 
 /// Room for the roundings of single precision in a tile of at most 2^10 cells a side: see
 /// docs/derivations/tile_filter.md.
-constexpr double cell_margin = 1.0 + 0x1p-10;
+constexpr double tile_cell_margin = 1.0 + 0x1p-10;
 
 /// Cells below this size would make counts of cells, or their inverse, overflow.
 constexpr double smallest_cell = 0x1p-900;
@@ -26,13 +26,14 @@ constexpr double elements_per_tile = 48000.0;
 constexpr double least_elements_per_tile = 512.0;
 constexpr double most_tiles = 1 << 25;
 
-/// A tile is crowded with this many elements in the cell of an average element, if it has many.
+/// A tile is crowded if the mean occupancy of its elements' cells (sum of n^2 / N) is at least the
+/// one, and it holds more elements than the other.
 constexpr std::uint64_t crowded_mean_occupancy = 12;
-constexpr std::size_t few_elements = 128;
+constexpr std::size_t never_crowded = 128;
 constexpr double tiles_of_crowded = 8.0;
 
-/// Where an average element of coarse cells shares its cell with this many, finer ones pay,
-/// although most will be empty; beyond, the tile is better cut anew.
+/// Coarse cells with a mean occupancy from the one to the other are refined, although most of the
+/// finer cells will be empty; above, the tile becomes a search set of its own.
 constexpr std::uint64_t least_mean_occupancy = 4;
 constexpr std::uint64_t most_mean_occupancy = 60;
 constexpr std::size_t cells_of_cluster = 8;
@@ -45,11 +46,12 @@ constexpr std::size_t large_set = 1 << 15;
 constexpr std::size_t least_shared_tile = 1 << 13;
 constexpr std::size_t parts_for_each = 4;
 
-/// A hair above the reach, and never so small that counts of cells overflow.
+/// Returns the size of cells: the reach with its margin, and never so small that counts of cells
+/// overflow.
 template <int Dim>
 double cell_size_for(const grid::Bounds<Dim>& bounds, const SearchInput<Dim>& input) {
   const double reach = bounds.largest_radius + bounds.second_largest_radius + input.margin;
-  double cell = std::max({reach * cell_margin, input.least_cell, smallest_cell});
+  double cell = std::max({reach * tile_cell_margin, input.least_cell, smallest_cell});
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     cell = std::max(cell, (bounds.upper[axis] - bounds.lower[axis]) / most_cells_along_box);
   }
@@ -95,7 +97,7 @@ TileGrid<Dim> cut_into_tiles(const SearchSet<Dim>& set, double cell) {
 
 template <int Dim>
 bool is_clustered(const SortedTile<Dim>& tile) {
-  return tile.size() > few_elements &&
+  return tile.size() > never_crowded &&
          tile.squared_occupancy() > least_mean_occupancy * tile.size() &&
          tile.squared_occupancy() < most_mean_occupancy * tile.size();
 }
@@ -245,7 +247,7 @@ void SetSearch<Dim>::search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>&
     cells = choose_tile_cells(grid, tiles.unit(), cells_of_cluster * records.size());
     sorted.count(records, own, cells, input_.element_kernels, work);
   }
-  if (records.size() > few_elements &&
+  if (records.size() > never_crowded &&
       sorted.squared_occupancy() > crowded_mean_occupancy * records.size() &&
       search_crowded_tile(set, grid, tiles, tile, cells, at)) {
     return;

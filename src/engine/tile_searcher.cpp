@@ -7,24 +7,21 @@
 namespace abut::engine {
 namespace {
 
-/// Bounds the error of a distance in a tile, whose numbers are below 2:
-/// docs/derivations/tile_filter.md.
-constexpr float filter_slack = 0x1p-20f;
-
 /// Steps that the decision of an undecided pair takes, compared to a test in a vector.
 constexpr std::uint64_t steps_of_decision = 16;
 
 constexpr std::uint64_t far_tests_between_tells = 256;
 
-/// In a tile of fewer all places of it are room enough.
-constexpr std::size_t few_elements = 1 << 13;
+/// A tile with fewer elements gets a block with room for all of them; that of a larger tile has
+/// room for as many as one element may meet.
+constexpr std::size_t small_tile = 1 << 13;
 
 }  // namespace
 
 template <int Dim>
 TileSearcher<Dim>::TileSearcher(base::MemoryMeter& memory, std::size_t worker)
     : scratch_(memory), origin_{worker, 0} {
-  job_.slack = filter_slack;
+  job_.slack = static_cast<float>(kernels::filter_error);  // numbers of a tile are below 2
   job_.hits = &hits_;
   job_.owner = this;
   job_.take = [](kernels::SearchJob& job) { static_cast<TileSearcher*>(job.owner)->take(); };
@@ -123,7 +120,7 @@ template <int Dim>
 void TileSearcher<Dim>::prepare(const SortedTile<Dim>& tile, double unit) {
   job_.margin = static_cast<float>(input_->margin * unit);
   const std::size_t places =
-      tile.size() < few_elements ? tile.size() : std::min(tile.size(), tile.most_places_met());
+      tile.size() < small_tile ? tile.size() : std::min(tile.size(), tile.most_places_met());
   const std::size_t room = places + kernels::row_padding + kernels::widest_vector;
   constexpr std::size_t columns = std::extent_v<decltype(job_.block)>;
   base::make_room(scratch_.block, columns * room);

@@ -5,6 +5,7 @@
 #include "engine/sphere_block.hpp"
 #include "engine/tile_neighbors.hpp"
 #include "engine/tile_range.hpp"
+#include "kernels/place_format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +13,8 @@
 namespace abut::engine {
 namespace {
 
-/// A place packed into 32 bits; search sets have fewer than 2^26 tiles.
-constexpr int face_bits = 6;
-
-constexpr std::uint32_t packed(std::uint32_t tile, std::uint32_t near_faces) {
-  return tile << face_bits | near_faces;
-}
-constexpr std::uint32_t tile_of(std::uint32_t place) {
-  return place >> face_bits;
-}
-constexpr std::uint32_t faces_of(std::uint32_t place) {
-  return place & ((1u << face_bits) - 1);
-}
+using kernels::faces_of_place;
+using kernels::tile_of_place;
 
 /// The elements of a block that lie near faces, one in three: collected first, since a branch for
 /// each element could not be foreseen.
@@ -33,7 +24,7 @@ class NearFaces {
   void clear() { size_ = 0; }
   void add_if_near(std::size_t k, std::uint32_t place) {
     list_[size_] = static_cast<std::uint32_t>(k);
-    size_ += faces_of(place) != 0;
+    size_ += faces_of_place(place) != 0;
   }
   [[nodiscard]] std::span<const std::uint32_t> list() const { return {list_.data(), size_}; }
 
@@ -42,8 +33,8 @@ class NearFaces {
   std::size_t size_ = 0;
 };
 
-/// Records of locals, the first of which is `begin`, in their own tiles: `tile_of(k)` gives the
-/// tile's coordinates.
+/// Records of locals, the first of which is `begin`, in their own tiles: `tile_of(k)` gives
+/// the tile's coordinates.
 template <int Dim, class TileOf>
 void record_locals(const Recorder<Dim>& recorder, const kernels::ElementKernels& kernels,
                    std::span<const exact::Sphere<Dim>> spheres, const Numbers& locals,
@@ -121,20 +112,21 @@ void Tiles<Dim>::count_locals(const exact::Elements<Dim>& elements, const Search
   place(elements, set, grid, kernels, first, last, share.work);
   const TileNeighbors<Dim> neighbors(grid);
   // Where pairs among locals are not wanted, no face is near.
-  const std::uint32_t copied =
-      set.wanted == Wanted::all_pairs ? ~std::uint32_t{0} : packed(~std::uint32_t{0}, 0);
+  const std::uint32_t copied = set.wanted == Wanted::all_pairs
+                                   ? ~std::uint32_t{0}
+                                   : kernels::packed_place(~std::uint32_t{0}, 0);
   NearFaces<SphereBlock<Dim>::size> near;
   SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
     near.clear();
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t place = places_[k] & copied;
       places_[k] = place;
-      ++counts.own[tile_of(place)];
+      ++counts.own[tile_of_place(place)];
       near.add_if_near(k, place);
     }
     for (const std::uint32_t k : near.list()) {
-      for (const std::uint8_t neighbor : neighbors.of_local(faces_of(places_[k]))) {
-        ++counts.halo_of_tiles[neighbors.from(tile_of(places_[k]), neighbor)];
+      for (const std::uint8_t neighbor : neighbors.of_local(faces_of_place(places_[k]))) {
+        ++counts.halo_of_tiles[neighbors.from(tile_of_place(places_[k]), neighbor)];
       }
     }
     share.work.did(end - begin);
@@ -151,7 +143,7 @@ void Tiles<Dim>::count_halo(const exact::Elements<Dim>& elements, const SearchSe
   share.work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const auto [tile, near_faces] = grid.place_of_halo(elements[set.halo[k]], set.bounds);
-      places[k] = packed(tile, near_faces);
+      places[k] = kernels::packed_place(tile, near_faces);
       for (const std::uint8_t neighbor : neighbors.of_halo(near_faces)) {
         ++counts[neighbors.from(tile, neighbor)];
       }
@@ -172,7 +164,7 @@ void Tiles<Dim>::place(const exact::Elements<Dim>& elements, const SearchSet<Dim
     std::size_t k = kernels.place(spheres[0].center, spheres.size(), Dim, map, places);
     for (; k < spheres.size(); ++k) {
       const auto [tile, near_faces] = grid.place(spheres[k]);
-      places[k] = packed(tile, near_faces);
+      places[k] = kernels::packed_place(tile, near_faces);
     }
     work.did(end - begin);
   });
@@ -238,20 +230,20 @@ void Tiles<Dim>::scatter_locals(const exact::Elements<Dim>& elements, const Sear
   SphereBlock<Dim>::for_each(first, last, [&](std::size_t begin, std::size_t end) {
     const auto spheres = block.of(elements.spheres, locals, begin, end);
     const auto tile_of_local = [&](std::size_t k) -> const std::array<double, Dim>& {
-      return coordinates_[tile_of(places_[k])];
+      return coordinates_[tile_of_place(places_[k])];
     };
     record_locals<Dim>(recorder, kernels, spheres, locals, begin, tile_of_local, records.data());
     near.clear();
     for (std::size_t k = begin; k < end; ++k) {
-      const std::uint64_t target = cursors.own[tile_of(places_[k])]++;
+      const std::uint64_t target = cursors.own[tile_of_place(places_[k])]++;
       records_[target] = records[k - begin];
       if (sized) note_sizes(elements, locals[k], spheres[k - begin], recorder, target);
       near.add_if_near(k, places_[k]);
     }
     for (const std::uint32_t k : near.list()) {
       const exact::Sphere<Dim>& sphere = spheres[k - begin];
-      for (const std::uint8_t neighbor : neighbors.of_local(faces_of(places_[k]))) {
-        const std::size_t tile = neighbors.from(tile_of(places_[k]), neighbor);
+      for (const std::uint8_t neighbor : neighbors.of_local(faces_of_place(places_[k]))) {
+        const std::size_t tile = neighbors.from(tile_of_place(places_[k]), neighbor);
         if (own_[tile] == 0) continue;
         const std::uint64_t target = cursors.halo_of_tiles[tile]++;
         records_[target] = recorder.record(sphere, locals[k], coordinates_[tile]);
@@ -310,8 +302,8 @@ void Tiles<Dim>::scatter_halo(const exact::Elements<Dim>& elements, const Search
   const auto scatter_one = [&](std::size_t k) {
     const std::uint32_t place = places_[set.locals.size() + k];
     const std::uint32_t number = set.halo[k];
-    for (const std::uint8_t neighbor : neighbors.of_halo(faces_of(place))) {
-      const std::size_t tile = neighbors.from(tile_of(place), neighbor);
+    for (const std::uint8_t neighbor : neighbors.of_halo(faces_of_place(place))) {
+      const std::size_t tile = neighbors.from(tile_of_place(place), neighbor);
       if (own_[tile] == 0) continue;
       const std::uint64_t target = cursors[tile]++;
       records_[target] =

@@ -12,18 +12,12 @@ template <int Dim>
 [[nodiscard]] bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                         double margin) noexcept;
 
-// THE BAND. u = 2^-53, D and S the real distance and reach, d2 and s2 their computed squares.
-// A difference of inputs carries one factor (1 + e), |e| <= u; its square two such factors and one
-// more; the sum of three squares at most two more: d2 = D^2 (1 + t), |t| <= (1 + u)^5 - 1 < 5.01 u.
-// (Gradual underflow: a difference of doubles is never rounded when it is subnormal, and each
-// square loses at most 2^-1075, together less than 2^-110 s2 when s2 >= 2^-960.)
-// The reach is two additions of non-negative numbers and one square, the same bound:
-// s2 = S^2 (1 + t'), |t'| < 5.01 u. Each product s2 * (1 -+ 16 u) adds one rounding. So
-//   d2 < s2 (1 - 16 u)  implies  D^2 < S^2 (1 - 16 u)(1 + 7 u) / (1 - 5.01 u) < S^2,
-//   d2 > s2 (1 + 16 u)  implies  D^2 > S^2 likewise.
-// If d2 overflows while s2 <= 2^1000, D^2 exceeds 2^1023 and the elements are apart; inputs are
-// finite, so no NaN can arise. Outside [2^-960, 2^1000] the filter abstains. docs/contract.md
-// tells it at length.
+// The band of the filter. With u = 2^-53, D and S the real distance and reach, d2 and s2 their
+// computed squares, and s2 in [2^-960, 2^1000]:
+//   d2 < s2 (1 - 16 u)  implies  D^2 < S^2,
+//   d2 > s2 (1 + 16 u)  implies  D^2 > S^2, also where d2 overflows.
+// Between them, and for other s2, the filter abstains. The proof is
+// docs/derivations/predicate_band.md.
 inline constexpr double band = 0x1p-49;  // 16 u
 inline constexpr double smallest_safe_square = 0x1p-960;
 inline constexpr double largest_safe_square = 0x1p1000;

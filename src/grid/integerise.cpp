@@ -14,6 +14,7 @@
 
 #include "base/asking_sort.hpp"
 #include "grid/axis_map.hpp"
+#include "grid/scaling.hpp"
 
 #include <abut/error.hpp>
 
@@ -29,19 +30,10 @@ constexpr double cell_margin = 1.0 + 0x1p-19;
 constexpr double most_cells_in_one_segment = 0x1p30;
 constexpr double last_cell = 0x1p31 - 3;  // guards and counts stay within 31 bits
 
-/// Beyond this, sums and reciprocals could leave the exponent range; positions are scaled down.
-constexpr double largest_unscaled = 0x1p960;
-constexpr double scale_down = 0x1p-64;
+/// Scale of positions whose numbers are too large (grid/scaling.hpp). Here 2^-64 is enough, where
+/// nothing is squared.
+constexpr double scale_of_large = 0x1p-64;
 constexpr double smallest_cell_size = 0x1p-900;
-
-template <int Dim>
-double largest_magnitude(const Bounds<Dim>& bounds, double margin) {
-  double largest = std::max(bounds.largest_radius, margin);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
-  }
-  return largest;
-}
 
 /// The least number of cells along each axis that makes one cell per element.
 template <int Dim>
@@ -136,7 +128,7 @@ CellCoordinates<Dim> integerise(std::span<const exact::Sphere<Dim>> spheres,
   CellCoordinates<Dim> cells(spheres.size(), context.memory);
   if (spheres.empty()) return cells;
 
-  const double scale = largest_magnitude(bounds, margin) > largest_unscaled ? scale_down : 1.0;
+  const double scale = largest_number(bounds, margin) > largest_unscaled ? scale_of_large : 1.0;
   const double cell_size = choose_cell_size(bounds, margin, scale, spheres.size());
 
   const auto map_of = [&](std::size_t axis) {

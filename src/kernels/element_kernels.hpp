@@ -69,7 +69,7 @@ struct ElementKernels {
   std::size_t (*bound)(const double* records, std::size_t count, int dimensions,
                        ElementBounds& bounds);
 
-  /// places[k] = tile << 6 | near faces of record k: TileGrid::place.
+  /// places[k] = packed_place of the tile and the near faces of record k: TileGrid::place.
   std::size_t (*place)(const double* records, std::size_t count, int dimensions,
                        const PlaceMap& map, std::uint32_t* places);
 

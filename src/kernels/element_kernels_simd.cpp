@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/element_kernels.hpp"
+#include "kernels/place_format.hpp"
 #include "kernels/tile_view.hpp"
 
 #include <array>
@@ -161,7 +162,8 @@ std::size_t place_in(const double* records, std::size_t count, const PlaceMap& m
                                                 hn::Set(doubles, 2.0 * lower_bit)));
       tile = hn::Add(tile, hn::Mul(hn::Add(t, one), hn::Set(doubles, map.stride[axis])));
     }
-    const Doubles place = hn::Add(hn::Mul(tile, hn::Set(doubles, 64.0)), faces);
+    const Doubles place =
+        hn::Add(hn::Mul(tile, hn::Set(doubles, double{1 << place_face_bits})), faces);
     const auto shifted = hn::Xor(hn::DemoteTo(integers, hn::Sub(place, middle)), sign);
     hn::StoreU(hn::BitCast(numbers, shifted), numbers, places + k);
   }

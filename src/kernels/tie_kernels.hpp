@@ -9,6 +9,10 @@
 
 namespace abut::kernels {
 
+/// Elements of hits are fetched so many pairs ahead of their decision: enough to hide the way to
+/// memory.
+inline constexpr std::size_t hits_fetched_ahead = 8;
+
 /// Decisions about spheres in vectors of pairs.
 struct TieKernels {
   /// Decides the undecided pairs of the hits by the first three stages of exact::within_reach,

@@ -20,8 +20,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #include "kernels/simd_spheres-inl.hpp"
 
-/// Pairs that come so much later are fetched: enough to hide the way to memory.
-constexpr std::size_t fetched_ahead = 8;
 
 /// Which pairs a stage decided, and how.
 struct Decision {
@@ -154,13 +152,13 @@ std::size_t decide_in(const double* spheres, double margin, HitBuffer& hits,
     __builtin_prefetch(at(hits.element, k));
     __builtin_prefetch(at(hits.partner, k));
   };
-  for (std::size_t k = 0; k < fetched_ahead; ++k) fetch(k);
+  for (std::size_t k = 0; k < hits_fetched_ahead; ++k) fetch(k);
   std::size_t k = 0;
   for (; k + lanes <= hits.undecided_count; k += lanes) {
     const double* elements[lanes];
     const double* partners[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      fetch(k + fetched_ahead + lane);
+      fetch(k + hits_fetched_ahead + lane);
       elements[lane] = at(hits.element, k + lane);
       partners[lane] = at(hits.partner, k + lane);
     }

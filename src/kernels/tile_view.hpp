@@ -82,7 +82,11 @@ struct HitBuffer {
   std::size_t undecided_count = 0;
 };
 
-/// What the kernels need of the rest.
+/// Bounds the error of a distance that is computed in single precision, relative to the largest
+/// number that enters it (docs/derivations/tile_filter.md).
+inline constexpr double filter_error = 0x1p-20;
+
+/// Margin, buffers and counters of a search by the kernels.
 struct SearchJob {
   float margin;
   float slack;  ///< bounds the error of a computed distance, in the tile's unit

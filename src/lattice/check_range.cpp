@@ -38,7 +38,7 @@ void check_range(std::span<const exact::Sphere<Dim>> spheres, const ReducedLatti
   along.fill(true);
   grid::Bounds<Dim> bounds;
   for (const exact::Sphere<Dim>& sphere : spheres) bounds.include_center(sphere);
-  const double unit_of_result = unit_of_moved(lattice, largest_number(bounds, 0.0) * unit);
+  const double unit_of_result = unit_of_moved(lattice, grid::largest_number(bounds, 0.0) * unit);
   const Wrapper<Dim> wrapper(lattice, orthogonal_cell, along, {shape, unit, unit_of_result});
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     exact::Sphere<Dim> moved = spheres[i];
@@ -64,7 +64,7 @@ void check_range_as_given(std::span<const exact::Sphere<Dim>> spheres,
     bounds.include_center(sphere);
     bounds.include_radius(sphere.radius);
   }
-  const double unit = unit_of<Dim>(lattice, largest_number(bounds, margin));
+  const double unit = unit_of<Dim>(lattice, grid::largest_number(bounds, margin));
   const ReducedLattice<Dim> reduced(times(lattice, unit));
   check_range<Dim>(spheres, reduced, margin, shape, unit);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exact/lattice.hpp"
-#include "grid/bounds.hpp"
+#include "grid/scaling.hpp"
 #include "lattice/reduced_lattice.hpp"
 
 #include <algorithm>
@@ -9,17 +9,6 @@
 #include <cstddef>
 
 namespace abut::lattice {
-
-/// The largest position, radius or margin of a detection.
-template <int Dim>
-[[nodiscard]] double largest_number(const grid::Bounds<Dim>& bounds, double margin) noexcept {
-  double largest = std::max(bounds.largest_radius, margin);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    if (bounds.lower[axis] > bounds.upper[axis]) continue;  // no element
-    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
-  }
-  return largest;
-}
 
 /// A lattice vector is below 2^-800, and some number above 2^720.
 [[noreturn]] void refuse_range_of_numbers();
@@ -52,10 +41,8 @@ template <int Dim>
 /// them, might exceed the numbers. `largest` as above.
 template <int Dim>
 [[nodiscard]] double unit_of_moved(const ReducedLattice<Dim>& lattice, double largest) noexcept {
-  constexpr double largest_unscaled = 0x1p960;
-  constexpr double reduction = 0x1p-128;
   for (std::size_t k = 0; k < lattice.count; ++k) largest = std::max(largest, lattice.length[k]);
-  return largest > largest_unscaled ? reduction : 1.0;
+  return largest > grid::largest_unscaled ? grid::scale_down : 1.0;
 }
 
 [[nodiscard]] inline exact::Lattice times(exact::Lattice lattice, double unit) noexcept {

@@ -1,13 +1,12 @@
 #include "lattice/reach_mask.hpp"
 
+#include "grid/scaling.hpp"
+
 #include <cmath>
 #include <limits>
 
 namespace abut::lattice {
 namespace {
-
-/// Beyond this, sums might overflow; such elements are covered by all of space.
-constexpr double largest_number = 0x1p960;
 
 /// Reciprocals of smaller ones would not be finite.
 constexpr double smallest_side = 0x1p-900;
@@ -40,11 +39,9 @@ void ReachMask<Dim>::cover_box(const grid::Bounds<Dim>& bounds, double others_ra
   others_radius_ = others_radius;
   margin_ = margin;
   has_cells_ = false;
-  double largest = std::max({bounds.largest_radius, others_radius, margin});
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
-  }
-  in_range_ = largest <= largest_number;
+  // Sums of larger numbers might overflow; such elements are covered by all of space.
+  const double largest = std::max(grid::largest_number(bounds, margin), others_radius);
+  in_range_ = largest <= grid::largest_unscaled;
   largest_reach_ = in_range_ ? reach_of(bounds.largest_radius) : 0.0;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     constexpr double everywhere = std::numeric_limits<double>::infinity();

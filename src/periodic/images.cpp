@@ -1,6 +1,7 @@
 #include "periodic/images.hpp"
 
 #include "base/workers.hpp"
+#include "grid/scaling.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "periodic/most_ghosts.hpp"
@@ -96,7 +97,7 @@ void Images<Dim>::start_anew(std::span<const exact::Sphere<Dim>> elements,
   bounds_ = bounds;
   places_ = {};
   steps_ = {};
-  unit_ = lattice::unit_of_moved(lattice, lattice::largest_number(bounds, settings.margin));
+  unit_ = lattice::unit_of_moved(lattice, grid::largest_number(bounds, settings.margin));
   given_unit_ = settings.given_unit;
   size_cut_ = settings.size_cut * unit_;
   slack_ = 0.0;
@@ -374,9 +375,9 @@ void Images<Dim>::packed_shifts_between(std::span<const ContactPair> pairs,
   const std::uint32_t* const words = cells_moved_.words();
   const auto [x, y, z] = *side_of_axis_;
   const int bits[3] = {MovedCells::bits_of(x), MovedCells::bits_of(y), MovedCells::bits_of(z)};
-  constexpr std::size_t fetched_ahead = 64;  // enough to hide the way to memory
+  constexpr std::size_t words_fetched_ahead = 64;  // enough to hide the way to memory
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const ContactPair& later = pairs[std::min(k + fetched_ahead, pairs.size() - 1)];
+    const ContactPair& later = pairs[std::min(k + words_fetched_ahead, pairs.size() - 1)];
     __builtin_prefetch(words + later.first);
     __builtin_prefetch(words + later.second);
     const std::uint32_t word =

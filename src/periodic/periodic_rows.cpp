@@ -2,6 +2,7 @@
 
 #include "base/opposite_shift.hpp"
 #include "engine/set_search.hpp"
+#include "grid/scaling.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/image_decider.hpp"
 #include "lattice/lattice_unit.hpp"
@@ -186,8 +187,7 @@ void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, std::span<const exa
                    base::DetectionContext& context) {
   const std::size_t locals = spheres.size();
   const TemporaryGhosts<Dim> temporary_ghosts(spheres);
-  const double unit =
-      lattice::unit_of<Dim>(lattice, lattice::largest_number(bounds, settings.margin));
+  const double unit = lattice::unit_of<Dim>(lattice, grid::largest_number(bounds, settings.margin));
   const Given<Dim> given(spheres, boxes, bounds, unit, own.enlarged);
   lattice::ReducedLattice<Dim> reduced(unit == 1.0 ? lattice : lattice::times(lattice, unit));
   if (!boxes.empty()) turn_downwards(reduced);

@@ -24,11 +24,12 @@ GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
                               const grid::Bounds<Dim>& box_of_locals,
                               std::span<exact::Sphere<Dim>> spheres,
                               base::ProgressReporter* progress) {
-  constexpr std::size_t fetched_ahead = 16;  // enough to hide the way to memory
+  constexpr std::size_t locals_fetched_ahead = 16;  // enough to hide the way to memory
   constexpr std::size_t ghosts_between_polls = std::size_t{1} << 18;
   GhostPlaces<Dim> places;
   for (std::size_t g = 0; g < ghosts.size(); ++g) {
-    __builtin_prefetch(&locals[ghosts[std::min(g + fetched_ahead, ghosts.size() - 1)].element]);
+    __builtin_prefetch(
+        &locals[ghosts[std::min(g + locals_fetched_ahead, ghosts.size() - 1)].element]);
     exact::Sphere<Dim> sphere = locals[ghosts[g].element];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       for (std::size_t k = 0; k < Dim; ++k) {

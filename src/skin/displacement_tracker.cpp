@@ -13,8 +13,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Of a displacement and a growth, computed with half a dozen roundings: 16 u.
-constexpr double band = 0x1p-49;
+/// Relative error of the sum of a displacement and a growth, computed with half a dozen roundings:
+/// at most 16 u.
+constexpr double displacement_band = 0x1p-49;
 
 /// More than a displacement can lose where squares of its components underflow.
 constexpr double underflow = 0x1p-500;
@@ -84,7 +85,7 @@ double magnitude_of(const grid::Bounds<Dim>& bounds) {
 template <int Dim>
 void DisplacementTracker<Dim>::Part::include(double displacement, double growth_of_one) noexcept {
   const double sum = displacement + growth_of_one;
-  const double shift = sum + band * (displacement + std::fabs(growth_of_one));
+  const double shift = sum + displacement_band * (displacement + std::fabs(growth_of_one));
   known = known && shift < infinite;  // NaN is not
   second = std::max(second, std::min(shift, farthest));
   farthest = std::max(farthest, shift);
@@ -270,14 +271,14 @@ double DisplacementTracker<Dim>::approach(const ElementsNow<Dim>& now, double al
   any_moved_ = all.moved;
   if (!all.known) return infinite;
   double sum = all.farthest + all.second + underflow;
-  if (!periodic) return sum * (1.0 + band);
+  if (!periodic) return sum * (1.0 + displacement_band);
   magnitude_ = std::max(all.magnitude, magnitude_of(now.bounds));
   // Two elements, placed then and now; of an element and its own image only the radius counts.
   sum = std::max(sum, 2.0 * all.growth) + 2.0 * placing_error * (magnitude_then_ + magnitude_);
-  sum *= 1.0 + band;
+  sum *= 1.0 + displacement_band;
   if (!(sum <= allowed)) return sum;
   sum += lattice::image_motion(*then_, *now_, spread_, now.largest_reach() + sum);
-  return sum * (1.0 + band);
+  return sum * (1.0 + displacement_band);
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 
 #include "engine/random_spheres.hpp"
 #include "kernels/element_kernels.hpp"
+#include "kernels/place_format.hpp"
 #include "support/rows_variants.hpp"
 
 #include <algorithm>
@@ -168,7 +169,8 @@ TYPED_TEST(TileGridOf, VectorsPlaceTheSame) {
     EXPECT_GE(placed, level == Simd::scalar ? 0 : spheres.size() - 15);
     for (std::size_t k = 0; k < placed; ++k) {
       const auto [tile, near_faces] = grid.place(spheres[k]);
-      ASSERT_EQ(places[k], tile << 6 | near_faces) << name_of(level) << ", element " << k;
+      ASSERT_EQ(places[k], kernels::packed_place(tile, near_faces))
+          << name_of(level) << ", element " << k;
     }
   }
 }

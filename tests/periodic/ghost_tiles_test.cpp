@@ -1,6 +1,7 @@
 // Where ghosts go: each reaches the tiles of all locals that it may pair with, or is out of reach.
 
 #include "engine/tiles.hpp"
+#include "grid/scaling.hpp"
 #include "kernels/image_kernels.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "periodic/images.hpp"
@@ -90,7 +91,7 @@ template <int Dim>
 std::size_t check(const ExtremeSystem& system, double least_cells, double most_tiles) {
   auto spheres = spheres_of<Dim>(system, 1.0);
   const double unit = lattice::unit_of<Dim>(lattice_of<Dim>(system),
-                                            lattice::largest_number(bounds_of<Dim>(spheres), 0.0));
+                                            grid::largest_number(bounds_of<Dim>(spheres), 0.0));
   spheres = spheres_of<Dim>(system, unit);
   const lattice::ReducedLattice<Dim> reduced(lattice::times(lattice_of<Dim>(system), unit));
   base::MemoryMeter memory;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace abut::scenes {
 
@@ -19,6 +20,13 @@ class Random {
     bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EB;
     return bits ^ (bits >> 31);
   }
+
+  /// What std::shuffle and the distributions of <random> ask of a generator; unlike the numbers
+  /// themselves, what these make of them differs between standard libraries.
+  using result_type = std::uint64_t;
+  static constexpr result_type min() noexcept { return 0; }
+  static constexpr result_type max() noexcept { return std::numeric_limits<result_type>::max(); }
+  result_type operator()() noexcept { return next(); }
 
   /// A multiple of 2^-53 in [0, 1).
   double uniform() noexcept { return static_cast<double>(next() >> 11) * 0x1p-53; }

@@ -73,8 +73,8 @@ int compare(int cases, Draw&& draw) {
 
 TEST(BoxFeature, SmallIntegersOrdinaryAndExtremeNumbers) {
   Random random(41);
-  const auto integer = [&] { return static_cast<double>(random() % 7) - 3.0; };
-  const auto ordinary = [&] { return uniform(random, -1.0, 1.0); };
+  const auto integer = [&] { return static_cast<double>(random.below(7)) - 3.0; };
+  const auto ordinary = [&] { return random.uniform(-1.0, 1.0); };
   const auto extreme = [&] { return extreme_number(random); };
   for (const int within : {compare<3>(20000, integer), compare<2>(20000, integer),
                            compare<3>(20000, ordinary), compare<2>(20000, ordinary)}) {
@@ -130,8 +130,8 @@ void compare_moved_boxes(std::uint64_t seed) {
   int within = 0;
   std::uint64_t exact_decisions = 0;
   for (int k = 0; k < 20000; ++k) {
-    const auto whole = [&] { return static_cast<double>(random() % 5) - 2.0; };
-    const auto any = [&] { return random() % 4 == 0 ? 0.0 : uniform(random, -1.0, 1.0); };
+    const auto whole = [&] { return static_cast<double>(random.below(5)) - 2.0; };
+    const auto any = [&] { return random.below(4) == 0 ? 0.0 : random.uniform(-1.0, 1.0); };
     if (k % 2 == 0) {
       within += compare_moved(periodic_tie<Dim>(random, 1 + k % 31), exact_decisions, whole);
     } else {
@@ -165,11 +165,11 @@ TEST(BoxFeature, MovedCentersOnBounds) {
                            random_number_of_cells(random, 2),
                            random_number_of_cells(random, 1 + k % 20)};
     Box<3> box{};
-    Sphere<3> sphere{{}, static_cast<double>(random() % 4) * 0.5};
+    Sphere<3> sphere{{}, static_cast<double>(random.below(4)) * 0.5};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = static_cast<double>(random() % 4);
-      box.upper[axis] = box.lower[axis] + static_cast<double>(random() % 3);
-      sphere.center[axis] = static_cast<double>(random() % 10) * 0.5;
+      box.lower[axis] = static_cast<double>(random.below(4));
+      box.upper[axis] = box.lower[axis] + static_cast<double>(random.below(3));
+      sphere.center[axis] = static_cast<double>(random.below(10)) * 0.5;
       for (std::size_t n = 0; n < 3; ++n) {
         sphere.center[axis] += exact::numbers(shift)[n] * lattice.vectors[n][axis];
       }

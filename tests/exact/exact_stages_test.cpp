@@ -124,7 +124,7 @@ TYPED_TEST(ExactStages, BorderlineAndExtremePairs) {
   Decided decided;
   for (int k = 0; k < 20000; ++k) {
     auto pair = borderline_pair<TypeParam::value>(random, 2);
-    if (k % 2 == 0) scale(pair, static_cast<int>(random() % 2000) - 1050);
+    if (k % 2 == 0) scale(pair, static_cast<int>(random.below(2000)) - 1050);
     ASSERT_NO_FATAL_FAILURE(enter_each_stage(pair, decided));
     ASSERT_NO_FATAL_FAILURE(enter_each_stage(extreme_pair<TypeParam::value>(random), decided));
   }

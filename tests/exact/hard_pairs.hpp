@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exact/sphere.hpp"
+#include "scenes/random.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,7 +13,7 @@
 /// Pairs of spheres that are hard to decide.
 namespace abut::testing {
 
-using Random = std::mt19937_64;
+using scenes::Random;
 
 template <int Dim>
 struct HardPair {
@@ -30,13 +31,9 @@ struct HardPair {
   }
 };
 
-[[nodiscard]] inline double uniform(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
 /// A number in [-1, 1] with so many significant bits at most.
 [[nodiscard]] inline double short_number(Random& random, int bits) {
-  return std::ldexp(std::round(uniform(random, -1.0, 1.0) * std::ldexp(1.0, bits)), -bits);
+  return std::ldexp(std::round(random.uniform(-1.0, 1.0) * std::ldexp(1.0, bits)), -bits);
 }
 
 [[nodiscard]] inline double moved_by_ulps(double value, int ulps) {
@@ -59,19 +56,19 @@ template <int Dim>
 [[nodiscard]] HardPair<Dim> ordinary_pair(Random& random) {
   HardPair<Dim> pair{};
   for (exact::Sphere<Dim>* sphere : {&pair.a, &pair.b}) {
-    for (double& x : sphere->center) x = uniform(random, -1.0, 1.0);
-    sphere->radius = uniform(random, 0.0, 1.0);
+    for (double& x : sphere->center) x = random.uniform(-1.0, 1.0);
+    sphere->radius = random.uniform(0.0, 1.0);
   }
-  pair.margin = random() % 2 == 0 ? 0.0 : uniform(random, 0.0, 0.5);
+  pair.margin = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 0.5);
   return pair;
 }
 
 /// Sets radii and margin so that their sum is close to `reach`.
 template <int Dim>
 void share_out(HardPair<Dim>& pair, double reach, Random& random) {
-  pair.margin = random() % 2 == 0 ? 0.0 : reach * uniform(random, 0.0, 0.3);
+  pair.margin = random.below(2) == 0 ? 0.0 : reach * random.uniform(0.0, 0.3);
   const double rest = reach - pair.margin;
-  pair.a.radius = random() % 8 == 0 ? 0.0 : rest * uniform(random, 0.0, 1.0);
+  pair.a.radius = random.below(8) == 0 ? 0.0 : rest * random.uniform(0.0, 1.0);
   pair.b.radius = std::fmax(0.0, rest - pair.a.radius);
 }
 
@@ -79,7 +76,7 @@ void share_out(HardPair<Dim>& pair, double reach, Random& random) {
 template <int Dim>
 [[nodiscard]] HardPair<Dim> borderline_pair(Random& random, int most_ulps) {
   HardPair<Dim> pair{};
-  const int bits = 4 + static_cast<int>(random() % 50);
+  const int bits = 4 + static_cast<int>(random.below(50));
   long double distance_squared = 0;
   for (int axis = 0; axis < Dim; ++axis) {
     pair.a.center[axis] = short_number(random, bits);
@@ -90,7 +87,7 @@ template <int Dim>
   }
   const auto distance = static_cast<double>(std::sqrt(distance_squared));
   std::uniform_int_distribution<int> ulps(-most_ulps, most_ulps);
-  share_out(pair, moved_by_ulps(distance, ulps(random)), random);
+  share_out(pair, std::fmax(0.0, moved_by_ulps(distance, ulps(random))), random);
   pair.b.radius = std::fmax(0.0, pair.b.radius);
   return pair;
 }
@@ -103,25 +100,26 @@ template <int Dim>
   static constexpr std::array<std::array<int, 3>, 4> triples{
       {{3, 4, 5}, {5, 12, 13}, {20, 21, 29}, {0, 1, 1}}};
   HardPair<Dim> pair{};
-  const auto factor = static_cast<double>(1 + random() % ((std::uint64_t{1} << scale_bits) - 1));
+  const auto factor =
+      static_cast<double>(1 + random.next() % ((std::uint64_t{1} << scale_bits) - 1));
   double reach = 0;
   for (int axis = 0; axis < Dim; ++axis) {
     // A small integer beside a multiple of an integer: the difference is exact.
-    pair.b.center[axis] = static_cast<double>(random() % 1000) - 500.0;
+    pair.b.center[axis] = static_cast<double>(random.below(1000)) - 500.0;
   }
   if constexpr (Dim == 3) {
-    const auto& q = quadruples[random() % quadruples.size()];
+    const auto& q = quadruples[random.next() % quadruples.size()];
     for (std::size_t axis = 0; axis < 3; ++axis) pair.a.center[axis] = q[axis] * factor;
     reach = q[3] * factor;
   } else {
-    const auto& t = triples[random() % triples.size()];
+    const auto& t = triples[random.next() % triples.size()];
     for (std::size_t axis = 0; axis < 2; ++axis) pair.a.center[axis] = t[axis] * factor;
     reach = t[2] * factor;
   }
   for (int axis = 0; axis < Dim; ++axis) pair.a.center[axis] += pair.b.center[axis];
-  pair.a.radius = std::floor(reach * uniform(random, 0.0, 1.0));
+  pair.a.radius = std::floor(reach * random.uniform(0.0, 1.0));
   pair.b.radius = reach - pair.a.radius;
-  scale(pair, static_cast<int>(random() % 41) - 20);
+  scale(pair, static_cast<int>(random.below(41)) - 20);
   return pair;
 }
 
@@ -135,16 +133,17 @@ template <int Dim>
                           1e-300,        1e300,         1.0,
                           0x1p1023,      0x1p-1022,     0x1p-960,
                           0x1p500,       0x1p-500};
-  const auto sign = random() % 2 == 0 ? 1.0 : -1.0;
-  switch (random() % 4) {
+  const auto sign = random.below(2) == 0 ? 1.0 : -1.0;
+  switch (random.below(4)) {
     case 0:
-      return sign * edges[random() % std::size(edges)];
+      return sign * edges[random.next() % std::size(edges)];
     case 1:
-      return sign * moved_by_ulps(edges[random() % std::size(edges)] / 2, 1);
+      return sign * moved_by_ulps(edges[random.next() % std::size(edges)] / 2, 1);
     case 2:
-      return sign * std::ldexp(static_cast<double>(random() % 1000), -1074);
+      return sign * std::ldexp(static_cast<double>(random.below(1000)), -1074);
     default:
-      return sign * std::ldexp(uniform(random, 0.5, 1.0), static_cast<int>(random() % 2098) - 1074);
+      return sign *
+             std::ldexp(random.uniform(0.5, 1.0), static_cast<int>(random.below(2098)) - 1074);
   }
 }
 
@@ -155,7 +154,7 @@ template <int Dim>
     for (double& x : sphere->center) x = extreme_number(random);
     sphere->radius = std::fabs(extreme_number(random));
   }
-  pair.margin = random() % 2 == 0 ? 0.0 : std::fabs(extreme_number(random));
+  pair.margin = random.below(2) == 0 ? 0.0 : std::fabs(extreme_number(random));
   return pair;
 }
 

@@ -139,15 +139,15 @@ std::int32_t random_number_of_cells(Random& random, int bits) {
 
 template <int Dim>
 void choose_lattice(BoxPair<Dim>& pair, int bits, bool coarse, Random& random) {
-  const std::size_t always = random() % Dim;
+  const std::size_t always = random.below(Dim);
   for (std::size_t k = 0; k < Dim; ++k) {
-    pair.lattice.periodic[k] = k == always || random() % 2 == 0;
+    pair.lattice.periodic[k] = k == always || random.below(2) == 0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       // Mostly as in orthogonal and triangular cells, with zeros.
-      const bool zero = axis != k && random() % 2 == 0;
+      const bool zero = axis != k && random.below(2) == 0;
       pair.lattice.vectors[k][axis] = zero     ? 0.0
                                       : coarse ? short_number(random, 8)
-                                               : uniform(random, -1.0, 1.0);
+                                               : random.uniform(-1.0, 1.0);
     }
   }
   pair.shift.x = random_number_of_cells(random, bits);
@@ -160,30 +160,30 @@ void choose_lattice(BoxPair<Dim>& pair, int bits, bool coarse, Random& random) {
 template <int Dim>
 BoxPair<Dim> cancelling_pair(Random& random, int bits) {
   BoxPair<Dim> pair;
-  const bool coarse = random() % 3 == 0;
+  const bool coarse = random.below(3) == 0;
   choose_lattice(pair, bits, coarse, random);
-  const std::size_t tight = random() % Dim;
+  const std::size_t tight = random.below(Dim);
   const auto number = [&](double size) {
-    return coarse ? short_number(random, 8) * size : uniform(random, -size, size);
+    return coarse ? short_number(random, 8) * size : random.uniform(-size, size);
   };
-  pair.margin = random() % 3 == 0 ? 0.0 : std::fabs(number(1.0));
+  pair.margin = random.below(3) == 0 ? 0.0 : std::fabs(number(1.0));
   auto& [a, b] = pair.box;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     a.lower[axis] = number(1.0);
     a.upper[axis] = a.lower[axis] + std::fabs(number(1.0));
     const mpq_class moved = moved_by(pair, axis);
-    const bool behind = random() % 2 == 0;
+    const bool behind = random.below(2) == 0;
     mpq_class end = behind ? mpq_class(a.upper[axis]) : mpq_class(a.lower[axis]);
     end += behind ? mpq_class(pair.margin) : mpq_class(-pair.margin);
     end -= moved;
-    const double rounded = moved_by_ulps(end.get_d(), static_cast<int>(random() % 5) - 2);
+    const double rounded = moved_by_ulps(end.get_d(), static_cast<int>(random.below(5)) - 2);
     const double width = 0.5 + std::fabs(number(1.0));
     const double inside = axis == tight ? 0.0 : 0.25 * width;
     b.lower[axis] = behind ? rounded - inside : rounded + inside - width;
     b.upper[axis] = behind ? rounded + width : rounded + inside;
     if (axis == tight) (behind ? b.lower : b.upper)[axis] = rounded;
   }
-  if (random() % 2 == 0) std::swap(pair.box[0], pair.box[1]);
+  if (random.below(2) == 0) std::swap(pair.box[0], pair.box[1]);
   return pair;
 }
 
@@ -224,7 +224,7 @@ TYPED_TEST(PeriodicBoxes, CancellationAtEveryScale) {
   Count count;
   for (int exponent = -1074; exponent <= 990; exponent += 6) {
     for (int k = 0; k < 20; ++k) {
-      auto pair = cancelling_pair<TypeParam::value>(random, 1 + static_cast<int>(random() % 31));
+      auto pair = cancelling_pair<TypeParam::value>(random, 1 + static_cast<int>(random.below(31)));
       scale(pair, exponent);
       ASSERT_NO_FATAL_FAILURE(compare(pair, count)) << "2^" << exponent;
     }
@@ -238,7 +238,7 @@ TYPED_TEST(PeriodicBoxes, ExtremeNumbers) {
   Count count;
   for (int round = 0; round < 20000; ++round) {
     BoxPair<dim> pair;
-    choose_lattice(pair, random() % 2 == 0 ? 31 : 2, true, random);
+    choose_lattice(pair, random.below(2) == 0 ? 31 : 2, true, random);
     for (std::size_t axis = 0; axis < dim; ++axis) {
       for (auto& box : pair.box) {
         const double ends[2] = {extreme_number(random), extreme_number(random)};
@@ -246,10 +246,10 @@ TYPED_TEST(PeriodicBoxes, ExtremeNumbers) {
         box.upper[axis] = std::fmax(ends[0], ends[1]);
       }
       for (std::size_t k = 0; k < dim; ++k) {
-        pair.lattice.vectors[k][axis] = random() % 4 == 0 ? 0.0 : extreme_number(random);
+        pair.lattice.vectors[k][axis] = random.below(4) == 0 ? 0.0 : extreme_number(random);
       }
     }
-    pair.margin = random() % 2 == 0 ? 0.0 : std::fabs(extreme_number(random));
+    pair.margin = random.below(2) == 0 ? 0.0 : std::fabs(extreme_number(random));
     ASSERT_NO_FATAL_FAILURE(compare(pair, count));
   }
   EXPECT_GT(count.within, 1000U);
@@ -261,7 +261,7 @@ TYPED_TEST(PeriodicBoxes, TheFilterDecidesWhatIsClear) {
   Count count;
   for (int k = 0; k < 10000; ++k) {
     auto pair = cancelling_pair<TypeParam::value>(random, 4);
-    const double off = random() % 2 == 0 ? 1e-9 : -1e-9;
+    const double off = random.below(2) == 0 ? 1e-9 : -1e-9;
     for (double& x : pair.box[1].lower) x -= off;
     for (double& x : pair.box[1].upper) x += off;
     ASSERT_NO_FATAL_FAILURE(compare(pair, count));

@@ -56,7 +56,7 @@ TYPED_TEST(PeriodicGap, HasTheSignOfThePredicate) {
   Random random(61);
   for (int k = 0; k < 10000; ++k) {
     auto pair = cancelling_pair<TypeParam::value>(random, 1 + k % 31);
-    if (k % 4 == 0) scale(pair, static_cast<int>(random() % 2000) - 1050);
+    if (k % 4 == 0) scale(pair, static_cast<int>(random.below(2000)) - 1050);
     ASSERT_NO_FATAL_FAILURE(expect_sound(pair));
     ASSERT_NO_FATAL_FAILURE(expect_sound(periodic_tie<TypeParam::value>(random, 1 + k % 31)));
     ASSERT_NO_FATAL_FAILURE(expect_sound(extreme_periodic_pair<TypeParam::value>(random)));
@@ -71,7 +71,7 @@ TYPED_TEST(PeriodicGap, IsAsAccurateAsInOpenSpace) {
     pair.spheres.margin = 0.0;
     if (exact_reach(pair.spheres.a, pair.spheres.b, 0.0) == 0) continue;
     ASSERT_LT(error_of_gap(pair), 4.6) << pair;
-    scale(pair, static_cast<int>(random() % 1700) - 850);
+    scale(pair, static_cast<int>(random.below(1700)) - 850);
     ASSERT_LT(error_of_gap(pair), 4.6) << "scaled: " << pair;
   }
 }

@@ -73,9 +73,9 @@ template <int Dim>
 
 /// From 1 to all of 31 bits, of either sign.
 [[nodiscard]] inline std::int32_t random_number_of_cells(Random& random, int bits) {
-  if (bits >= 31 && random() % 4 == 0) {
-    return random() % 2 == 0 ? std::numeric_limits<std::int32_t>::max()
-                             : -std::numeric_limits<std::int32_t>::max();
+  if (bits >= 31 && random.below(4) == 0) {
+    return random.below(2) == 0 ? std::numeric_limits<std::int32_t>::max()
+                                : -std::numeric_limits<std::int32_t>::max();
   }
   const auto limit = (std::int64_t{1} << bits) - 1;
   return static_cast<std::int32_t>(
@@ -84,9 +84,9 @@ template <int Dim>
 
 template <int Dim>
 void choose_periodic_axes(PeriodicPair<Dim>& pair, int bits_of_shift, Random& random) {
-  const std::size_t always = random() % Dim;
+  const std::size_t always = random.below(Dim);
   for (std::size_t k = 0; k < Dim; ++k) {
-    pair.lattice.periodic[k] = k == always || random() % 2 == 0;
+    pair.lattice.periodic[k] = k == always || random.below(2) == 0;
   }
   pair.shift.x = random_number_of_cells(random, bits_of_shift);
   pair.shift.y = random_number_of_cells(random, bits_of_shift);
@@ -106,23 +106,23 @@ template <int Dim>
 [[nodiscard]] PeriodicPair<Dim> cancelling_pair(Random& random, int bits_of_shift) {
   PeriodicPair<Dim> pair{};
   choose_periodic_axes(pair, bits_of_shift, random);
-  const bool coarse = random() % 3 == 0;
+  const bool coarse = random.below(3) == 0;
   set_lattice<Dim>(
       pair,
       coarse ? [](Random& r) { return short_number(r, 8); }
-             : [](Random& r) { return uniform(r, -1.0, 1.0); },
+             : [](Random& r) { return r.uniform(-1.0, 1.0); },
       random);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
-    pair.spheres.a.center[axis] = coarse ? short_number(random, 12) : uniform(random, -1.0, 1.0);
+    pair.spheres.a.center[axis] = coarse ? short_number(random, 12) : random.uniform(-1.0, 1.0);
     // What is left of a - n A: b added to it, and the difference is small.
     const double moved = exact_component(pair, axis).get_d();
     pair.spheres.b.center[axis] =
-        moved + (coarse ? short_number(random, 8) : uniform(random, -1, 1));
+        moved + (coarse ? short_number(random, 8) : random.uniform(-1, 1));
   }
   mpf_class distance(0, 300);
   distance = exact_distance_squared(pair);
   distance = sqrt(distance);
-  const double reach = moved_by_ulps(distance.get_d(), static_cast<int>(random() % 7) - 3);
+  const double reach = moved_by_ulps(distance.get_d(), static_cast<int>(random.below(7)) - 3);
   share_out(pair.spheres, std::fmax(0.0, reach), random);
   return pair;
 }
@@ -132,12 +132,12 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] PeriodicPair<Dim> periodic_tie(Random& random, int bits_of_shift) {
   PeriodicPair<Dim> pair{};
-  pair.spheres = exact_tie<Dim>(random, 1 + static_cast<int>(random() % 10));
+  pair.spheres = exact_tie<Dim>(random, 1 + static_cast<int>(random.below(10)));
   choose_periodic_axes(pair, bits_of_shift, random);
-  const double unit = std::ldexp(1.0, static_cast<int>(random() % 20) - 10);
+  const double unit = std::ldexp(1.0, static_cast<int>(random.below(20)) - 10);
   for (std::size_t k = 0; k < Dim; ++k) {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      pair.lattice.vectors[k][axis] = (static_cast<double>(random() % 100) - 50.0) * unit;
+      pair.lattice.vectors[k][axis] = (static_cast<double>(random.below(100)) - 50.0) * unit;
       if (!pair.lattice.periodic[k]) continue;
       pair.spheres.b.center[axis] -= exact::numbers(pair.shift)[k] * pair.lattice.vectors[k][axis];
     }
@@ -149,7 +149,7 @@ template <int Dim>
 [[nodiscard]] PeriodicPair<Dim> extreme_periodic_pair(Random& random) {
   PeriodicPair<Dim> pair{};
   pair.spheres = extreme_pair<Dim>(random);
-  choose_periodic_axes(pair, random() % 2 == 0 ? 31 : 2, random);
+  choose_periodic_axes(pair, random.below(2) == 0 ? 31 : 2, random);
   set_lattice<Dim>(
       pair, [](Random& r) { return r() % 4 == 0 ? 0.0 : extreme_number(r); }, random);
   return pair;

@@ -87,7 +87,7 @@ TYPED_TEST(PeriodicPredicate, CancellationAtEveryScale) {
   Count count;
   for (int exponent = -1074; exponent <= 980; exponent += 6) {
     for (int k = 0; k < 20; ++k) {
-      auto pair = cancelling_pair<TypeParam::value>(random, 1 + static_cast<int>(random() % 31));
+      auto pair = cancelling_pair<TypeParam::value>(random, 1 + static_cast<int>(random.below(31)));
       scale(pair, exponent);
       ASSERT_NO_FATAL_FAILURE(compare(pair, count)) << "2^" << exponent;
     }
@@ -122,7 +122,7 @@ TYPED_TEST(PeriodicPredicate, TheFilterDecidesWhatIsClear) {
   Count count;
   for (int k = 0; k < 10000; ++k) {
     auto pair = cancelling_pair<TypeParam::value>(random, 4);
-    pair.spheres.a.radius *= random() % 2 == 0 ? 0.999 : 1.001;
+    pair.spheres.a.radius *= random.below(2) == 0 ? 0.999 : 1.001;
     pair.spheres.a.radius += 1e-9;
     ASSERT_NO_FATAL_FAILURE(compare(pair, count));
   }

@@ -67,10 +67,10 @@ Case cancelling_case(Random& random, int bits_of_shift, bool coarse) {
   set_lattice<3>(
       pair,
       coarse ? [](Random& r) { return short_number(r, 4); }
-             : [](Random& r) { return uniform(r, -1.0, 1.0); },
+             : [](Random& r) { return r.uniform(-1.0, 1.0); },
       random);
   take_lattice(c, pair);
-  const auto draw = [&] { return coarse ? short_number(random, 3) : uniform(random, -1.0, 1.0); };
+  const auto draw = [&] { return coarse ? short_number(random, 3) : random.uniform(-1.0, 1.0); };
   for (auto& corner : c.triangle.corner) {
     for (double& x : corner) x = draw();
   }
@@ -87,8 +87,8 @@ TEST(PeriodicTriangle, OrdinaryCasesAreDecidedByTheFilter) {
   Count count;
   for (int k = 0; k < 20000; ++k) {
     Case c = cancelling_case(random, 3, false);
-    c.sphere.radius = uniform(random, 0.0, 1.5);
-    c.margin = random() % 2 == 0 ? 0.0 : uniform(random, 0.0, 0.3);
+    c.sphere.radius = random.uniform(0.0, 1.5);
+    c.margin = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 0.3);
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
   }
   EXPECT_LE(count.exact_decisions, 4U);
@@ -103,8 +103,8 @@ TEST(PeriodicTriangle, ShortNumbersAtShiftsOfAllBits) {
   Count count;
   for (int k = 0; k < 30000; ++k) {
     Case c = cancelling_case(random, 1 + k % 31, true);
-    c.sphere.radius = static_cast<double>(random() % 5) * 0.25;
-    c.margin = static_cast<double>(random() % 2) * 0.25;
+    c.sphere.radius = static_cast<double>(random.below(5)) * 0.25;
+    c.margin = static_cast<double>(random.below(2)) * 0.25;
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
   }
   EXPECT_GT(count.exact_decisions, 1000U);
@@ -131,9 +131,9 @@ TEST(PeriodicTriangle, CentersOnTheBordersOfParts) {
   Count count;
   for (int k = 0; k < 20000; ++k) {
     Case c = cancelling_case(random, 1 + k % 8, false);
-    const std::size_t from = random() % 3;
+    const std::size_t from = random.below(3);
     const std::size_t to = (from + 1) % 3;
-    const double along = k % 2 == 0 ? 0.0 : uniform(random, 0.0, 1.0);
+    const double along = k % 2 == 0 ? 0.0 : random.uniform(0.0, 1.0);
     RationalPoint back = moved_back({0.0, 0.0, 0.0}, c.shift, c.lattice);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double edge = c.triangle.corner[to][axis] - c.triangle.corner[from][axis];
@@ -173,7 +173,7 @@ TEST(PeriodicTriangle, ExtremeNumbers) {
       for (double& x : corner) x = extreme_number(random);
     }
     c.sphere.radius = std::fabs(extreme_number(random));
-    c.margin = random() % 2 == 0 ? 0.0 : std::fabs(extreme_number(random));
+    c.margin = random.below(2) == 0 ? 0.0 : std::fabs(extreme_number(random));
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
   }
   EXPECT_GT(count.within, 50U);

@@ -59,7 +59,7 @@ TYPED_TEST(SphereGap, HasTheSignOfThePredicate) {
   for (int k = 0; k < 20000; ++k) {
     auto pair = borderline_pair<TypeParam::value>(random, 3);
     pair.margin = 0.0;
-    if (k % 4 == 0) scale(pair, static_cast<int>(random() % 2000) - 1050);
+    if (k % 4 == 0) scale(pair, static_cast<int>(random.below(2000)) - 1050);
     ASSERT_NO_FATAL_FAILURE(expect_sound(pair));
     const double gap = exact::gap(pair.a, pair.b);
     of_zero_width += gap == 0.0 || gap == std::numeric_limits<double>::denorm_min() ? 1 : 0;
@@ -93,7 +93,7 @@ TYPED_TEST(SphereGap, IsAccurate) {
     pair.margin = 0.0;
     if (exact_reach(pair.a, pair.b, 0.0) == 0) continue;
     ASSERT_LT(error_of_gap(pair), 4.6) << pair;
-    scale(pair, static_cast<int>(random() % 1800) - 900);
+    scale(pair, static_cast<int>(random.below(1800)) - 900);
     if (pair.a.radius > 0 && pair.a.radius < 0x1p-1000) continue;
     ASSERT_LT(error_of_gap(pair), 4.6) << "scaled: " << pair;
   }

@@ -37,9 +37,9 @@ struct TriangleCase {
 inline void plant_reach(TriangleCase& c, const RationalPoint& center, Random& random) {
   mpf_class distance(nearest_part_by_rationals(center, c.triangle).distance_squared, 300);
   distance = sqrt(distance);
-  const int ulps = static_cast<int>(random() % 7) - 3;
+  const int ulps = static_cast<int>(random.below(7)) - 3;
   const double reach = std::fmax(0.0, moved_by_ulps(distance.get_d(), ulps));
-  c.margin = random() % 2 == 0 ? 0.0 : reach * uniform(random, 0.0, 0.5);
+  c.margin = random.below(2) == 0 ? 0.0 : reach * random.uniform(0.0, 0.5);
   c.sphere.radius = reach - c.margin;
 }
 

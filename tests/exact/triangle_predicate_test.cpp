@@ -49,9 +49,9 @@ TEST(TrianglePredicate, OrdinaryCasesAreDecidedByTheFilter) {
   Random random(11);
   Count count;
   for (int k = 0; k < 20000; ++k) {
-    Case c = case_of([&] { return uniform(random, -1.0, 1.0); });
-    c.sphere.radius = uniform(random, 0.0, 1.5);
-    c.margin = random() % 2 == 0 ? 0.0 : uniform(random, 0.0, 0.3);
+    Case c = case_of([&] { return random.uniform(-1.0, 1.0); });
+    c.sphere.radius = random.uniform(0.0, 1.5);
+    c.margin = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 0.3);
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
   }
   EXPECT_LE(count.exact_decisions, 2U);
@@ -64,10 +64,10 @@ TEST(TrianglePredicate, SmallIntegersAndTrianglesWithoutArea) {
   Random random(12);
   Count count;
   for (int k = 0; k < 40000; ++k) {
-    const std::uint64_t most = 2 + random() % 3;
-    Case c = case_of([&] { return static_cast<double>(random() % (most + 1)); });
-    c.sphere.radius = static_cast<double>(random() % 5) * 0.5;
-    c.margin = static_cast<double>(random() % 2) * 0.5;
+    const std::uint64_t most = 2 + random.below(3);
+    Case c = case_of([&] { return static_cast<double>(random.next() % (most + 1)); });
+    c.sphere.radius = static_cast<double>(random.below(5)) * 0.5;
+    c.margin = static_cast<double>(random.below(2)) * 0.5;
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
   }
   EXPECT_GT(count.exact_decisions, 10000U);
@@ -78,7 +78,7 @@ TEST(TrianglePredicate, ReachPlantedAtTheDistance) {
   Random random(13);
   Count count;
   for (int k = 0; k < 20000; ++k) {
-    const int bits = 3 + static_cast<int>(random() % 50);
+    const int bits = 3 + static_cast<int>(random.below(50));
     Case c = case_of([&] { return short_number(random, bits); });
     plant_reach(c, random);
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
@@ -107,18 +107,18 @@ TEST(TrianglePredicate, NeedlesGiantsAndSpecks) {
   Random random(15);
   Count count;
   for (int k = 0; k < 10000; ++k) {
-    const int exponents[3] = {static_cast<int>(random() % 60) - 30,
-                              static_cast<int>(random() % 60) - 30,
-                              static_cast<int>(random() % 60) - 30};
-    Case c = case_of([&] { return uniform(random, -1.0, 1.0); });
+    const int exponents[3] = {static_cast<int>(random.below(60)) - 30,
+                              static_cast<int>(random.below(60)) - 30,
+                              static_cast<int>(random.below(60)) - 30};
+    Case c = case_of([&] { return random.uniform(-1.0, 1.0); });
     for (int axis = 0; axis < 3; ++axis) {
       for (auto& corner : c.triangle.corner)
         corner[axis] = std::ldexp(corner[axis], exponents[axis]);
     }
-    const int away = static_cast<int>(random() % 60) - 30;
+    const int away = static_cast<int>(random.below(60)) - 30;
     for (double& x : c.sphere.center) x = std::ldexp(x, away);
     plant_reach(c, random);
-    if (random() % 2 == 0) c.sphere.radius *= uniform(random, 0.9, 1.1);
+    if (random.below(2) == 0) c.sphere.radius *= random.uniform(0.9, 1.1);
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
   }
   EXPECT_LT(count.exact_decisions, count.cases);
@@ -132,12 +132,12 @@ TEST(TrianglePredicate, WholeNumbersOfSomeTwentyBits) {
   for (int k = 0; k < 16000; ++k) {
     const double most = std::ldexp(1.0, 17 + k % 8) - 1.0;
     Case c = case_of([&] {
-      return random() % 2 == 0 ? (random() % 2 == 0 ? most : -most)
-                               : std::round(uniform(random, -most, most));
+      return random.below(2) == 0 ? (random.below(2) == 0 ? most : -most)
+                                  : std::round(random.uniform(-most, most));
     });
     const NearestPart nearest = nearest_part_by_rationals(c.sphere.center, c.triangle);
     c.sphere.radius = std::round(std::sqrt(nearest.distance_squared.get_d()));
-    if (random() % 2 == 0) c.sphere.radius = std::round(uniform(random, 0.0, 2.0 * most));
+    if (random.below(2) == 0) c.sphere.radius = std::round(random.uniform(0.0, 2.0 * most));
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
   }
   EXPECT_GT(count.within, count.cases / 4);
@@ -151,7 +151,7 @@ TEST(TrianglePredicate, ExtremeNumbers) {
   for (int k = 0; k < 1500; ++k) {
     Case c = case_of([&] { return extreme_number(random); });
     c.sphere.radius = std::fabs(extreme_number(random));
-    c.margin = random() % 2 == 0 ? 0.0 : std::fabs(extreme_number(random));
+    c.margin = random.below(2) == 0 ? 0.0 : std::fabs(extreme_number(random));
     ASSERT_NO_FATAL_FAILURE(compare(c, count));
   }
   EXPECT_GT(count.within, 100U);
@@ -223,16 +223,16 @@ TEST(TrianglePredicate, CentersOnTheBordersOfParts) {
   Random random(18);
   Count count;
   for (int k = 0; k < 40000; ++k) {
-    Case c = case_of([&] { return uniform(random, -1.0, 1.0); });
-    const std::size_t from = random() % 3;
+    Case c = case_of([&] { return random.uniform(-1.0, 1.0); });
+    const std::size_t from = random.below(3);
     const std::size_t to = (from + 1) % 3;
     const Numbers edge = edge_of(c.triangle, from, to);
     const Numbers normal = cross(edge, edge_of(c.triangle, from, (from + 2) % 3));
     const Numbers across = cross(edge, normal);
     const bool at_corner = k % 2 == 0;
-    const double along = at_corner ? 0.0 : uniform(random, 0.0, 1.0);
-    const double sideways = at_corner ? uniform(random, 0.0, 1.0) : 0.0;
-    const double up = uniform(random, -1.0, 1.0);
+    const double along = at_corner ? 0.0 : random.uniform(0.0, 1.0);
+    const double sideways = at_corner ? random.uniform(0.0, 1.0) : 0.0;
+    const double up = random.uniform(-1.0, 1.0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       c.sphere.center[axis] = c.triangle.corner[from][axis] + along * edge[axis] +
                               sideways * across[axis] + up * normal[axis];
@@ -253,11 +253,11 @@ TEST(TrianglePredicate, TrianglesAgreeOnACommonSide) {
   for (int k = 0; k < 50000; ++k) {
     const bool coarse = k % 2 == 0;
     Case c = case_of(
-        [&] { return coarse ? static_cast<double>(random() % 4) : uniform(random, -1.0, 1.0); });
+        [&] { return coarse ? static_cast<double>(random.below(4)) : random.uniform(-1.0, 1.0); });
     c.sphere.radius = 100.0;
     Triangle other = c.triangle;
     for (double& x : other.corner[2])
-      x = coarse ? static_cast<double>(random() % 4) : uniform(random, -1, 1);
+      x = coarse ? static_cast<double>(random.below(4)) : random.uniform(-1, 1);
     const auto first = exact::part_within_reach(c.sphere, c.triangle, 0.0, exact_decisions);
     const auto second = exact::part_within_reach(c.sphere, other, 0.0, exact_decisions);
     ASSERT_TRUE(first && second);

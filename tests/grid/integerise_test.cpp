@@ -1,6 +1,7 @@
 // Cell numbers: from 0, below cell_count, few, whatever the elements.
 
 #include "grid/integerised.hpp"
+#include "scenes/random.hpp"
 
 #include <gtest/gtest.h>
 #include <abut/error.hpp>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <random>
 #include <vector>
 
 namespace abut::testing {
@@ -73,10 +73,10 @@ TEST(Integerise, NegativeCoordinatesCountFromTheLowest) {
 }
 
 TEST(Integerise, PointsWithoutReachAreSpreadOut) {
-  std::mt19937_64 random(91);
+  scenes::Random random(91);
   std::vector<exact::Sphere<3>> points(1000);
   for (auto& point : points) {
-    for (double& x : point.center) x = std::uniform_real_distribution<double>(-1.0, 1.0)(random);
+    for (double& x : point.center) x = random.uniform(-1.0, 1.0);
   }
   base::DetectionContext context;
   const auto cells = integerise(points, 0.0, context);
@@ -103,16 +103,16 @@ TEST(Integerise, OneFarOutlierTakesOneCellMore) {
 }
 
 TEST(Integerise, CellNumbersFollowTheElementsOnAnyScale) {
-  std::mt19937_64 random(92);
+  scenes::Random random(92);
   for (int trial = 0; trial < 200; ++trial) {
-    std::vector<exact::Sphere<3>> spheres(1 + random() % 100);
-    const std::uint64_t spread = random() % 2000;
+    std::vector<exact::Sphere<3>> spheres(1 + random.below(100));
+    const std::uint64_t spread = random.below(2000);
     for (auto& sphere : spheres) {
       for (double& x : sphere.center) {
-        const int exponent = -1000 + static_cast<int>(random() % (spread + 1));
-        x = std::ldexp(std::uniform_real_distribution<double>(-1.0, 1.0)(random), exponent);
+        const int exponent = -1000 + static_cast<int>(random.below(spread + 1));
+        x = std::ldexp(random.uniform(-1.0, 1.0), exponent);
       }
-      sphere.radius = std::ldexp(1.0, -1060 + static_cast<int>(random() % 100));
+      sphere.radius = std::ldexp(1.0, -1060 + static_cast<int>(random.below(100)));
     }
     base::DetectionContext context;
     const auto cells = integerise(spheres, 0.0, context);

@@ -2,6 +2,7 @@
 // that can show two elements within reach two cells apart. Random ones never do.
 
 #include "grid/integerised.hpp"
+#include "scenes/random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <random>
 #include <vector>
 
 namespace abut::testing {
@@ -19,14 +19,14 @@ namespace {
 /// Pairs (0, 1), (2, 3), ... just within reach; the first of each just below, on or above a face
 /// of the cells of side `reach * (1 + cell_margin)` that begin at `origin`.
 Line near_faces(double origin, double radius, double margin, double cell_margin,
-                std::int64_t most_cells, std::mt19937_64& random) {
+                std::int64_t most_cells, scenes::Random& random) {
   Line line{{}, radius, margin};
   const double cell = reach_of(line).get_d() * (1.0 + cell_margin);
   for (int k = 0; k < 300; ++k) {
     const auto face = static_cast<double>(
-        k < 20 ? k : static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most_cells)));
+        k < 20 ? k : static_cast<std::int64_t>(random.below(static_cast<std::size_t>(most_cells))));
     double x = mpq_class(mpq_class(origin) + mpq_class(face) * mpq_class(cell)).get_d();
-    for (int ulps = static_cast<int>(random() % 4); ulps > 0; --ulps) {
+    for (int ulps = static_cast<int>(random.below(4)); ulps > 0; --ulps) {
       x = std::nextafter(x, -HUGE_VAL);
     }
     if (k % 3 == 0) x = std::nextafter(std::nextafter(x, HUGE_VAL), HUGE_VAL);
@@ -72,7 +72,7 @@ struct Placing {
 };
 
 TEST(NearFace, ElementsWithinReachAreInEqualOrAdjacentCells) {
-  std::mt19937_64 random(81);
+  scenes::Random random(81);
   int missed_without = 0;
   int missed_at_large_numbers = 0;
   for (const double size : {1.0, 0.1, 3.0e-7, 7.77e20, 1e-290, 1e280, 1e-320}) {
@@ -104,9 +104,9 @@ TEST(NearFace, CoordinatesNearOverflow) {
   for (const double radius : {huge / 8, 1e306, 1e301, 1e290}) {
     Line line{{}, radius, 0.0};
     line.x = {-huge, farthest_within_reach(-huge, line)};
-    std::mt19937_64 random(82);
+    scenes::Random random(82);
     for (int k = 0; k < 100; ++k) {
-      const double x = huge * std::uniform_real_distribution<double>(-1.0, 0.7)(random);
+      const double x = huge * random.uniform(-1.0, 0.7);
       line.x.push_back(x);
       line.x.push_back(farthest_within_reach(x, line));
     }
@@ -118,7 +118,7 @@ TEST(NearFace, CoordinatesNearOverflow) {
 TEST(NearFace, SeveralClustersFarApart) {
   // The axis is far longer than 2^30 cells, so that empty gaps are collapsed; the pairs lie at the
   // ends of the clusters as well.
-  std::mt19937_64 random(83);
+  scenes::Random random(83);
   for (const double distance : {1e12, 1e15, 1e100, 1e300}) {
     Line line{{}, 0.5, 0.0};
     for (const double center : {-distance, -3e11, 0.0, 7e11, distance}) {
@@ -148,7 +148,7 @@ TEST(NearFace, LongClustersWithGapsOfOneReach) {
 }
 
 TEST(NearFace, EveryAxisAlike) {
-  std::mt19937_64 random(84);
+  scenes::Random random(84);
   const Line line = near_faces(-20.0, 0.5, 0.0, 0x1p-19, 50, random);
   const std::vector<std::int32_t> expected = cells_of(line);
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,5 @@
 #include "io/number_text.hpp"
+#include "scenes/random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,6 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
-#include <random>
 #include <string>
 #include <string_view>
 
@@ -73,9 +73,9 @@ TEST(ParseNumber, Faults) {
 }
 
 TEST(ParseNumber, RandomBitsSurviveSeventeenDigits) {
-  std::mt19937_64 random(20);
+  scenes::Random random(20);
   for (int k = 0; k < 20000; ++k) {
-    const double value = std::bit_cast<double>(random());
+    const double value = std::bit_cast<double>(random.next());
     if (!std::isfinite(value)) continue;
     char text[40];
     std::snprintf(text, sizeof text, "%.17g", value);

@@ -1,8 +1,8 @@
 #include "io/quoted_text.hpp"
+#include "scenes/random.hpp"
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 #include <string_view>
 
@@ -79,11 +79,11 @@ TEST(QuotedText, IsShort) {
 
 /// All bytes of a text are taken once, and what is shown is UTF-8 that shows.
 TEST(VisibleText, RandomBytes) {
-  std::mt19937 random(5);
+  scenes::Random random(5);
   for (int round = 0; round < 20000; ++round) {
     std::string text;
-    const std::size_t size = random() % 12;
-    for (std::size_t k = 0; k < size; ++k) text += static_cast<char>(random());
+    const std::size_t size = random.below(12);
+    for (std::size_t k = 0; k < size; ++k) text += static_cast<char>(random.next());
     std::size_t taken = 0;
     for (std::string_view rest = text; !rest.empty();) {
       const Character character = first_character(rest);

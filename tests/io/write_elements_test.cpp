@@ -1,5 +1,6 @@
 #include "io/write/write_elements.hpp"
 
+#include "scenes/random.hpp"
 #include "scratch.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
-#include <random>
 #include <string>
 
 namespace abut::io::testing {
@@ -17,16 +17,16 @@ namespace {
 
 using limits = std::numeric_limits<double>;
 
-double random_finite(std::mt19937_64& random) {
+double random_finite(scenes::Random& random) {
   for (;;) {
-    const double value = std::bit_cast<double>(random());
+    const double value = std::bit_cast<double>(random.next());
     if (std::isfinite(value)) return value;
   }
 }
 
 /// Numbers of every size, and those that careless writers lose.
 Snapshot awkward(int dimensions, bool ids) {
-  std::mt19937_64 random(11);
+  scenes::Random random(11);
   Snapshot snapshot;
   snapshot.dimensions = dimensions;
   const double special[] = {
@@ -38,7 +38,7 @@ Snapshot awkward(int dimensions, bool ids) {
     snapshot.y.push_back(pick());
     if (dimensions == 3) snapshot.z.push_back(pick());
     snapshot.radius.push_back(k < 2 ? special[k] : std::abs(pick()));
-    if (ids) snapshot.ids.push_back(static_cast<std::int64_t>(random()));
+    if (ids) snapshot.ids.push_back(static_cast<std::int64_t>(random.next()));
   }
   return snapshot;
 }

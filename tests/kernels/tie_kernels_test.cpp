@@ -102,8 +102,9 @@ TYPED_TEST_SUITE(TieKernelsTest, Dimensions);
 TYPED_TEST(TieKernelsTest, DecideTies) {
   for (const Simd level : testing::simd_levels_here()) {
     const Count count = TestFixture::decide(level, 81, 4000, [](Random& random) {
-      auto tie = testing::exact_tie<TypeParam::value>(random, 1 + static_cast<int>(random() % 8));
-      if (random() % 2 == 0) tie.a.radius = std::nextafter(tie.a.radius, 0.0);
+      auto tie =
+          testing::exact_tie<TypeParam::value>(random, 1 + static_cast<int>(random.below(8)));
+      if (random.below(2) == 0) tie.a.radius = std::nextafter(tie.a.radius, 0.0);
       return tie;
     });
     EXPECT_EQ(count.open, 0u) << "short numbers";

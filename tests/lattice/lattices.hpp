@@ -34,10 +34,10 @@ using Matrix = std::array<std::array<double, 3>, 3>;
 /// A rotation by Cayley's map; in two dimensions about z.
 template <int Dim>
 [[nodiscard]] Matrix random_rotation(Random& random) {
-  const double w = uniform(random, 0.1, 1.0);
-  const double x = Dim == 2 ? 0.0 : uniform(random, -1.0, 1.0);
-  const double y = Dim == 2 ? 0.0 : uniform(random, -1.0, 1.0);
-  const double z = uniform(random, -1.0, 1.0);
+  const double w = random.uniform(0.1, 1.0);
+  const double x = Dim == 2 ? 0.0 : random.uniform(-1.0, 1.0);
+  const double y = Dim == 2 ? 0.0 : random.uniform(-1.0, 1.0);
+  const double z = random.uniform(-1.0, 1.0);
   const double n = w * w + x * x + y * y + z * z;
   return {
       {{(w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n},
@@ -61,16 +61,16 @@ template <int Dim>
 [[nodiscard]] NamedLattice<Dim> random_lattice(Random& random) {
   NamedLattice<Dim> result;
   Matrix& v = result.lattice.vectors;
-  for (std::size_t k = 0; k < 3; ++k) v[k][k] = uniform(random, 0.5, 2.0);
-  switch (random() % 7) {
+  for (std::size_t k = 0; k < 3; ++k) v[k][k] = random.uniform(0.5, 2.0);
+  switch (random.below(7)) {
     case 0:
       result.kind = "orthogonal";
       break;
     case 1:
       result.kind = "triclinic";
-      v[1][0] = uniform(random, -1.0, 1.0) * v[0][0];
-      v[2][0] = uniform(random, -1.0, 1.0) * v[0][0];
-      v[2][1] = uniform(random, -1.0, 1.0) * v[1][1];
+      v[1][0] = random.uniform(-1.0, 1.0) * v[0][0];
+      v[2][0] = random.uniform(-1.0, 1.0) * v[0][0];
+      v[2][1] = random.uniform(-1.0, 1.0) * v[1][1];
       break;
     case 2:
       result.kind = "rotated";
@@ -78,7 +78,7 @@ template <int Dim>
       break;
     case 3:
       result.kind = "left-handed";
-      v[1][0] = uniform(random, -1.0, 1.0);
+      v[1][0] = random.uniform(-1.0, 1.0);
       v = times(v, random_rotation<Dim>(random));
       std::swap(v[0], v[1]);
       break;
@@ -89,8 +89,8 @@ template <int Dim>
       break;
     case 5:
       result.kind = "skewed by many vectors";
-      v[1][0] = static_cast<double>(random() % 3000) * v[0][0] + uniform(random, 0.0, 1.0);
-      v[2][0] = -std::ldexp(uniform(random, 0.5, 1.0), static_cast<int>(random() % 20));
+      v[1][0] = static_cast<double>(random.below(3000)) * v[0][0] + random.uniform(0.0, 1.0);
+      v[2][0] = -std::ldexp(random.uniform(0.5, 1.0), static_cast<int>(random.below(20)));
       v[2][1] = 1000.0 * v[1][1];
       break;
     default:
@@ -100,9 +100,9 @@ template <int Dim>
       v = times(v, random_rotation<Dim>(random));
       break;
   }
-  const std::size_t always = random() % Dim;
+  const std::size_t always = random.below(Dim);
   for (std::size_t k = 0; k < Dim; ++k) {
-    result.lattice.periodic[k] = k == always || random() % 3 != 0;
+    result.lattice.periodic[k] = k == always || random.below(3) != 0;
   }
   return result;
 }

@@ -184,9 +184,9 @@ TYPED_TEST(ReducedLattices, OfRandomUnimodularCombinations) {
       return reduced.length[0] * reduced.length[1] * (dim == 3 ? reduced.length[2] : 1.0);
     }();
     for (int step = 0; step < 6; ++step) {
-      const std::size_t i = random() % dim;
-      const std::size_t j = (i + 1 + random() % (dim - 1)) % dim;
-      const double number = static_cast<double>(random() % 41) - 20.0;
+      const std::size_t i = random.next() % dim;
+      const std::size_t j = (i + 1 + random.next() % (dim - 1)) % dim;
+      const double number = static_cast<double>(random.below(41)) - 20.0;
       for (std::size_t axis = 0; axis < dim; ++axis) {
         named.lattice.vectors[i][axis] += number * named.lattice.vectors[j][axis];
       }

@@ -52,7 +52,7 @@ TYPED_TEST(Wrapper, IsOffByHalfALastPlaceHoweverFar) {
     const double cells_away = std::ldexp(1.0, round % 31);
     for (std::size_t k = 0; k < reduced.count; ++k) {
       cell = std::max(cell, reduced.length[k]);
-      const double cells = uniform(random, -cells_away, cells_away);
+      const double cells = random.uniform(-cells_away, cells_away);
       for (std::size_t axis = 0; axis < dim; ++axis) {
         sphere.center[axis] += cells * reduced.vectors[k][axis];
       }
@@ -86,7 +86,7 @@ TYPED_TEST(Wrapper, LeavesWhatIsInside) {
     const lattice::OrthogonalCell<dim> orthogonal_cell(reduced, 1.0);
     const lattice::Wrapper<dim> wrapper(reduced, orthogonal_cell, along);
     exact::Sphere<dim> sphere{};
-    for (double& x : sphere.center) x = uniform(random, -9.0, 9.0);
+    for (double& x : sphere.center) x = random.uniform(-9.0, 9.0);
     exact::Sphere<dim> wrapped = sphere;
     const auto cells = wrapper.wrap(wrapped, 0);
     const std::size_t last = reduced.count - 1;

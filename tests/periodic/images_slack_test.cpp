@@ -31,7 +31,7 @@ TYPED_TEST(ImagesSlack, CoversTheRounding) {
     std::vector<exact::Sphere<dim>> spheres(6);
     const double size = random_size(named, random);
     for (auto& sphere : spheres) {
-      for (double& x : sphere.center) x = uniform(random, -size, size);
+      for (double& x : sphere.center) x = random.uniform(-size, size);
       sphere.radius = 0.1 * reduced.height[0];
     }
     base::MemoryMeter memory;

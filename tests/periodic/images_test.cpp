@@ -37,22 +37,22 @@ PeriodicSystem<Dim> random_system(const exact::Lattice& lattice, std::size_t cou
     exact::Sphere<Dim> sphere{};
     for (double& x : sphere.center) x = 0.0;
     for (std::size_t k = 0; k < reduced.count; ++k) {
-      double fraction = uniform(random, 0.0, 1.0);
+      double fraction = random.uniform(0.0, 1.0);
       // On the faces, too.
-      if (random() % 8 == 0) fraction = 0.0;
+      if (random.below(8) == 0) fraction = 0.0;
       const double cells =
-          cells_away == 0.0 ? 0.0 : std::nearbyint(uniform(random, -cells_away, cells_away));
+          cells_away == 0.0 ? 0.0 : std::nearbyint(random.uniform(-cells_away, cells_away));
       for (std::size_t axis = 0; axis < Dim; ++axis) {
         sphere.center[axis] += (fraction + cells) * reduced.vectors[k][axis];
       }
     }
     if (reduced.count < Dim) {
-      for (double& x : sphere.center) x += uniform(random, -0.3, 0.3);
+      for (double& x : sphere.center) x += random.uniform(-0.3, 0.3);
     }
-    sphere.radius = random() % 4 == 0 ? 0.0 : uniform(random, 0.0, largest_radius);
+    sphere.radius = random.below(4) == 0 ? 0.0 : random.uniform(0.0, largest_radius);
     system.spheres.push_back(sphere);
   }
-  if (random() % 3 == 0) system.margin = uniform(random, 0.0, 0.5 * largest_radius);
+  if (random.below(3) == 0) system.margin = random.uniform(0.0, 0.5 * largest_radius);
   return system;
 }
 
@@ -96,12 +96,12 @@ std::size_t pairs_compared(const RandomRounds& rounds) {
   for (int round = 0; round < rounds.rounds && !::testing::Test::HasFatalFailure(); ++round) {
     const auto named = random_lattice<Dim>(random);
     SCOPED_TRACE(::testing::Message() << named << " round " << round);
-    const double radius = uniform(random, rounds.least_radius, rounds.largest_radius) *
+    const double radius = random.uniform(rounds.least_radius, rounds.largest_radius) *
                           shortest_height<Dim>(named.lattice);
     // Where c has 2^20 a in it, a million c are too many.
     const bool skewed = named.kind == std::string("skewed by many vectors");
-    const double cells_away = std::min(rounds.cells_away[random() % 4], skewed ? 300.0 : 1e6);
-    compare(random_system<Dim>(named.lattice, 1 + random() % rounds.most_elements, radius,
+    const double cells_away = std::min(rounds.cells_away[random.below(4)], skewed ? 300.0 : 1e6);
+    compare(random_system<Dim>(named.lattice, 1 + random.below(rounds.most_elements), radius,
                                cells_away, random),
             pairs);
   }
@@ -128,17 +128,17 @@ TYPED_TEST(Images, OfElementsThatTouchAcrossFaces) {
   for (int round = 0; round < 150; ++round) {
     PeriodicSystem<dim> system;
     for (std::size_t k = 0; k < dim; ++k) {
-      system.lattice.periodic[k] = k == 0 || random() % 3 != 0;
+      system.lattice.periodic[k] = k == 0 || random.below(3) != 0;
       for (std::size_t axis = 0; axis < dim; ++axis) {
-        const int off = static_cast<int>(random() % 3) - 1;
+        const int off = static_cast<int>(random.below(3)) - 1;
         system.lattice.vectors[k][axis] = k == axis ? 4.0 : axis < k ? off : 0.0;
       }
     }
     const double far = round % 2 == 0 ? 0.0 : 0x1p20;
     for (std::size_t i = 0; i < 12; ++i) {
       exact::Sphere<dim> sphere{};
-      for (double& x : sphere.center) x = static_cast<double>(random() % 8) * 0.5 + far;
-      sphere.radius = random() % 3 == 0 ? std::nextafter(0.5, 0.0) : 0.5;
+      for (double& x : sphere.center) x = static_cast<double>(random.below(8)) * 0.5 + far;
+      sphere.radius = random.below(3) == 0 ? std::nextafter(0.5, 0.0) : 0.5;
       system.spheres.push_back(sphere);
     }
     ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << "round " << round;
@@ -161,14 +161,14 @@ PeriodicSystem<Dim> planted_system(const exact::Lattice& lattice, double cells_a
     for (std::size_t k = 0; k < reduced.count; ++k) {
       image += mpq_class(reduced.vectors[k][axis]) + mpq_class(reduced.remainders[k][axis]);
     }
-    b.center[axis] = a.center[axis] + uniform(random, -0.4, 0.4) * size - image.get_d();
+    b.center[axis] = a.center[axis] + random.uniform(-0.4, 0.4) * size - image.get_d();
     const mpq_class component = mpq_class(a.center[axis]) - mpq_class(b.center[axis]) - image;
     distance += component * component;
   }
   distance = sqrt(distance);
   system.margin = 0.0;
   a.radius = 0.4 * distance.get_d();
-  b.radius = moved_by_ulps(distance.get_d() - a.radius, static_cast<int>(random() % 5) - 2);
+  b.radius = moved_by_ulps(distance.get_d() - a.radius, static_cast<int>(random.below(5)) - 2);
   return system;
 }
 
@@ -176,10 +176,10 @@ TYPED_TEST(Images, OfReachesPlantedAtTheDistance) {
   constexpr int dim = TypeParam::value;
   Random random(98);
   std::size_t pairs = 0;
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < 1700; ++round) {
     const auto named = random_lattice<dim>(random);
     const bool skewed = named.kind == std::string("skewed by many vectors");
-    const double cells_away = std::array{0.0, 1.0, skewed ? 300.0 : 1e6}[random() % 3];
+    const double cells_away = std::array{0.0, 1.0, skewed ? 300.0 : 1e6}[random.below(3)];
     const auto system = planted_system<dim>(named.lattice, cells_away, random);
     ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
   }
@@ -193,8 +193,7 @@ TYPED_TEST(Images, AtEveryScale) {
   for (int exponent = -980; exponent <= 1010; exponent += 30) {
     const auto named = random_lattice<dim>(random);
     const double radius = 0.3 * shortest_height<dim>(named.lattice);
-    auto system =
-        random_system<dim>(named.lattice, 8, radius, round(uniform(random, 0, 2)), random);
+    auto system = random_system<dim>(named.lattice, 8, radius, round(random.uniform(0, 2)), random);
     for (auto& sphere : system.spheres) {
       for (double& x : sphere.center) x = std::ldexp(x, exponent);
       sphere.radius = std::ldexp(sphere.radius, exponent);

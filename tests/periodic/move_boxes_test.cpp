@@ -33,8 +33,8 @@ struct BoxSystem {
       exact::Box<Dim> box;
       exact::Sphere<Dim> sphere{};
       for (std::size_t axis = 0; axis < Dim; ++axis) {
-        box.lower[axis] = uniform(random, -size, size);
-        box.upper[axis] = box.lower[axis] + uniform(random, 0.0, width);
+        box.lower[axis] = random.uniform(-size, size);
+        box.upper[axis] = box.lower[axis] + random.uniform(0.0, width);
         sphere.center[axis] = box.lower[axis];
         sphere.radius = std::max(sphere.radius, 0.5 * box.upper[axis] - 0.5 * box.lower[axis]);
       }
@@ -56,7 +56,7 @@ TYPED_TEST(MovedBoxes, AreOffByNoMoreThanTheSlack) {
     const auto named = random_lattice<dim>(random);
     const lattice::ReducedLattice<dim> reduced(named.lattice);
     const double size = random_size(named, random);
-    const double width = std::array{0.1, 1.0, 2.0}[random() % 3] * reduced.height[0];
+    const double width = std::array{0.1, 1.0, 2.0}[random.below(3)] * reduced.height[0];
     const BoxSystem<dim> system(6, size, width, random);
     base::MemoryMeter memory;
     auto elements = array_of(system.stand_ins, memory);
@@ -96,7 +96,7 @@ TYPED_TEST(MovedBoxes, AreOffByNoMoreThanTheSlack) {
 /// Where no vector leads along an axis, and where nothing was moved, the ends are those given.
 TEST(MovedBoxesOfASlit, KeepTheirEndsAcrossIt) {
   Random random(105);
-  const BoxSystem<3> system(40, 0.5, 0.1, random);
+  const BoxSystem<3> system(60, 0.5, 0.1, random);
   exact::Lattice lattice;
   lattice.vectors = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}};
   lattice.periodic = {true, true, false};

@@ -51,7 +51,7 @@ struct FoundPair {
 template <int Dim>
 [[nodiscard]] double random_size(const NamedLattice<Dim>& lattice, Random& random) {
   const bool skewed = lattice.kind == std::string("skewed by many vectors");
-  return std::array{1.0, 30.0, skewed ? 300.0 : 1e5}[random() % 3];
+  return std::array{1.0, 30.0, skewed ? 300.0 : 1e5}[random.below(3)];
 }
 
 /// x_i - (x_j + n A) on an axis, exactly.

@@ -2,13 +2,13 @@
 
 #include "book/recorded_trace.hpp"
 #include "reference/cell_systems.hpp"
+#include "scenes/random.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <random>
 #include <string>
 #include <utility>
 
@@ -51,7 +51,7 @@ std::string fault_of(const ShownStage& search, const ShownStage& sorted, std::si
 TEST(BinarySearch, EndsAtTheFirstElementOfTheCellWithinLog2NSteps) {
   std::size_t found = 0;
   for (const int dimensions : {2, 3}) {
-    std::mt19937_64 random(1946);
+    scenes::Random random(1946);
     for (int trial = 0; trial < 40; ++trial) {
       const trace::CellSystem system = random_cells(dimensions, random);
       const auto recorded = record(Algorithm::sorting_array, system);
@@ -68,7 +68,7 @@ TEST(BinarySearch, EndsAtTheFirstElementOfTheCellWithinLog2NSteps) {
 
 TEST(BinarySearch, SortedArraysAscendWithTheElementAsLastKey) {
   for (const int dimensions : {2, 3}) {
-    std::mt19937_64 random(1947);
+    scenes::Random random(1947);
     for (int trial = 0; trial < 100; ++trial) {
       const trace::CellSystem system = random_cells(dimensions, random);
       const auto recorded = record(Algorithm::sorting_array, system);

@@ -2,6 +2,7 @@
 
 #include "book/recorded_trace.hpp"
 #include "reference/cell_systems.hpp"
+#include "scenes/random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <random>
 #include <set>
 #include <string>
 #include <string_view>
@@ -36,7 +36,7 @@ std::size_t level_count(const trace::CellSystem& system) {
 
 TEST(BinaryTree, NodesOnlyForOccupiedCellsAndAtMostNTimesB) {
   for (const int dimensions : {2, 3}) {
-    std::mt19937_64 random(1973);
+    scenes::Random random(1973);
     for (int trial = 0; trial < 100; ++trial) {
       SCOPED_TRACE("seed 1973, trial " + std::to_string(trial));
       const trace::CellSystem system = random_cells(dimensions, random);
@@ -61,7 +61,7 @@ TEST(BinaryTree, NodesOnlyForOccupiedCellsAndAtMostNTimesB) {
 
 TEST(BinaryTree, ListsOfTheLeavesDescendAndHoldEveryElementOnce) {
   for (const int dimensions : {2, 3}) {
-    std::mt19937_64 random(1974);
+    scenes::Random random(1974);
     for (int trial = 0; trial < 100; ++trial) {
       SCOPED_TRACE("seed 1974, trial " + std::to_string(trial));
       const trace::CellSystem system = random_cells(dimensions, random);

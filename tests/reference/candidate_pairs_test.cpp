@@ -2,12 +2,12 @@
 
 #include "book/recorded_trace.hpp"
 #include "reference/cell_systems.hpp"
+#include "scenes/random.hpp"
 #include "support/algorithm_list.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -46,7 +46,7 @@ TEST_P(CandidatePairs, FullBlocks) {
 
 TEST_P(CandidatePairs, RandomCells) {
   for (const int dimensions : {2, 3}) {
-    std::mt19937_64 random(1995);
+    scenes::Random random(1995);
     for (int trial = 0; trial < 200; ++trial) {
       ASSERT_NO_FATAL_FAILURE(expect_right(
           random_cells(dimensions, random),

@@ -2,12 +2,12 @@
 
 #include <abut/pair.hpp>
 #include <abut/trace.hpp>
+#include "scenes/random.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <random>
 #include <vector>
 
 namespace abut::testing {
@@ -26,17 +26,17 @@ namespace abut::testing {
 }
 
 /// Few cells and many elements, or the reverse; often with border cells, one row or one column.
-[[nodiscard]] inline trace::CellSystem random_cells(int dimensions, std::mt19937_64& random) {
+[[nodiscard]] inline trace::CellSystem random_cells(int dimensions, scenes::Random& random) {
   trace::CellSystem system;
   system.dimensions = dimensions;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions); ++axis) {
-    system.cell_count[axis] = static_cast<std::int32_t>(1 + random() % 9);
+    system.cell_count[axis] = static_cast<std::int32_t>(1 + random.below(9));
   }
-  system.cells.resize(random() % 60);
+  system.cells.resize(random.below(60));
   for (auto& cell : system.cells) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      cell[axis] =
-          static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(system.cell_count[axis]));
+      cell[axis] = static_cast<std::int32_t>(
+          random.below(static_cast<std::size_t>(system.cell_count[axis])));
     }
   }
   return system;

@@ -3,6 +3,7 @@
 
 #include "book/recorded_trace.hpp"
 #include "reference/cell_systems.hpp"
+#include "scenes/random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,6 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -64,7 +64,7 @@ void expect_cell_lists(const trace::CellSystem& system, const Numbers& heads, co
 
 template <class Check>
 void for_random_systems(int dimensions, Check check) {
-  std::mt19937_64 random(1998);
+  scenes::Random random(1998);
   for (int trial = 0; trial < 60; ++trial) {
     SCOPED_TRACE("seed 1998, trial " + std::to_string(trial));
     const trace::CellSystem system = random_cells(dimensions, random);

@@ -1,5 +1,6 @@
 #include "reference/partition_sort.hpp"
 
+#include "scenes/random.hpp"
 #include "support/nobody_asked.hpp"
 
 #include <gtest/gtest.h>
@@ -34,8 +35,8 @@ Numbers sorted_by_the_library(Numbers values) {
 }
 
 /// Neighbours among the small numbers, which a truncated mean cannot split.
-Numbers random_numbers(std::mt19937_64& random, std::size_t size) {
-  const std::int32_t largest = std::array{1, 2, 3, 100, 2147483647}[random() % 5];
+Numbers random_numbers(scenes::Random& random, std::size_t size) {
+  const std::int32_t largest = std::array{1, 2, 3, 100, 2147483647}[random.below(5)];
   std::uniform_int_distribution<std::int32_t> number(0, largest);
   Numbers values(size);
   for (std::int32_t& value : values) value = number(random);
@@ -75,17 +76,17 @@ TEST(PartitionSort, NegativeNumbersAndTheWholeRange) {
 }
 
 TEST(PartitionSort, RandomArrays) {
-  std::mt19937_64 random(20040301);
+  scenes::Random random(20040301);
   for (int trial = 0; trial < 300; ++trial) {
-    const Numbers values = random_numbers(random, random() % 200);
+    const Numbers values = random_numbers(random, random.below(200));
     ASSERT_EQ(sorted(values), sorted_by_the_library(values)) << "seed 20040301, trial " << trial;
   }
 }
 
 TEST(PartitionSort, CompanionArraysMoveTogetherAndBreakTies) {
-  std::mt19937_64 random(20040302);
+  scenes::Random random(20040302);
   for (int trial = 0; trial < 100; ++trial) {
-    const std::size_t size = random() % 200;
+    const std::size_t size = random.below(200);
     Numbers x = random_numbers(random, size);
     Numbers y = random_numbers(random, size);
     Numbers element(size);

@@ -80,16 +80,16 @@ TEST(ExactAccumulator, RandomSums) {
   int signs[3] = {0, 0, 0};
   for (int trial = 0; trial < 20000; ++trial) {
     std::vector<Product> products;
-    const std::size_t half = 1 + random() % 8;
+    const std::size_t half = 1 + random.below(8);
     for (std::size_t k = 0; k < half; ++k) {
       products.push_back(
-          {extreme_number(random), extreme_number(random), static_cast<int>(random() % 5) - 2});
+          {extreme_number(random), extreme_number(random), static_cast<int>(random.below(5)) - 2});
     }
     // Take everything away again but for what is left of a few last places.
     for (std::size_t k = 0; k < half && trial % 2 == 0; ++k) {
       Product p = products[k];
       p.factor = -p.factor;
-      if (random() % 4 == 0) p.a = std::nextafter(p.a, 0.0);
+      if (random.below(4) == 0) p.a = std::nextafter(p.a, 0.0);
       products.push_back(p);
     }
     std::shuffle(products.begin(), products.end(), random);
@@ -105,7 +105,7 @@ TEST(ExactAccumulator, FactorsOf64Bits) {
   std::uniform_int_distribution<std::int64_t> factors(-std::numeric_limits<std::int64_t>::max());
   for (int trial = 0; trial < 5000; ++trial) {
     const double a = extreme_number(random);
-    const std::int64_t factor = factors(random) >> (random() % 64);
+    const std::int64_t factor = factors(random) >> (random.below(64));
     const mpq_class exact = mpq_class(a) * mpq_class(a) * mpq_class(std::to_string(factor));
     // What a double holds of it is taken away; its sign is that of the rest.
     const double part = a * static_cast<double>(factor);
@@ -124,11 +124,12 @@ TEST(ExactAccumulator, SumsOfSingleNumbersAreRoundedOnce) {
   for (int trial = 0; trial < 20000; ++trial) {
     ExactAccumulator<1> sum;
     mpq_class exact = 0;
-    for (std::size_t k = 1 + random() % 4; k > 0; --k) {
+    for (std::size_t k = 1 + random.below(4); k > 0; --k) {
       // Close in size, so that bits overlap; or anything.
       const double a = trial % 4 == 0 ? extreme_number(random)
-                                      : std::ldexp(uniform(random, -1.0, 1.0), trial % 2000 - 1070);
-      const std::int64_t factor = static_cast<std::int64_t>(random() >> (random() % 64)) / 2;
+                                      : std::ldexp(random.uniform(-1.0, 1.0), trial % 2000 - 1070);
+      const std::int64_t factor =
+          static_cast<std::int64_t>(random.next() >> (random.below(64))) / 2;
       sum.add(a, factor);
       exact += mpq_class(a) * mpq_class(std::to_string(factor));
     }
@@ -177,7 +178,7 @@ TEST(ExactAccumulator, ProductsOfThree) {
       const double c = extreme_number(random);
       sum.add_product(a, b, c, 1);
       // Of some, all but the last places is taken away again.
-      const double d = random() % 2 == 0 ? c : std::nextafter(c, 0.0);
+      const double d = random.below(2) == 0 ? c : std::nextafter(c, 0.0);
       sum.add_product(b, d, a, -1);
       exact += mpq_class(a) * mpq_class(b) * (mpq_class(c) - mpq_class(d));
     }

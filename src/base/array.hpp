@@ -63,7 +63,7 @@ template <class T>
   return Array<T>(size, value, MeteredAllocator<T>(meter));
 }
 
-/// For arrays whose every element is written before it is read.
+/// Makes an array whose every element is written before it is read.
 template <class T>
 [[nodiscard]] Array<T> make_array_for_overwrite(MemoryMeter& meter, std::size_t size) {
   return Array<T>(size, MeteredAllocator<T>(meter));

@@ -9,7 +9,7 @@
 
 namespace abut::base {
 
-/// What every stage of a detection shares: the memory bound, the way to the caller's hook, the
+/// State that all stages of a detection share: the memory bound, the way to the caller's hook, the
 /// counters, and, for `explain`, the sink that looks inside.
 class DetectionContext {
  private:
@@ -28,7 +28,7 @@ class DetectionContext {
   DetectionContext() : memory(own_meter_) {}
   DetectionContext(std::uint64_t memory_bound, const ProgressHook& hook)
       : own_meter_(memory_bound), memory(own_meter_), progress(hook) {}
-  /// For a detection whose arrays stay when it is done.
+  /// Makes the context of a detection whose arrays are kept when it is done.
   DetectionContext(MemoryMeter& meter, const ProgressHook& hook) : memory(meter), progress(hook) {}
 };
 

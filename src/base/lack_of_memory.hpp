@@ -12,7 +12,7 @@ namespace abut::base {
 /// was loaded.
 [[noreturn]] void report_lack_of_memory();
 
-/// The same, with the bytes that a detection holds if there is memory for that sentence.
+/// Throws that error with the bytes that a detection holds, if there is memory for that sentence.
 [[noreturn]] void report_lack_of_memory(const MemoryMeter& memory);
 
 /// Runs `body`; if memory runs out in it, that is an Error{limit_exceeded}.
@@ -27,7 +27,7 @@ decltype(auto) reporting_lack_of_memory(const MemoryMeter& memory, Body&& body) 
   }
 }
 
-/// The same where no detection holds anything.
+/// Runs `body` likewise where no detection holds memory.
 template <class Body>
 decltype(auto) reporting_lack_of_memory(Body&& body) {
   try {

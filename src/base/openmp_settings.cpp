@@ -36,7 +36,7 @@ unsigned looks_before_sleep(std::size_t threads) noexcept {
   // Some 0.2 ms: longer than the serial stretches between two regions of a detection. With a tenth
   // of it two threads were 7 % slower on 100,000 elements (docs/adr/0016).
   constexpr unsigned looks = 10'000;
-  // As long as a region of a detection that takes milliseconds.
+  // Looks that take as long as some milliseconds of detection.
   constexpr unsigned looks_of_active = 1000000;
   if (wait_policy == WaitPolicy::passive) return 0;
   if (wait_policy == WaitPolicy::active) return looks_of_active;

@@ -17,30 +17,31 @@ struct Origin {
   std::uint64_t unit = 0;
 };
 
-/// Where found pairs go. A worker writes into room of its own and commits what it wrote; workers do
-/// so at the same time. Pairs that were not committed when a detection fails are dropped with it.
+/// Receives found pairs. A worker writes into a buffer of its own and commits what it wrote;
+/// workers do so at the same time. Pairs that were not committed when a detection fails are dropped
+/// with it.
 class PairSink {
  public:
   virtual ~PairSink() = default;
 
-  /// Least size of a room.
+  /// Least size of a buffer.
   static constexpr std::size_t smallest_buffer = 512;
 
   /// Announces canonical order; called before expect_workers, and not at all where pairs come in
   /// the order in which they are found.
   virtual void expect_canonical_order() {}
 
-  /// Announces how many workers will ask for room; called once before they do.
+  /// Announces how many workers will ask for buffers; called once before they do.
   virtual void expect_workers(std::size_t count) = 0;
 
-  /// Room for pairs, this worker's own until it commits.
+  /// Returns a buffer for pairs, which is this worker's own until it commits.
   [[nodiscard]] virtual std::span<ContactPair> buffer(std::size_t worker) = 0;
 
-  /// Room for their image shifts, parallel to the room for pairs that was asked for last. Empty
-  /// where shifts are not wanted; they need not be written then.
+  /// Returns a buffer for their image shifts, parallel to the buffer for pairs that was asked for
+  /// last. It is empty if shifts are not wanted; they need not be written then.
   [[nodiscard]] virtual std::span<ImageShift> shift_buffer(std::size_t) { return {}; }
 
-  /// The first `count` pairs of the worker's room are found; it must ask for room anew.
+  /// Takes the first `count` pairs of the worker's buffer, which must ask for a new one.
   virtual void commit(std::size_t count, const Origin& origin) = 0;
 
  protected:

@@ -44,7 +44,7 @@ class ProgressReporter {
     poll();
   }
 
-  /// The same, asked at once.
+  /// Notes that `done` elements are treated and asks the hook at once.
   void report(std::uint64_t done) {
     done_ = done;
     poll();

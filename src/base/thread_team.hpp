@@ -36,7 +36,7 @@ class Helper {
   /// Hands it its share; the caller, and only when the share before is done or taken back.
   void call() noexcept;
 
-  /// Whether its share had not been begun, and now is the caller's again.
+  /// Takes a share back that was not begun; returns whether it was not, and is the caller's again.
   [[nodiscard]] bool take_back() noexcept;
 
   /// Has the thread end when it can; nothing is handed to it afterwards.
@@ -108,7 +108,7 @@ class ThreadTeam {
 /// helper, in a forked process, at the thread's end and where memory is short.
 [[nodiscard]] ThreadTeam* own_team() noexcept;
 
-/// The same, but null also where none was made so far.
+/// Returns the team of this thread if one was made already, or null.
 [[nodiscard]] ThreadTeam* own_team_so_far() noexcept;
 
 }  // namespace abut::base

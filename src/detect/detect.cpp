@@ -11,7 +11,7 @@
 namespace abut {
 namespace {
 
-/// Not on the stack, of which its 75 KiB may be all that a thread has.
+/// Allocated, not on the stack: its 75 KiB may be all the stack that a thread has.
 std::unique_ptr<detect::DetectionRun> new_run() {
   return base::reporting_lack_of_memory([] { return std::make_unique<detect::DetectionRun>(); });
 }

@@ -19,11 +19,11 @@ void require_alike(const ElementView& first, const ElementView& second);
 /// or the algorithm does not support, or too many elements.
 void validate(const Options& options, const ElementView& elements, const Domain& domain);
 
-/// The same for two sets, which must have the same number of dimensions.
+/// Checks a call with two sets, which must have the same number of dimensions.
 void validate(const Options& options, const ElementView& first, const ElementView& second,
               const Domain& domain);
 
-/// Throws Error for a cutoff that is none and for elements that have a radius.
+/// Throws Error for a cutoff that is not a length and for elements that have a radius.
 void require_points(const ElementView& points, double cutoff);
 
 /// Bytes that a detection may hold in all: the caller's bound, else what the machine has.

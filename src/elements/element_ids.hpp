@@ -27,8 +27,8 @@ class ElementIds {
     return ids_.empty() ? number : ids_[number];
   }
 
-  /// For each of these elements its number in `others`, or none. Linear where ids of both are not
-  /// much larger than how many there are.
+  /// Finds for each of these elements its number in `others`, or `none`. Takes linear time if the
+  /// ids of both are not much larger than the number of elements.
   void find_in(const ElementIds& others, std::vector<std::uint32_t>& numbers) const;
 
  private:

@@ -30,7 +30,7 @@ void require_there(std::span<const ContactPair> pairs, std::size_t first_element
   }
 }
 
-/// Of one set the smaller number first, as contact pairs have it.
+/// Returns the pair as contact pairs have it: within one set the smaller number comes first.
 ContactPair as_looked_up(const ContactPair& pair, bool of_two_sets) noexcept {
   return of_two_sets || pair.first <= pair.second ? pair : ContactPair{pair.second, pair.first};
 }
@@ -65,7 +65,7 @@ void ExclusionList::fill(std::span<const ContactPair> pairs, std::size_t rows) {
     const ContactPair pair = as_looked_up(given, of_two_sets_);
     partners_[begins_[pair.first]++] = pair.second;
   }
-  // Where a row begins became where it ends.
+  // Filling has moved the begin of each row to its end.
   auto kept = partners_.begin();
   std::uint64_t first = 0;
   for (std::size_t row = 0; row < rows; ++row) {

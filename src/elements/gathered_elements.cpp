@@ -43,7 +43,7 @@ template <int Dim>
          "radii must be finite and not negative: correct or remove this element");
 }
 
-/// The same for a box: the lower corner's axes, then the upper's, then their order.
+/// Reports the first fault of a box: looks at the lower corner, the upper one, then their order.
 template <int Dim>
 [[noreturn]] void reject(std::size_t number, const exact::Box<Dim>& box) {
   static constexpr const char* lower_name[] = {"xmin", "ymin", "zmin"};
@@ -222,8 +222,8 @@ void gather(const ElementView& elements, const GatherSettings& settings,
 
   const Gatherer<Dim> gatherer(elements, gathered, settings.simd);
   gathered.parts.assign(settings.workers, {});
-  // Each worker its part in order, and of two exceptions the first worker's is thrown: that of the
-  // first bad element.
+  // Each worker reads its part in order. If several workers throw, the exception of the first one
+  // counts, which names the first bad element.
   base::for_each_share(
       settings.workers, context.work, [&](std::size_t share, base::WorkCounter& work) {
         const auto [first, last] = base::share_of(share, settings.workers, elements.size());

@@ -15,7 +15,7 @@ namespace {
 /// more than it saves.
 constexpr std::size_t times_larger = 16;
 
-/// As gather, saying in which set a bad element is.
+/// Gathers one set; the message about a bad element names the set.
 template <int Dim>
 void gather_set(const char* which, const ElementView& elements, const GatherSettings& settings,
                 GatheredElements<Dim>& gathered, base::DetectionContext& context) {
@@ -39,7 +39,7 @@ void JoinedSets<Dim>::keep_all(JoinedSet& set, std::size_t workers) {
   set.count = set.size();
 }
 
-/// Those that the mask does not rule out.
+/// Keeps the elements that the mask does not rule out.
 template <int Dim>
 void JoinedSets<Dim>::keep_some(JoinedSet& set, std::size_t workers, base::WorkCounter& work) {
   base::make_room(set.kept, set.size());

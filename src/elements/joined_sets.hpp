@@ -25,7 +25,7 @@ class JoinedSets {
         mask_(memory),
         numbers_(base::make_array_for_overwrite<ElementIndex>(memory, 0)) {}
 
-  /// What sets are searched for.
+  /// How the sets are read, and for which reach they are searched.
   struct Search {
     GatherSettings gather;
     double margin = 0.0;
@@ -43,7 +43,7 @@ class JoinedSets {
   [[nodiscard]] exact::Elements<Dim> first() const noexcept { return first_.elements.elements(); }
   [[nodiscard]] exact::Elements<Dim> second() const noexcept { return second_.elements.elements(); }
 
-  /// What the joined elements are called in their sets; empty where none was left out.
+  /// The numbers that the joined elements have in their sets; empty if none was left out.
   [[nodiscard]] std::span<const ElementIndex> numbers() const noexcept {
     return std::span(numbers_).first(all_there_ ? 0 : first_.count + second_.count);
   }

@@ -23,7 +23,7 @@ void require_length(const SetOfRule& set, const char* array, std::size_t length)
                                             " elements; give one for each, or none at all");
 }
 
-/// What is used holds a number for each element.
+/// Throws unless each array that the rule uses has one number for each element.
 void require_lengths(const SetOfRule& set, bool groups, bool categories) {
   if (groups) require_length(set, "groups", set.traits.groups.size());
   if (!categories) return;

@@ -12,7 +12,7 @@
 
 namespace abut::engine {
 
-/// Where a tile lies and how fine its cells are, for what comes from outside.
+/// Place and cell size of a tile, by which coarse elements are mapped into it.
 template <int Dim>
 struct TileFrame {
   const TileGrid<Dim>& grid;
@@ -22,7 +22,7 @@ struct TileFrame {
   double largest_radius = 0.0;  ///< of the tile's own, in its unit
   double margin = 0.0;          ///< in its unit
 
-  /// In the tile's unit.
+  /// Position along an axis in the tile's unit.
   [[nodiscard]] double position(double x, std::size_t axis) const noexcept {
     return grid.within(x, tile[axis], axis) * (grid.size[axis] * unit);
   }

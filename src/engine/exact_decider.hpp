@@ -25,8 +25,8 @@ class ExactDecider {
   ExactDecider(const ExactDecider&) = default;
   ExactDecider& operator=(const ExactDecider&) = default;
 
-  /// From the `first`-th undecided pair on, one by one; fetch(element) asks for what a decision
-  /// will need, ahead of it.
+  /// Decides undecided pairs one by one, from number `first` on; fetch(element) prefetches what a
+  /// later decision needs.
   template <class Fetch>
   void decide_each(kernels::HitBuffer& hits, std::size_t first, std::uint64_t& exact_decisions,
                    Fetch fetch) const {

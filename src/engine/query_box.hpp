@@ -9,8 +9,8 @@
 
 namespace abut::engine {
 
-/// Where the centers of locals lie that a coarse element may reach: in a box, and where the coarse
-/// element is a sphere, in a ball in it. None of the roundings here leaves out a local element: a
+/// Bounds of the centers of locals that a coarse element may reach: a box and, if the coarse
+/// element is a sphere, a ball in it. None of the roundings here leaves out a local element: a
 /// local element's center is a double, so that what is >= a real bound is >= the bound rounded.
 template <int Dim>
 struct QueryBox {
@@ -43,7 +43,7 @@ struct QueryBox {
     return result;
   }
 
-  /// Whether a local element in that box may be within reach.
+  /// True if a local element in that box may be within reach.
   [[nodiscard]] bool meets(const grid::Bounds<Dim>& box) const noexcept {
     bool result = true;
     for (std::size_t axis = 0; axis < Dim; ++axis) {

@@ -47,8 +47,8 @@ class Recorder {
     return record;
   }
 
-  /// Of a halo element. Beyond the upper end of the box it is beyond its last tile, which may be a
-  /// hair wider than a flat box.
+  /// Returns the record of a halo element. One beyond the upper end of the box is put beyond the
+  /// last tile, which may be slightly wider than a flat box.
   [[nodiscard]] Record<Dim> record_of_halo(const exact::Sphere<Dim>& sphere, std::uint32_t number,
                                            const std::array<double, Dim>& tile,
                                            const grid::Bounds<Dim>& box) const noexcept {
@@ -60,7 +60,7 @@ class Recorder {
     return result;
   }
 
-  /// The same, of locals in their own tiles, for the vector kernels.
+  /// Returns the map from locals to records in their own tiles, as the vector kernels take it.
   [[nodiscard]] kernels::RecordMap map() const noexcept {
     kernels::RecordMap map{grid_.place_map(), {}};
     std::copy(size_.begin(), size_.end(), map.scale);

@@ -39,11 +39,11 @@ enum class Wanted {
   pairs_of_coarse  ///< of locals with coarse elements only
 };
 
-/// What is searched together. *Locals* belong to the search set. The *halo* is copies of the
-/// elements around it, smaller or as large as its locals, or periodic images; they pair with locals
-/// only, each such pair being found in the local element's search set. *Coarse elements* are larger
-/// elements that pair with locals without being sorted into their cells. A halo element lies
-/// outside the locals' box.
+/// Elements that are cut into tiles and searched together. *Locals* belong to the search set. The
+/// *halo* is copies of the elements around it, smaller or as large as its locals, or periodic
+/// images; they pair with locals only, each such pair being found in the local element's search
+/// set. *Coarse elements* are larger elements that pair with locals without being sorted into their
+/// cells. A halo element lies outside the locals' box.
 template <int Dim>
 struct SearchSet {
   Numbers locals;

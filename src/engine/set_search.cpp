@@ -195,7 +195,7 @@ void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& 
   search_waiting(at);
 }
 
-/// Of a search set of all workers: one of them sorts the tile, all search it.
+/// Searches the only tile of a set with all workers: one of them sorts it, all search it.
 template <int Dim>
 void SetSearch<Dim>::search_one_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
                                      const Tiles<Dim>& tiles, const SearchPlace& at) {
@@ -265,8 +265,9 @@ void SetSearch<Dim>::search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>&
       coarse_elements);
 }
 
-/// Whether there was a better way than the cells at hand: cells larger than the reach asks for are
-/// cut anew where the elements are; large elements are taken out where that pays.
+/// Searches a crowded tile in a better way than by the cells at hand, if there is one, and returns
+/// whether it did: cells larger than the reach needs are cut anew around the elements, and large
+/// elements are taken out if that pays.
 template <int Dim>
 bool SetSearch<Dim>::search_crowded_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
                                          const Tiles<Dim>& tiles, std::size_t tile,
@@ -341,7 +342,7 @@ Members& SetSearch<Dim>::spare_members() {
 
 template <int Dim>
 void SetSearch<Dim>::search_waiting(const SearchPlace& at) {
-  // Those that wait while these are searched are a list of their own.
+  // Sets that are deferred while these are searched go to a new list.
   std::vector<Waiting> waiting;
   waiting.swap(waiting_);
   std::sort(waiting.begin(), waiting.end(),

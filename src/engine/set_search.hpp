@@ -50,7 +50,8 @@ class SetSearch {
     CrowdedTile part;
   };
 
-  /// Of who is at that place of the search: of all workers, the caller's thread.
+  /// Counter of the worker that searches at a place; where all workers do, that of the caller's
+  /// thread.
   [[nodiscard]] base::WorkCounter& work_at(const SearchPlace& at) const noexcept {
     return (at.worker != nullptr ? at.worker : workspace_.workers[0].get())->work();
   }

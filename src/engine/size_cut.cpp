@@ -8,8 +8,8 @@
 namespace abut::engine {
 namespace {
 
-/// In candidate tests: bringing an element into cells, an element into the search sets of a
-/// division, a coarse element into a tile, and a coarse element to a row of cells.
+/// Costs in units of a candidate test: to bring an element into cells, an element into the search
+/// sets of a division, a coarse element into a tile, and a coarse element to a row of cells.
 constexpr double cost_of_element = 120.0;
 constexpr double cost_of_division = 60.0;
 constexpr double cost_of_cross_level = 250.0;

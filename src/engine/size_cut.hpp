@@ -6,7 +6,7 @@
 
 namespace abut::engine {
 
-/// What is known of a search set when its sizes are looked at.
+/// Facts about a search set from which a cut between small and large elements is chosen.
 struct SizeDistribution {
   double largest_radius;
   double smallest_radius;

@@ -61,7 +61,7 @@ class SortedTile {
   [[nodiscard]] float* size_column(std::size_t k) noexcept {
     return sizes_.data() + k * (numbers_.size() / Dim);
   }
-  /// Of the elements of a row, without its padding.
+  /// Places of the elements of a row, without its padding.
   [[nodiscard]] kernels::Run row_places(std::size_t row) const noexcept {
     return {cell_begin_[row * row_length_], cell_begin_[(row + 1) * row_length_ - 1]};
   }

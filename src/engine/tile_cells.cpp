@@ -7,7 +7,7 @@
 namespace abut::engine {
 namespace {
 
-/// More cells than this are not worth their empty ones.
+/// Most cells for each element; with more, too many are empty.
 constexpr double most_cells_per_element = 1.0;
 
 /// Positions are known to 2^-23 of a tile; a cell is to be known to 2^-10 of itself.

@@ -15,7 +15,7 @@ struct TileCells {
   std::array<float, Dim> per_unit{};      ///< of the tile's coordinates
   bool coarse = false;                    ///< larger than the reach asks for
 
-  /// Of one cell, in cubes (squares) of side `unit_length`.
+  /// Volume of one cell, in cubes (squares) of side `unit_length`.
   [[nodiscard]] double volume_in(const TileGrid<Dim>& grid, double unit_length) const noexcept {
     double result = 1.0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -35,7 +35,7 @@ struct TileCells {
   }
 };
 
-/// As small as the reach allows, but not many more than elements.
+/// Chooses cells that are as small as the reach allows, but not many more than there are elements.
 template <int Dim>
 [[nodiscard]] TileCells<Dim> choose_tile_cells(const TileGrid<Dim>& grid, double unit,
                                                std::size_t element_count);

@@ -12,12 +12,12 @@ constexpr double place_slack = 0x1p-30;
 /// A tile of elements that all lie in a plane still has a width.
 constexpr double least_width_in_cells = 0x1p-30;
 
-/// So that positions in tiles are known to 2^-31, and numbers of tiles, frame included, fit 26
-/// bits.
+/// Limits by which positions in tiles are known to 2^-31 and numbers of tiles, those of the frame
+/// included, fit into 26 bits.
 constexpr double most_tiles_along_axis = 0x1p20;
 constexpr double most_tiles_with_frame = 0x1p26 - 1.0;
 
-/// Whether tiles of that side over the box are not too many.
+/// True if tiles of that side over the box are within the limits.
 template <int Dim>
 bool few_enough(const std::array<double, Dim>& extent, double side, double most_tiles) {
   double tiles = 1.0;

@@ -56,7 +56,7 @@ struct TileGrid {
     std::uint32_t near_faces;  ///< bit 2 a: near the lower face of axis a; bit 2 a + 1: the upper
   };
 
-  /// Of a local element, which lies in the box.
+  /// Returns the place of a local element, which lies in the box.
   [[nodiscard]] TilePlace place(const exact::Sphere<Dim>& sphere) const noexcept {
     std::int32_t tile = 0;
     std::uint32_t near_faces = 0;
@@ -71,8 +71,8 @@ struct TileGrid {
     return {static_cast<std::uint32_t>(tile), near_faces};
   }
 
-  /// Of a halo element, which lies at most a cell outside the box on every axis, and outside on
-  /// one. Tiles of the empty frame are those before the first and behind the last.
+  /// Returns the place of a halo element, which lies at most a cell outside the box on every axis,
+  /// and outside on one. Tiles of the empty frame are those before the first and behind the last.
   [[nodiscard]] TilePlace place_of_halo(const exact::Sphere<Dim>& sphere,
                                         const grid::Bounds<Dim>& box) const noexcept {
     std::int32_t tile = 0;
@@ -96,7 +96,7 @@ struct TileGrid {
     return {static_cast<std::uint32_t>(tile), near_faces};
   }
 
-  /// The same map for the vector kernels.
+  /// Returns the map from elements to places in the form that the vector kernels take.
   [[nodiscard]] kernels::PlaceMap place_map() const noexcept;
 
   /// Position along an axis, in tiles from the lower face of tile t: by the same operations as the

@@ -33,7 +33,8 @@ struct NearNeighbors {
   std::uint8_t count = 0;
 };
 
-/// For each set of near faces (TileGrid::TilePlace).
+/// Neighbours that need a copy of an element, for each set of faces that it lies near
+/// (TileGrid::TilePlace).
 template <int Dim>
 [[gnu::visibility("hidden")]] inline constexpr auto near_neighbors = [] {
   std::array<NearNeighbors<Dim>, std::size_t{1} << (2 * Dim)> result{};

@@ -12,7 +12,7 @@
 
 namespace abut::engine {
 
-/// What all workers of a search share.
+/// Arguments of a search, which all its workers share.
 template <int Dim>
 struct SearchInput {
   exact::Elements<Dim> elements;  ///< as the engine maps them
@@ -46,17 +46,17 @@ class TileSearcher {
 
   [[nodiscard]] WorkerScratch<Dim>& scratch() noexcept { return scratch_; }
 
-  /// What it did is told to the caller's hook.
+  /// Counter of this worker's steps, through which the caller's hook is asked.
   [[nodiscard]] base::WorkCounter& work() noexcept { return work_; }
 
-  /// Pairs among the elements of the scratch's tile.
+  /// Finds the pairs among the elements of the scratch's tile.
   void search(double unit);
 
-  /// Those of some layers of a tile, which may be another worker's. All layers one after the other
-  /// give the pairs of the tile in the order of search().
+  /// Finds the pairs of some layers of a tile, which may be another worker's. All layers one after
+  /// the other give the pairs of the tile in the order of search().
   void search(const SortedTile<Dim>& tile, const kernels::Layers& layers, double unit);
 
-  /// Pairs of the tile's own elements with the coarse elements.
+  /// Finds the pairs of the tile's own elements with the coarse elements.
   void test_coarse(const TileFrame<Dim>& frame, std::span<const std::uint32_t> coarse_elements);
 
   [[nodiscard]] std::uint64_t candidate_tests() const noexcept {

@@ -37,7 +37,7 @@ class Tiles {
     return std::span(records_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
   }
   [[nodiscard]] kernels::TileShape shape() const noexcept { return shape_; }
-  /// Of the records, record by record, in the tile's unit: as the shape says.
+  /// Sizes of the records of a tile in its unit, record by record; the shape says which these are.
   [[nodiscard]] std::span<const float> sizes(std::size_t tile) const noexcept {
     return std::span(sizes_).subspan(begin_[tile] * size_columns_,
                                      (begin_[tile + 1] - begin_[tile]) * size_columns_);
@@ -52,14 +52,14 @@ class Tiles {
   [[nodiscard]] double unit() const noexcept { return unit_; }
 
  private:
-  /// What one of the workers does.
+  /// The part of one of the workers in a pass over all elements.
   struct Share {
     std::size_t worker;
     std::size_t workers;
     base::WorkCounter& work;
   };
 
-  /// Of one worker, each by tile.
+  /// Next places that one worker writes to, each by tile.
   struct Cursors {
     std::uint64_t* own;
     std::uint64_t* halo_of_tiles;
@@ -102,8 +102,8 @@ class Tiles {
                    const TileGrid<Dim>& grid, double margin, base::WorkCounter& work);
 
   base::Array<std::uint32_t> places_;  ///< of the locals, then of the halo elements
-  /// For each worker and tile: how many own elements, copies of locals, and copies of halo elements
-  /// it finds; then where it writes the next one.
+  /// For each worker and tile: the number of own elements, copies of locals, and copies of halo
+  /// elements that it finds; afterwards the place of the next one.
   base::Array<std::uint64_t> cursors_;
   base::Array<std::uint32_t> own_;
   base::Array<std::uint64_t> begin_;                  ///< tile_count + 1

@@ -69,7 +69,7 @@ class RecursionLevels {
   std::vector<std::unique_ptr<RecursionLevel<Dim>>> levels_;
 };
 
-/// What one worker needs to search a tile.
+/// Arrays that one worker needs to search a tile.
 template <int Dim>
 struct WorkerScratch {
   explicit WorkerScratch(base::MemoryMeter& memory)

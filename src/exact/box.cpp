@@ -25,7 +25,7 @@ double gap(const Box<Dim>& a, const Box<Dim>& b) noexcept {
   for (int axis = 0; axis < Dim; ++axis) {
     result = std::max({result, a.lower[axis] - b.upper[axis], b.lower[axis] - a.upper[axis]});
   }
-  // Of two zeros of different sign max may take either.
+  // Adding 0 makes -0 a 0: max may return either of two zeros.
   return std::min(result, largest) + 0.0;
 }
 

@@ -11,11 +11,11 @@ struct Box {
   double upper[Dim];
 };
 
-/// Whether a - b <= margin in real arithmetic, where the difference of doubles rounds to margin.
+/// True if a - b <= rounded in real arithmetic, where `rounded` is the computed difference.
 [[nodiscard]] bool difference_rounds_up(double a, double b, double rounded) noexcept;
 
-/// Whether a <= b + margin in real arithmetic, for every finite double. A rounded difference on
-/// either side of the margin is on the right side; one that meets it is looked at again.
+/// True if a <= b + margin in real arithmetic, for all finite doubles. A rounded difference that is
+/// not equal to the margin lies on the right side of it; an equal one is looked at again.
 [[nodiscard]] inline bool at_most(double a, double b, double margin,
                                   std::uint64_t& exact_decisions) noexcept {
   if (margin == 0.0) return a <= b;

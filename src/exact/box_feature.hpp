@@ -12,14 +12,14 @@
 
 namespace abut::exact {
 
-/// For each axis: the point lies on the lower bound (-1), on the upper one (1) or between them (0).
+/// Side of a point on each axis: on the lower bound (-1), on the upper one (1) or between them (0).
 template <int Dim>
 using BoxSides = std::array<std::int8_t, Dim>;
 
-/// If the box, a solid, lies within radius + margin of the center, which of its bounds the point
-/// nearest to the center lies on; both in real arithmetic. The nearest point has coordinates of the
-/// center or of the corners, so that the contract of two spheres decides. Where a box is flat its
-/// two bounds are one: the lower.
+/// Returns, if the solid box lies within radius + margin of the center, the bounds on which its
+/// point nearest to the center lies; both in real arithmetic. The nearest point has coordinates of
+/// the center or of the corners, so that the contract of two spheres decides. Where a box is flat
+/// its two bounds are one: the lower.
 template <int Dim>
 [[nodiscard]] inline std::optional<BoxSides<Dim>> sides_within_reach(
     const Sphere<Dim>& sphere, const Box<Dim>& box, double margin,

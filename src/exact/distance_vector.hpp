@@ -19,7 +19,8 @@ struct DistanceVector {
   double distance = 0.0;
 };
 
-/// For all finite numbers. What exceeds the largest double is that.
+/// Computes the distance vector of any finite numbers. Components and distances that overflow
+/// become the largest double.
 template <int Dim>
 [[nodiscard]] DistanceVector distance_vector(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                              const ImageShift& shift,

@@ -180,7 +180,8 @@ std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                 exponent);
 }
 
-/// Where it is three doubles from which the triangle is seen: the question without a lattice.
+/// If the center, moved back by the shift, is exactly three doubles, asks the question without a
+/// lattice.
 std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                                                       const Triangle& triangle,
                                                       const LatticeSteps<3>& steps,

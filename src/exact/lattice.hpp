@@ -20,7 +20,7 @@ struct Lattice {
   return {shift.x, shift.y, shift.z};
 }
 
-/// What a shift adds up to: the lattice vectors that it really uses, each with how often.
+/// The steps of a shift: each lattice vector that it uses, and how often.
 template <int Dim>
 class LatticeSteps {
  public:

@@ -29,7 +29,7 @@ class Excess {
         axis_(axis),
         sign_(moved == Moved::first ? 1 : -1) {}
 
-  /// Whether it is, in real arithmetic.
+  /// True if the excess is at most `margin` in real arithmetic.
   [[nodiscard]] bool at_most(double margin) const noexcept {
     const CompensatedSum sum = in_doubles(margin);
     return sum.rounded() ? accumulated(margin).sign() <= 0 : sum.value().high <= 0.0;
@@ -74,7 +74,7 @@ class Excess {
   int sign_;
 };
 
-/// Both on one axis: a behind the image of b, the image of b behind a.
+/// Returns both excesses on one axis: of a behind the image of b, and of that image behind a.
 template <int Dim>
 std::array<Excess<Dim>, 2> excesses(const Box<Dim>& a, const Box<Dim>& b,
                                     const LatticeSteps<Dim>& steps, int axis) noexcept {
@@ -106,7 +106,7 @@ double gap(const Box<Dim>& a, const Box<Dim>& b, const ImageShift& shift,
       result = std::max(result, excess.rounded());
     }
   }
-  // Of two zeros of different sign max may take either.
+  // Adding 0 makes -0 a 0: max may return either of two zeros.
   return std::min(result, largest) + 0.0;
 }
 

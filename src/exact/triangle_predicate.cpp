@@ -36,7 +36,7 @@ double length(const Vector& a) noexcept {
   return std::sqrt(dot(a, a));
 }
 
-// In units of u = 2^-53: 16, 256, 32 and 64.
+// Relative bounds of the errors below: 16, 256, 32 and 64 units of u = 2^-53.
 constexpr double band_along = 0x1p-49;
 constexpr double band_of_turn = 0x1p-45;
 constexpr double band_to_side = 0x1p-48;
@@ -52,7 +52,7 @@ struct Enclosed {
   double error;
 
   [[nodiscard]] bool has_certain_sign() const noexcept { return std::fabs(value) > error; }
-  /// If it is certain.
+  /// Sign of the value; valid only if has_certain_sign().
   [[nodiscard]] int sign() const noexcept { return value < 0.0 ? -1 : 1; }
 };
 

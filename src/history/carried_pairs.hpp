@@ -26,14 +26,14 @@ class CarriedPairs {
                 const CellJumps& jumps, std::span<const std::uint32_t> numbers);
 
   [[nodiscard]] std::span<const ContactPair> pairs() const noexcept { return pairs_; }
-  /// Empty, or one for each pair.
+  /// One shift for each pair, or none at all.
   [[nodiscard]] std::span<const ImageShift> shifts() const noexcept { return shifts_; }
 
-  /// Where the pair was in the step before.
+  /// Place of the pair in the list of the step before.
   [[nodiscard]] PairCount origin(PairCount k) const noexcept {
     return entries_.empty() ? k : entries_[k].origin;
   }
-  /// Whether its elements have changed roles.
+  /// True if first and second element have changed places.
   [[nodiscard]] bool flipped(PairCount k) const noexcept {
     return !entries_.empty() && entries_[k].flipped;
   }

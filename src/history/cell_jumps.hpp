@@ -14,8 +14,8 @@
 
 namespace abut::history {
 
-/// Where elements were a step ago, and by which lattice vectors they have been moved since, beside
-/// their own small motion.
+/// Remembers where elements were a step ago and finds the lattice vectors by which the caller has
+/// moved (wrapped) them since, beside their own small motion.
 class CellJumps {
  public:
   /// Compares the elements with those remembered: element k was number `before[k]`, or not there;
@@ -23,11 +23,11 @@ class CellJumps {
   void find(const ElementView& elements, const Domain& domain,
             std::span<const std::uint32_t> before);
 
-  /// Whether any was moved.
+  /// True if any element was moved by a lattice vector.
   [[nodiscard]] bool any() const noexcept { return any_; }
   [[nodiscard]] const ImageShift& of(std::size_t number) const noexcept { return jumps_[number]; }
 
-  /// What was found last is what to compare with from now on.
+  /// Makes the positions compared last those to compare with in the next step.
   void accept() noexcept;
 
  private:

@@ -46,7 +46,7 @@ class Merge {
     if constexpr (WithShifts) return now_shifts_[k] < shift_before(b);
     return false;
   }
-  /// Whether pair k comes after the one before it.
+  /// True if pair k comes after pair k - 1 in canonical order.
   [[nodiscard]] bool ascends(PairCount k) const {
     if (k == 0 || now_[k - 1] < now_[k]) return true;
     if constexpr (WithShifts) {
@@ -71,13 +71,13 @@ class Merge {
 }  // namespace
 
 struct ContactMatcher::State {
-  // As accepted last.
+  // State of the step that was accepted last.
   PairArray pairs;
   ShiftArray shifts;  ///< empty where all are 0
   elements::ElementIds ids;
   history::CellJumps jumps;
 
-  // As matched last.
+  // State of the step that was matched last.
   PairArray next_pairs;
   ShiftArray next_shifts;
   elements::ElementIds next_ids;

@@ -30,7 +30,7 @@ struct CandidateWords {
   std::size_t count;              ///< of words
 };
 
-/// What a filter says of a word of candidates: a bit for each.
+/// Answers of the filter for a word of candidates, one bit for each.
 struct CandidateVerdict {
   std::uint64_t together;
   std::uint64_t left_undecided;
@@ -38,7 +38,7 @@ struct CandidateVerdict {
 
 /// A distance, and a reach, may be off by so many quanta, all errors of both together.
 inline constexpr float quantum_slack = 16.0f;
-/// Of their squares, for the roundings of floats: 16 of 2^-24.
+/// Relative band of the squares, for the roundings of floats: 16 of 2^-24.
 inline constexpr float square_band = 0x1p-20f;
 
 /// Spheres (four doubles each) to be seen in quanta: coordinates less `middle`, and radii, times

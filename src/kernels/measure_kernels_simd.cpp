@@ -22,7 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "kernels/simd_center_line-inl.hpp"
 
 /// Pairs that come so much later are fetched: enough to hide the way to memory.
-constexpr std::size_t fetched_ahead = 16;
+constexpr std::size_t pairs_fetched_ahead = 16;
 
 /// Of distance and radii: a gap that is larger has the sign that was computed.
 constexpr double band_of_gap = 0x1p-47;
@@ -153,9 +153,9 @@ std::size_t measure_in(const MeasureJob& job, std::uint32_t* open, std::size_t& 
     const double* elements[lanes];
     const double* partners[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (k + lane + fetched_ahead < job.count) {
-        __builtin_prefetch(first(k + lane + fetched_ahead));
-        __builtin_prefetch(second(k + lane + fetched_ahead));
+      if (k + lane + pairs_fetched_ahead < job.count) {
+        __builtin_prefetch(first(k + lane + pairs_fetched_ahead));
+        __builtin_prefetch(second(k + lane + pairs_fetched_ahead));
       }
       elements[lane] = first(k + lane);
       partners[lane] = second(k + lane);

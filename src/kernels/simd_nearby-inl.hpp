@@ -23,7 +23,7 @@ class SimdNearby {
     return {list_[k], size_[k]};
   }
 
-  /// For each element of the batch 1 where it lies near the cell before or after its own, or 0.
+  /// 1 for each element of the batch that lies near the cell before (after) its own, 0 for others.
   [[nodiscard]] HWY_INLINE const std::uint32_t* before() const { return before_; }
   [[nodiscard]] HWY_INLINE const std::uint32_t* after() const { return after_; }
 

@@ -171,8 +171,8 @@ class SimdPairTester {
     return HWY_LIKELY(hn::AllFalse(floats, undecided)) ? hits : some_undecided;
   }
 
-  /// As `write`, of an element whose runs are short and among whose hits are undecided ones. No
-  /// lane beyond a run is among them.
+  /// Writes like `write` for an element whose runs are short and that has undecided hits. Lanes
+  /// beyond a run are never among these.
   template <class Runs>
   HWY_NOINLINE std::size_t write_undecided(std::uint32_t p, const Runs& runs, std::size_t place) {
     const Probe probe = probe_of(p);
@@ -234,7 +234,7 @@ class SimdPairTester {
     if (!test_runs(probe, RunsOfCoarseElement{std::span(&run, 1)})) test_with_care(probe, run);
   }
 
-  /// What follows a run is somewhere else in the tile.
+  /// Runs of a coarse element. What follows a run in memory may lie anywhere in the tile.
   struct RunsOfCoarseElement {
     static constexpr bool harmless_beyond = false;
     std::span<const Run> runs;

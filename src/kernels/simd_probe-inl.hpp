@@ -1,7 +1,7 @@
 // An element in all lanes beside eight candidates at a time, included like
 // simd_pair_tester-inl.hpp.
 
-/// Where candidates stand.
+/// Columns in which the candidates stand.
 struct Columns {
   const float* center[3];
   const float* size[3];
@@ -26,7 +26,8 @@ class SimdProbe {
     number_ = hn::Set(numbers, tile.number[p]);
   }
 
-  /// Of another element of the tile, but for its number. An equal sphere's reach is the same.
+  /// Returns the probe of another element of the tile, but for its number. Among equal spheres the
+  /// reach stays the same.
   [[nodiscard]] HWY_INLINE SimdProbe moved_to(const Columns& columns, const TileView& tile,
                                               const SearchJob& job, std::uint32_t p) const {
     SimdProbe result = *this;

@@ -18,7 +18,7 @@ class SimdRow {
     end_ += std::popcount(hits);
   }
 
-  /// The same, where few vectors hold a hit.
+  /// Writes the hits of a run; for runs of which few vectors hold a hit.
   HWY_INLINE void write_few(const Probe& probe, const Columns& columns, std::size_t q,
                             Bits wanted) {
     if (HWY_UNLIKELY((bits_of(probe.filter(columns, q).hit) & wanted) != 0)) {

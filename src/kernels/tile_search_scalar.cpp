@@ -62,7 +62,7 @@ class Probe {
   std::uint32_t number_;
 };
 
-/// The same among boxes: on each axis neither may lie behind the other's end.
+/// Tests two boxes: on each axis neither may begin behind the other's end.
 template <int Dim>
 class Probe<Dim, TileShape::boxes> {
  public:

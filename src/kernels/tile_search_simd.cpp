@@ -57,7 +57,7 @@ HWY_INLINE Numbers compress(Numbers values, Bits set) {
 constexpr std::uint32_t short_run = row_padding;
 constexpr Bits all_of_short_run = (1u << short_run) - 1;
 constexpr Bits all_lanes = (1u << lanes) - 1;
-/// Of five runs.
+/// Most hits of an element whose five runs are short.
 constexpr std::size_t most_hits = 5 * short_run;
 
 #include "kernels/simd_probe-inl.hpp"

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t row_padding = 8;
 /// within reach of nothing.
 inline constexpr float far_away = 1e18f;
 
-/// What the elements of a tile are, and so which columns say how large they are.
+/// Shape of the elements of a tile, which says how many columns of sizes there are.
 enum class TileShape {
   equal_spheres,  ///< none
   spheres,        ///< one: radii
@@ -65,13 +65,13 @@ struct Layers {
   return {0, tile.cells[dimensions - 1] + 2};
 }
 
-/// What the exact stages say of a pair.
+/// Answer of the exact stages for a pair.
 enum class Verdict : std::uint8_t { apart, within_reach, open };
 
 /// Pairs that a kernel found, in the order of its search. The pairs that single precision cannot
 /// decide are among them; their places are listed, ascending.
 struct HitBuffer {
-  /// Few enough for the nearest cache.
+  /// Number of pairs in the buffer, which fits into the nearest cache.
   static constexpr std::size_t size = 1024;
 
   std::uint32_t element[size + widest_vector];

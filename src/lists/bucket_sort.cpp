@@ -9,13 +9,15 @@
 namespace abut::lists {
 namespace {
 
-/// Pairs of one digit beyond which they are not left to insertion alone, quadratic as it is.
+/// Number of pairs with one digit beyond which they are not sorted by insertion alone, whose cost
+/// is quadratic.
 constexpr std::uint32_t crowd = 16;
 
-/// Steps of insertion for each pair beyond which another method takes over.
+/// Steps of insertion, on average for each pair, beyond which std::sort takes over.
 constexpr std::size_t most_steps = 8;
 
-/// Enough for the partners of one element to fall apart, few enough for the cache.
+/// Returns a number of digits that tells most partners of one element apart and whose counters
+/// stay in the cache.
 std::size_t most_partner_digits(std::size_t pairs) {
   return std::max<std::size_t>(1024, pairs / 4);
 }
@@ -55,7 +57,7 @@ struct BySecond : Digits {
   }
 };
 
-/// Where partners lie, seen from a range of elements.
+/// Range of the second elements of pairs, and how many lie in the range of the first ones.
 struct Partners {
   ElementIndex least = std::numeric_limits<ElementIndex>::max();
   ElementIndex greatest = 0;
@@ -79,7 +81,7 @@ Partners partners_of(std::span<const Entry> entries, std::size_t first_element, 
   return all;
 }
 
-/// `ends` says where the digits' pairs end.
+/// True if some digit has a crowd of pairs; `ends` says where the pairs of each digit end.
 bool has_crowd(std::span<const std::uint32_t> ends) {
   std::uint32_t begin = 0;
   std::uint32_t most = 0;
@@ -87,7 +89,7 @@ bool has_crowd(std::span<const std::uint32_t> ends) {
   return most > crowd;
 }
 
-/// Whether so many are out of order that insertion would guess as often as not.
+/// True if so many entries are out of order that the branches of insertion could not be predicted.
 template <PairEntry Entry>
 bool is_shuffled(std::span<const Entry> entries, base::WorkCounter& work) {
   std::size_t descents = 0;
@@ -101,8 +103,8 @@ bool is_shuffled(std::span<const Entry> entries, base::WorkCounter& work) {
   return descents > entries.size() / 4;
 }
 
-/// For entries that are nearly in order. Where many are not, or one is far from its place, another
-/// method takes over.
+/// Sorts entries that are nearly in order. If that takes too many steps, or an entry is far from
+/// its place, std::sort takes over.
 template <PairEntry Entry>
 void sort_by_insertion(std::span<Entry> entries, base::WorkCounter& work) {
   constexpr std::size_t farthest = std::size_t{1} << 16;
@@ -130,7 +132,7 @@ void sort_by_insertion(std::span<Entry> entries, base::WorkCounter& work) {
 
 }  // namespace
 
-/// Stable. Says where each digit's entries end.
+/// Sorts by a digit, stably. Returns where the entries of each digit end.
 template <PairEntry Entry>
 template <class Digit>
 std::span<const std::uint32_t> BucketSort<Entry>::scatter(std::span<const Entry> from, Digit digit,
@@ -140,7 +142,7 @@ std::span<const std::uint32_t> BucketSort<Entry>::scatter(std::span<const Entry>
   const auto places = std::span(places_).first(digit.count());
   std::fill(places.begin(), places.end(), 0u);
   work.in_pieces(0, from.size(), [&](std::size_t begin, std::size_t end) {
-    // As a copy, of which the compiler knows that nothing written here changes it.
+    // A copy: the compiler knows that no write below changes it.
     const Digit digit_of = digit;
     for (const Entry& entry : from.subspan(begin, end - begin)) ++places[digit_of(entry)];
   });
@@ -166,11 +168,12 @@ void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element
   base::make_room(moved_, entries.size());
   const std::span<Entry> moved = std::span(moved_).first(entries.size());
   const auto first = static_cast<ElementIndex>(first_element);
-  // Where most elements have no pair, some to a digit: empty digits cost as much as pairs.
+  // If most elements have no pair, several share a digit: an empty digit costs as much as a pair.
   const ByFirst by_first(first, static_cast<ElementIndex>(first_element + width - 1),
                          2 * entries.size());
   const Partners partners = partners_of<Entry>(entries, first_element, width, work);
-  // Few need no order among partners; those numbered nearby may have been found nearly in order.
+  // A few pairs need no pass over second elements; pairs of elements that are numbered nearby may
+  // have been found nearly in order.
   if (entries.size() < width / 2 || partners.near > entries.size() / 2) {
     const auto ends = scatter(entries, by_first, moved, work);
     if (!has_crowd(ends) && !is_shuffled<Entry>(moved, work)) {

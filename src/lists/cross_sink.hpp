@@ -9,9 +9,9 @@
 
 namespace abut::lists {
 
-/// Of the pairs of two sets numbered as one, the first set first, keeps those of both sets and
-/// gives them their own numbers. The smaller number of such a pair is the first set's, so that the
-/// image shift is that of the second set's element, as it is.
+/// Keeps the pairs with one element of either set, out of the pairs of two sets that are numbered
+/// as one (the first set first), and numbers their elements by set. The first set has the smaller
+/// numbers, so the image shift is already that of the second set's element.
 class CrossSink final : public FilteringSink {
  public:
   /// `numbers` says what the elements are called in their sets, where some were left out; it must

@@ -20,7 +20,7 @@ void for_each_entry(const FoundPieces& pieces, NeighborListKind kind, std::size_
     work.did(1);
     const FoundPiece piece = pieces[k];
     work.in_pieces(0, piece.pairs.size(), [&](std::size_t begin, std::size_t end) {
-      // Copies, of which the compiler knows that nothing written here changes them.
+      // Copies: the compiler knows that no write below changes them.
       const Visit visit = visit_entry;
       const auto [pairs, shifts] = piece;
       if (kind == NeighborListKind::half) {
@@ -36,7 +36,7 @@ void for_each_entry(const FoundPieces& pieces, NeighborListKind kind, std::size_
   }
 }
 
-/// Where entries go; as a value, so that nothing written through it can change it.
+/// Writes entries to their ranges. Passed as a value: the compiler knows that no write changes it.
 struct Target {
   ElementRanges ranges;
   std::uint64_t* next;

@@ -66,7 +66,7 @@ class RangePlaces {
     begin_[ranges.count()] = end;
   }
 
-  /// Where the worker's next entry of each range goes; the worker counts them on.
+  /// Places of the worker's next entry in each range; the worker advances them.
   [[nodiscard]] std::uint64_t* next_of(const ElementRanges& ranges, std::size_t worker) noexcept {
     return next_.data() + worker * ranges.count();
   }

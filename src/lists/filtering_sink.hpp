@@ -22,7 +22,7 @@ struct PairBatch {
 };
 
 /// Moves the pairs for which keep(pair) holds to the front, in order; returns how many there are.
-/// No branch depends on the data.
+/// Without branches that depend on the data, which could not be predicted.
 template <class Keep>
 std::size_t keep_where(const PairBatch& batch, Keep&& keep) {
   std::size_t kept = 0;

@@ -116,7 +116,7 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   const auto [added, shifts] = take(worker, count);
   if (!worker.segments.empty()) {
     PairSegment& last = worker.segments.back();
-    // What follows the buffer does not belong to it.
+    // A chunk may begin where the caller's buffer ends; the two are not one segment.
     const auto* const end_of_buffer = demand_.buffer.pairs.data() + demand_.buffer.pairs.size();
     const bool is_elsewhere = added.data() == end_of_buffer;
     if (last.unit == origin.unit && last.pairs.data() + last.pairs.size() == added.data() &&

@@ -48,7 +48,7 @@ struct FoundPieces {
   }
 };
 
-/// What is to become of found pairs.
+/// Says how many pairs may be found, what is stored of them, in which order, and where.
 struct PairDemand {
   PairCount limit = unlimited_pairs;
   Shifts shifts = Shifts::none;
@@ -110,7 +110,7 @@ class FoundPairs final : public base::PairSink {
     std::vector<PairSegment> segments;
   };
 
-  /// Whether the next pairs go to the caller's buffer: as long as there is enough of it.
+  /// True if the next pairs go to the caller's buffer, as long as enough of it is left.
   [[nodiscard]] bool buffer_is_next() const noexcept {
     return demand_.buffer.pairs.size() - in_buffer_ >= smallest_buffer;
   }

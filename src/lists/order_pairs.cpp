@@ -30,7 +30,7 @@ void for_each_part(const FoundPieces& pieces, std::size_t share, std::size_t sha
   }
 }
 
-/// `ranges` as a copy, of which the compiler knows that nothing written here changes it.
+/// Writes pairs to their ranges. `ranges` is a copy: the compiler knows that no write changes it.
 template <PairEntry Entry>
 void scatter(const FoundPiece& piece, std::size_t begin, std::size_t end, ElementRanges ranges,
              std::uint64_t* next, OutputBuffer target) {

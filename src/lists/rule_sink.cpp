@@ -27,7 +27,7 @@ std::size_t keep_by_categories(const PairBatch& batch, const PairTraits& first,
   });
 }
 
-/// Few partners are looked at one by one.
+/// True if `sought` is among the partners, which ascend; a few are compared one by one.
 bool holds(std::span<const ElementIndex> partners, ElementIndex sought) {
   constexpr std::size_t few = 16;
   if (partners.size() > few) return std::binary_search(partners.begin(), partners.end(), sought);

@@ -98,7 +98,7 @@ class ImageWindows {
     return window(difference, [&](std::size_t k) { return lattice_.dual_length[k] * half_reach; });
   }
 
-  /// The same of boxes.
+  /// Returns the window of two boxes.
   [[nodiscard]] ImageWindow of(const exact::Box<Dim>& a, const exact::Box<Dim>& b,
                                double margin) const noexcept {
     HalfDifference difference;
@@ -122,7 +122,7 @@ class ImageWindows {
   }
 
  private:
-  /// What a window is made of.
+  /// Half the difference of two elements, and its reach, from which a window is made.
   struct HalfDifference {
     std::array<double, Dim> center{};  ///< of a less that of b
     double span = 0.0;                 ///< |d| + R, at least

@@ -16,7 +16,7 @@ inline ContactPair half_pair(std::int32_t a, std::int32_t b) noexcept {
   return {static_cast<ElementIndex>(a < b ? a : b), static_cast<ElementIndex>(a < b ? b : a)};
 }
 
-/// What an algorithm does with a candidate pair: the exact test, then the sink.
+/// Decides each candidate pair of an algorithm exactly and passes contact pairs to the sink.
 template <int Dim>
 class PairDecider {
  public:
@@ -36,7 +36,7 @@ class PairDecider {
 
  private:
   static constexpr std::uint64_t tests_at_a_time = 1 << 10;
-  /// With the way along lists to the next candidate, compared to a step through an array.
+  /// Cost of a test, with the way along lists to the next candidate, in steps through an array.
   static constexpr std::uint64_t steps_of_test = 4;
 
   exact::Elements<Dim> elements_;
@@ -45,7 +45,7 @@ class PairDecider {
   base::DetectionContext& context_;
 };
 
-/// For a trace: shows the candidate pairs themselves.
+/// Shows the candidate pairs themselves, for a trace.
 class CandidateRecorder {
  public:
   explicit CandidateRecorder(trace::Sink& sink) : sink_(sink) {}

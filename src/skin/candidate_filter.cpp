@@ -17,12 +17,12 @@ using kernels::CandidateVerdict;
 using kernels::CandidateWords;
 using kernels::QuantumSphere;
 
-/// a - b in 32 bits, whatever is carried beyond them.
+/// Returns a - b modulo 2^32, without overflow.
 std::int32_t difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-/// As the kernels do it, of `count` candidates.
+/// Filters `count` candidates by the same operations as the kernels.
 CandidateVerdict sift(const CandidateWords& words, std::size_t count) {
   CandidateVerdict verdict{0, 0};
   for (std::size_t k = 0; k < count; ++k) {
@@ -70,7 +70,7 @@ double farthest_of(const exact::Lattice& lattice, std::span<const ImageShift> sh
   return farthest;
 }
 
-/// Of the system as a whole: more than any coordinate of a difference, and any reach.
+/// Returns an upper bound, for the whole system, of any coordinate of a difference and any reach.
 template <int Dim>
 double largest_length(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing,
                       double farthest_image) {
@@ -165,7 +165,8 @@ void CandidateFilter<Dim>::run(std::size_t first_word, std::span<std::uint64_t> 
   }
 }
 
-/// What is certain, and of what is in doubt that which the predicate says of the caller's numbers.
+/// Returns the candidates that are certainly together, and those undecided ones that the predicate
+/// accepts on the caller's numbers.
 template <int Dim>
 std::uint64_t CandidateFilter<Dim>::confirm(std::size_t first, const CandidateVerdict& verdict,
                                             std::uint64_t& exact_decisions) const {

@@ -22,11 +22,12 @@ namespace abut::skin {
 template <int Dim>
 class Quanta {
  public:
-  /// Of elements as they are placed, and what the farthest image shift adds to a coordinate.
+  /// Chooses quanta for elements as they are placed; `farthest_image` is the most that an image
+  /// shift adds to a coordinate.
   Quanta(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing,
          double farthest_image);
 
-  /// Whether there are such quanta; not where numbers are extreme.
+  /// True if there are such quanta; there are none if numbers are extreme.
   [[nodiscard]] bool fit() const noexcept { return per_length_ > 0.0; }
 
   /// slots[k] = the sphere of number numbers[k].
@@ -61,7 +62,7 @@ class Quanta {
 template <int Dim>
 class CandidateFilter {
  public:
-  /// What is kept from call to call.
+  /// The candidates as they are kept from call to call.
   struct CandidateColumns {
     std::span<const kernels::SlotPair> pairs;
     std::span<const ElementIndex> elements;  ///< of the slots

@@ -15,8 +15,9 @@
 
 namespace abut::skin {
 
-/// Of the pairs of some new elements against all, at their anchors, keeps each once and calls it as
-/// a detection does: the smaller number first, with the image shift between elements as given.
+/// Takes the pairs of new elements with all elements, at their anchors, keeps each once and names
+/// it as a detection does: the smaller number first, with the image shift between elements as
+/// given.
 template <int Dim>
 class CandidateInsertion final : public lists::FilteringSink {
  public:

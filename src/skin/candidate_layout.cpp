@@ -97,7 +97,8 @@ void CandidateLayout::give_slots(lists::PairPieces found, std::size_t element_co
   slot_count_ = next;
 }
 
-/// Before, end_[slot + 1] is where the slot's candidates begin; behind it, where they end.
+/// Collects the candidates of each slot. end_[slot + 1] is where they begin at first, and where
+/// they end afterwards.
 void CandidateLayout::collect_runs(lists::PairPieces found, std::span<const ShiftNumber> shifts,
                                    base::WorkCounter& work) {
   work.in_pieces(2, slot_count_ + 2, [&](std::size_t begin, std::size_t end) {
@@ -129,7 +130,7 @@ void CandidateLayout::sort_runs(std::size_t first_slot, std::size_t last_slot,
   }
 }
 
-/// Of the elements [first, last).
+/// Counts the candidates of the elements [first, last).
 std::size_t CandidateLayout::candidates_of(std::size_t first, std::size_t last,
                                            base::WorkCounter& work) const {
   std::size_t sum = 0;

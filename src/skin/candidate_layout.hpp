@@ -27,8 +27,8 @@ class CandidateLayout {
  public:
   explicit CandidateLayout(base::MemoryMeter& memory);
 
-  /// Of candidates as they were found, fewer than 2^32, with the numbers of their shifts one after
-  /// the other, or none.
+  /// Arranges candidates, fewer than 2^32, from the pieces in which they were found. `shifts` holds
+  /// the numbers of their shifts one after the other, or nothing.
   void arrange(lists::PairPieces found, std::span<const ShiftNumber> shifts,
                std::size_t element_count, std::size_t workers, base::WorkCounter& work);
 
@@ -36,13 +36,13 @@ class CandidateLayout {
   [[nodiscard]] std::span<const ElementIndex> elements() const noexcept {
     return {elements_.data(), slot_count_};
   }
-  /// In the order of space, with the numbers of their shifts.
+  /// The candidates in the order of space; shifts() has the numbers of their shifts.
   [[nodiscard]] std::span<const SlotPair> candidates() const noexcept {
     return {candidates_.data(), size_};
   }
   [[nodiscard]] const ShiftNumber* shifts() const noexcept { return shifts_.data(); }
 
-  /// In canonical order: candidates, their places in the order of space, their shifts.
+  /// Candidates in canonical order, their places in the order of space, and their shifts.
   struct Canonical {
     const ContactPair* pairs;
     const std::uint32_t* places;

@@ -81,7 +81,7 @@ base::PairSink& CandidatePairs<Dim>::start_anew(bool periodic) {
   return found_;
 }
 
-/// In the order of space, so that new slots follow it as the old ones did.
+/// Writes the candidates in the order of space, so that the new slots follow that order too.
 template <int Dim>
 base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> numbers,
                                                 const DisplacementTracker<Dim>& placing,
@@ -120,7 +120,7 @@ bool CandidatePairs<Dim>::finish(const ElementsNow<Dim>& now,
   return true;
 }
 
-/// Of the same two elements, numbers ascend with shifts.
+/// Numbers the shifts so that, for the same two elements, numbers ascend with shifts.
 template <int Dim>
 bool CandidatePairs<Dim>::number_shifts(const DisplacementTracker<Dim>& placing,
                                         base::WorkCounter& work) {

@@ -25,11 +25,12 @@ class CandidatePairs {
  public:
   explicit CandidatePairs(base::MemoryMeter& memory);
 
-  /// Where a search puts them; those there were are dropped.
+  /// Drops all candidates and returns the sink to which a search delivers new ones.
   [[nodiscard]] base::PairSink& start_anew(bool periodic);
 
-  /// Starts with those there were, of the elements that are still there and as they are called now:
-  /// element i is `numbers[i]`, or gone where that is ElementIds::none. More may be put beside.
+  /// Keeps the candidates of elements that are still there, under their new numbers: element i has
+  /// become `numbers[i]`, or is gone if that is ElementIds::none. Returns the sink for further
+  /// ones.
   [[nodiscard]] base::PairSink& carry_over(std::span<const std::uint32_t> numbers,
                                            const DisplacementTracker<Dim>& placing,
                                            base::WorkCounter& work);

@@ -24,8 +24,8 @@ class CandidateWriter {
   CandidateWriter(base::PairSink& sink, const base::Origin& origin, const std::uint64_t* survivors)
       : sink_(sink), origin_(origin), survivors_(survivors) {}
 
-  /// Those of `count` candidates that survived, from `first` on in canonical order; shift_at(k) is
-  /// the image shift of the k-th of all.
+  /// Writes the survivors among `count` candidates, from `first` on in canonical order; shift_at(k)
+  /// is the image shift of candidate k of all.
   template <class ShiftAt>
   void write(const CandidateLayout::Canonical& candidates, std::size_t first, std::size_t count,
              ShiftAt&& shift_at) {

@@ -17,13 +17,13 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// at most 16 u.
 constexpr double displacement_band = 0x1p-49;
 
-/// More than a displacement can lose where squares of its components underflow.
+/// Upper bound of what a displacement loses if squares of its components underflow.
 constexpr double underflow = 0x1p-500;
 
-/// Of the magnitude of what a placed element is computed from: 8 u.
+/// Relative error of a placed element, to the magnitude of the numbers it is computed from: 8 u.
 constexpr double placing_error = 0x1p-50;
 
-/// Compared to a step through an array.
+/// Cost of placing an element, in steps through an array.
 constexpr std::uint64_t steps_of_placing = 4;
 
 bool is_moved(const lattice::CellNumbers& cells) {
@@ -70,7 +70,7 @@ bool add(const lattice::CellNumbers& more, lattice::CellNumbers& cells) {
   return true;
 }
 
-/// Of elements that are not moved.
+/// Returns the magnitude of the coordinates of elements that no lattice vector moves.
 template <int Dim>
 double magnitude_of(const grid::Bounds<Dim>& bounds) {
   double sum = 0.0;
@@ -141,8 +141,8 @@ bool DisplacementTracker<Dim>::start(const ElementsNow<Dim>& now) {
   return true;
 }
 
-/// Each element goes into the cell around the middle of all: those of callers who keep their
-/// elements in a cell stay where they are.
+/// Places each element in the cell around the middle of all: where the caller keeps elements in a
+/// cell, they stay where they are.
 template <int Dim>
 void DisplacementTracker<Dim>::start_in_cell(const ElementsNow<Dim>& now) {
   base::make_room(own_placed_, size_);

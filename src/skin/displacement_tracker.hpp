@@ -43,7 +43,7 @@ class DisplacementTracker {
   /// detection does when the lattice is no lattice.
   [[nodiscard]] double approach(const ElementsNow<Dim>& now, double allowed);
 
-  /// Where the elements were placed when they were anchored, and in which domain.
+  /// Places of the elements when they were anchored; domain_then() is the domain of that call.
   [[nodiscard]] std::span<const exact::Sphere<Dim>> anchors() const noexcept {
     return {anchor_.data(), size_};
   }
@@ -57,7 +57,8 @@ class DisplacementTracker {
     return cells_[i];
   }
 
-  /// Whether any such number is not 0. Cheaper to ask than these, which lie farther apart.
+  /// True if any such number of the element is not 0. Cheaper than reading the numbers, which lie
+  /// farther apart in memory.
   [[nodiscard]] bool moved(std::size_t i) const noexcept { return moved_[i] != 0; }
 
   /// The image shift of a pair of elements as given, from that of the placed ones.
@@ -77,7 +78,7 @@ class DisplacementTracker {
   [[nodiscard]] double mean_radius() const noexcept { return mean_radius_; }
 
  private:
-  /// What one worker finds out about its elements.
+  /// Largest displacements and numbers among the elements of one worker.
   struct alignas(128) Part {
     double farthest = 0.0;  ///< the two largest displacements, growth included
     double second = 0.0;

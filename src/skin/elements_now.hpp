@@ -23,7 +23,7 @@ struct ElementsNow {
   Simd simd;                ///< an available level
   base::WorkCounter& work;  ///< of the caller's thread
 
-  /// No two elements are within a larger reach.
+  /// Upper bound of the reach of any two elements.
   [[nodiscard]] double largest_reach() const noexcept {
     return (2.0 * bounds.largest_radius + margin) * (1.0 + 0x1p-50);
   }

@@ -7,7 +7,7 @@
 namespace abut::skin {
 namespace {
 
-/// Before any motion was seen, in units of the reach.
+/// Length of the skin before any motion was seen, in units of the reach.
 constexpr double first_skin = 0.1;
 
 /// A skin must last for some calls; elements that are too fast for one of the size of the reach are

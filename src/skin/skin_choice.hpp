@@ -23,7 +23,7 @@ class SkinChoice {
 
   [[nodiscard]] Skin skin() const noexcept { return skin_; }
 
-  /// For the detection that comes. `reach` is that of two elements of mean size.
+  /// Returns the skin for the next detection. `reach` is that of two elements of mean size.
   [[nodiscard]] double next_length(double reach, int dimensions) noexcept;
 
   /// A detection ended; `approach` is what was seen just before it since the one before, infinite

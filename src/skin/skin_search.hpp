@@ -23,7 +23,7 @@
 
 namespace abut::skin {
 
-/// What elements are called; another version where that changed.
+/// The names of elements; the version changes whenever they do.
 struct NamedElements {
   const elements::ElementIds& ids;
   std::uint64_t version;
@@ -36,8 +36,8 @@ class SkinSearch {
  public:
   explicit SkinSearch(base::MemoryMeter& memory) : memory_(memory) { release(); }
 
-  /// Whether the candidates that are kept hold all contact pairs of these elements. Throws as a
-  /// detection does where the domain is none.
+  /// True if the kept candidates hold all contact pairs of these elements. Throws as a detection
+  /// does for an invalid domain.
   [[nodiscard]] bool covers(const ElementsNow<Dim>& now, const NamedElements& named);
 
   /// New elements at their anchors, which are to be searched for against all.
@@ -49,8 +49,8 @@ class SkinSearch {
     base::PairSink& sink;
   };
 
-  /// The same where elements came, went or have other numbers: takes the candidates over to them.
-  /// `search(insertion)` is called where some are new, but few. False if that is not worth while.
+  /// Carries the candidates over to elements of which some came, went or have other numbers. Calls
+  /// `search(insertion)` if some are new, but few. Returns false if that does not pay.
   template <class Search>
   [[nodiscard]] bool carry_over(const ElementsNow<Dim>& now, const NamedElements& named,
                                 Search&& search);
@@ -68,7 +68,8 @@ class SkinSearch {
   [[nodiscard]] bool find_candidates(const ElementsNow<Dim>& now, const NamedElements& named,
                                      SkinChoice& choice, Search&& search);
 
-  /// After covers() or find_candidates() for the same elements.
+  /// Delivers the contacts; needs covers(), carry_over() or find_candidates() for the same elements
+  /// before.
   void deliver_contacts(const ElementsNow<Dim>& now, base::PairSink& sink,
                         base::DetectionContext& context) {
     candidates_->deliver_contacts(now, *tracker_, sink, context);
@@ -83,7 +84,7 @@ class SkinSearch {
  private:
   static constexpr int calls_without = 64;
 
-  /// Where more than one element in so many is new, all are searched for anew.
+  /// If more than one element in so many is new, all candidates are searched for anew.
   static constexpr std::size_t elements_for_a_new_one = 16;
 
   [[nodiscard]] double allowed(const ElementsNow<Dim>& now) const noexcept;
@@ -91,7 +92,8 @@ class SkinSearch {
   void list_added();
   void remember(const NamedElements& named);
 
-  /// What `body` returns; false, and no candidates, where there is no room for what it keeps.
+  /// Returns what `body` returns; returns false and drops the candidates if memory does not
+  /// suffice.
   template <class Body>
   [[nodiscard]] bool if_there_is_room(Body&& body);
 

@@ -29,7 +29,7 @@ void require_shapes(const ElementView& spheres, const ElementView& boxes) {
                                           "; give both the same number of dimensions");
 }
 
-/// By the number of bounds that the point lies on.
+/// Returns the kind of feature, which follows from the number of bounds that the point lies on.
 template <int Dim>
 FeatureKind kind_of(const exact::BoxSides<Dim>& sides) {
   constexpr FeatureKind kinds_2d[] = {FeatureKind::interior, FeatureKind::edge,

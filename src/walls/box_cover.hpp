@@ -11,18 +11,19 @@
 
 namespace abut::walls {
 
-/// All boxes of a view by a few: each around a run of them. Boxes of a mesh come near each other
-/// one after the other, as a rule, so that the runs leave out most of the space between walls.
+/// A few large boxes that cover all boxes of a view, each a run of consecutive ones. Consecutive
+/// boxes of a mesh mostly lie near each other, so the cover leaves out most of the space between
+/// walls.
 template <int Dim>
 class BoxCover {
  public:
-  /// Boxes that are none make a cover that is none.
+  /// Invalid boxes make an invalid cover, which the search that follows refuses.
   BoxCover(const ElementView& boxes, std::size_t workers, base::WorkCounter& work);
 
-  /// From now on all boxes meet on that axis.
+  /// Makes the boxes of the cover unbounded along an axis.
   void extend(int axis) noexcept;
 
-  /// Whether the box meets one of the cover, as it does if it meets one that is covered.
+  /// True if the box meets the cover; it does if it meets a box that is covered.
   [[nodiscard]] bool meets(const exact::Box<Dim>& box) const noexcept {
     std::uint64_t exact_decisions = 0;
     for (std::size_t k = 0; k < count_; ++k) {
@@ -31,7 +32,7 @@ class BoxCover {
     return false;
   }
 
-  /// Boxes that a question goes through.
+  /// Number of boxes in the cover.
   [[nodiscard]] std::size_t size() const noexcept { return count_; }
 
  private:

@@ -21,8 +21,8 @@
 namespace abut::walls {
 namespace {
 
-/// No less than the sum that was rounded to x: at least the next double, but for subnormal sums,
-/// which are exact.
+/// Returns an upper bound of the sum that was rounded to x: at least the next double, or x itself
+/// where the sum is subnormal and thus exact.
 double upwards(double x) noexcept {
   return x + std::fabs(x) * 0x1p-52;
 }
@@ -45,7 +45,7 @@ ElementView view_of(const base::Array<exact::Box<Dim>>& boxes) {
   return ElementView(lower, upper);
 }
 
-/// Whether images are moved on that axis.
+/// True if some lattice vector has a component along the axis.
 bool leads_along(const Domain& domain, int axis) noexcept {
   for (int k = 0; k < 3; ++k) {
     if (domain.vector(k)[static_cast<std::size_t>(axis)] != 0.0) return true;
@@ -104,7 +104,7 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
     base::reporting_lack_of_memory(memory_, [&] { keep_all(); });
     candidates_ = find_candidates(boxes, domain);
   }
-  // As long as the meter lives.
+  // Given back with the meter itself.
   base::reporting_lack_of_memory(memory_, [&] {
     memory_.take_for_pairs(candidates_.size() * sizeof(ContactPair) +
                            candidates_.shifts().size() * sizeof(ImageShift));
@@ -115,7 +115,7 @@ template <int Dim>
 PairList FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Domain& domain) {
   const auto around = base::letting_through(
       [&] { return base::reporting_lack_of_memory(memory_, [&] { return boxes_around(); }); });
-  // What the caller's hook throws is none of ours: not in reporting_lack_of_memory.
+  // Not inside reporting_lack_of_memory: what the caller's hook throws must pass unchanged.
   PairList found =
       find_contact_pairs(view_of<Dim>(around), boxes, domain, options_of_search(domain));
   peak_of_search_ = memory_.held() + found.statistics().peak_bytes;
@@ -137,9 +137,10 @@ void FeatureSearch<Dim>::keep_all() {
   std::iota(near_.begin(), near_.end(), ElementIndex{0});
 }
 
-/// A search of two sets of boxes meets all pairs within each set, too: spheres far from all others
-/// had better not be in it. A rule knows the elements by their places, and then all stay. With a
-/// lattice only those axes tell along which no vector leads: there images are where the boxes are.
+/// Leaves out spheres that are far from all boxes: a search of two sets also meets the pairs within
+/// each set, which would cost time for nothing. All spheres stay if there is a rule, since a rule
+/// knows elements by their numbers. With a lattice, only axes without a component of a lattice
+/// vector can tell: along these, images lie where the boxes themselves lie.
 template <int Dim>
 void FeatureSearch<Dim>::leave_out_far(const ElementView& boxes, const Domain& domain) {
   if (!options_.rule.is_empty()) return keep_all();

@@ -68,8 +68,8 @@ struct SphereCandidates {
   }
 };
 
-/// Spheres, and which of them have a box around them that meets a box around something else: what
-/// a search for contacts with features begins with.
+/// Finds pairs of a sphere and a box around something else that the box around the sphere meets:
+/// the candidates with which a search for contacts with features begins.
 template <int Dim>
 class FeatureSearch {
  public:
@@ -95,10 +95,10 @@ class FeatureSearch {
   }
 
  private:
-  /// Compared to a step through an array.
+  /// Cost of one exact decision, in steps through an array.
   static constexpr std::uint64_t steps_of_decision = 64;
 
-  /// Those of each worker's share.
+  /// Calls `find` for the spheres of each worker's share.
   template <class Contact, class Find>
   void find_each(std::vector<FoundContacts<Contact>>& found, Find& find) {
     base::for_each_share(workers_, context_.work, [&](std::size_t share, base::WorkCounter& work) {
@@ -126,7 +126,7 @@ class FeatureSearch {
   /// The candidates of a worker, by places; those of one sphere are one worker's.
   [[nodiscard]] std::pair<std::size_t, std::size_t> share_of(std::size_t worker) const;
 
-  /// All of one sphere.
+  /// All candidates of one sphere, which lie in places [place, end).
   [[nodiscard]] SphereCandidates<Dim> candidates_between(std::size_t place, std::size_t end) const {
     const auto pairs = candidates_.pairs().subspan(place, end - place);
     const auto shifts = candidates_.shifts();

@@ -12,7 +12,7 @@
 
 namespace abut::walls {
 
-/// Where vertex `number` is, moved by n A.
+/// The place of vertex `number`, moved by a lattice shift.
 struct VertexPlace {
   ElementIndex number = 0;
   ImageShift shift;
@@ -20,11 +20,11 @@ struct VertexPlace {
   friend constexpr auto operator<=>(const VertexPlace&, const VertexPlace&) = default;
 };
 
-/// Each at its own.
+/// Returns vertices of which none is joined: each at its own place.
 [[nodiscard]] std::vector<VertexPlace> vertices_apart(std::size_t count);
 
-/// Of each vertex, where it is by the smallest number of those at the same place or an image of it;
-/// exactly. Throws as find_contact_pairs does.
+/// Joins vertices that lie, exactly, at the same place or at an image of it: returns for each the
+/// smallest number among them and the shift to it. Throws as find_contact_pairs does.
 [[nodiscard]] std::vector<VertexPlace> joined_vertices(
     std::span<const TriangleMesh::Point> vertices, const Domain& domain);
 

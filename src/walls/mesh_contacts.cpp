@@ -44,9 +44,10 @@ exact::Triangle triangle_at(const TriangleMesh& mesh, ElementIndex number) {
   return triangle;
 }
 
-/// From the contact `first` on are the nearest features of triangles; keeps those that as many
-/// triangles name as `triangles_with(contact)` have them. A feature within reach has only triangles
-/// within reach, so that all that count were asked.
+/// Keeps the nearest features of the mesh. From the contact `first` on, `contacts` holds the
+/// nearest feature of each single triangle within reach. A feature is nearest in the mesh only if
+/// all its triangles, `triangles_with(contact)` in number, name it. All of them lie within reach if
+/// the feature does, so each has been asked.
 template <class TriangleCount>
 void keep_minima(std::size_t first, base::Array<Contact>& contacts,
                  TriangleCount&& triangles_with) {
@@ -62,7 +63,7 @@ void keep_minima(std::size_t first, base::Array<Contact>& contacts,
   contacts.erase(kept, contacts.end());
 }
 
-/// What spheres touch of a mesh and its images.
+/// Finds the features of a mesh, and of its images, that spheres touch.
 class MeshToucher {
  public:
   MeshToucher(const TriangleMesh& mesh, const Domain& domain, const Options& options)

@@ -18,8 +18,9 @@ struct MovedFeature {
   friend constexpr auto operator<=>(const MovedFeature&, const MovedFeature&) = default;
 };
 
-/// What the part of a triangle is to the mesh. The parts come in the order in which the first of
-/// several nearest ones is taken: those of triangles that have a feature name the same one.
+/// Returns the feature of the mesh that a part of a triangle belongs to. The parts come in the
+/// order in which the first of several nearest ones is taken: those of triangles that have a
+/// feature name the same one.
 [[nodiscard]] inline MovedFeature feature_of(const TriangleMesh& mesh, ElementIndex triangle,
                                              exact::TrianglePart part) {
   const auto k = static_cast<std::size_t>(part);

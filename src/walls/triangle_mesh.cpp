@@ -88,7 +88,7 @@ struct TriangleMesh::Vertices {
   std::vector<VertexPlace> places;
   Domain domain = Domain::open();
 
-  /// Of the edge between the corners a < b of a triangle.
+  /// Returns the figure of the edge between the corners a < b of a triangle.
   [[nodiscard]] auto figure(const Corners& corners, const std::array<std::size_t, 2>& ends) const {
     return figure_of<2>({places[corners[ends[0]]], places[corners[ends[1]]]});
   }
@@ -160,7 +160,7 @@ void TriangleMesh::number_edges(const Vertices& vertices) {
   }
   std::sort(figures.begin(), figures.end());
   figures.erase(std::unique(figures.begin(), figures.end()), figures.end());
-  // Where the first triangle has an edge, there it is.
+  // An edge stands where the first of its triangles has it.
   edges_.assign(figures.size(), {no_edge, no_edge});
   std::vector<ImageShift> where(figures.size());
   triangle_edges_.assign(size(), {no_edge, no_edge, no_edge});

@@ -18,7 +18,8 @@ class VertexNumbers {
   VertexNumbers(const Connectivity& cells, std::size_t vertex_count)
       : cells_(cells), vertex_count_(vertex_count) {}
 
-  /// Of the vertex in that corner of the cell. Throws if it is none.
+  /// Returns the number of the vertex at a corner of a cell. Throws for a number that no vertex
+  /// has.
   [[nodiscard]] std::size_t at(std::size_t cell, std::size_t corner) const {
     const std::size_t place = cell * cells_.vertices_per_cell() + corner;
     switch (cells_.number_bytes()) {

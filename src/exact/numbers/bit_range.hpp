@@ -20,7 +20,7 @@ class BitRange {
 
   /// Exponent of the lowest bit that is set.
   [[nodiscard]] int lowest() const noexcept { return lowest_; }
-  /// Of the lowest up to the highest; not positive where all numbers are zero.
+  /// Number of bits from the lowest to the highest; not positive if all numbers are zero.
   [[nodiscard]] int bits() const noexcept { return highest_ - lowest_; }
 
  private:

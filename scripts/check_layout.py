@@ -34,7 +34,7 @@ ROOMS_BELOW = {
     "detect": (
         "base exact kernels grid reference engine periodic elements lists geometry skin algorithms"),
     "history": "base exact lattice elements detect",
-    "walls": "base exact kernels lattice elements detect",
+    "walls": "base exact kernels lattice elements lists detect",
 }
 CORE = {"include/abut": set()} | {
     f"src/{room}": {"include/abut"} | {f"src/{other}" for other in below.split()}

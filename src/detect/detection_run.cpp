@@ -4,10 +4,8 @@
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
 #include "base/stopwatch.hpp"
-#include "base/workers.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/lattice_of.hpp"
-#include "elements/validate_rule.hpp"
 #include "kernels/simd_level.hpp"
 #include "lists/result_buffer.hpp"
 
@@ -20,24 +18,7 @@ namespace abut::detect {
 namespace {
 
 using base::DetectionContext;
-using base::PairSink;
 using base::Stopwatch;
-
-void validate_request(const DetectionRequest& request) {
-  if (request.others == nullptr) {
-    validate(request.options, request.elements, request.domain);
-  } else {
-    validate(request.options, request.elements, *request.others, request.domain);
-  }
-  elements::validate_rule(request.options.rule, request.elements, request.others);
-}
-
-SearchTask task_of(const DetectionRequest& request) {
-  const Options& options = request.options;
-  return {request.domain, options,
-          engine::RowsSettings{options.margin, base::worker_count(options.threads, request.size()),
-                               kernels::level_to_run(options.simd)}};
-}
 
 bool is_measured(const DetectionRequest& request) {
   return !request.options.quantities.empty();
@@ -67,7 +48,7 @@ Statistics DetectionRun::guarded(const DetectionRequest& request, Body&& body) {
   const base::FloatEnvironment environment;
   base::reporting_lack_of_memory([&] {
     validate_request(request);
-    if (request.others == nullptr) skin_.require_ids_for(request.elements.size());
+    if (request.others == nullptr) search_.skin().require_ids_for(request.elements.size());
   });
   memory_.start_anew(memory_bound(request.options));
   DetectionContext context(memory_, request.options.progress);
@@ -84,67 +65,14 @@ Statistics DetectionRun::guarded(const DetectionRequest& request, Body&& body) {
   });
 }
 
-template <int Dim>
-void DetectionRun::search(const DetectionRequest& request, const SearchTask& task, PairSink& sink,
-                          DetectionContext& context, Statistics& statistics) {
-  RunArrays<Dim>& own = arrays_.in<Dim>();
-  if (request.others != nullptr) {
-    return own.two_set_search.search(own.search, own.elements, task, sink, context, statistics);
-  }
-  if (skin_.applies_to(request)) {
-    const SkinCall<Dim> call{own.elements, own.search, own.two_set_search,
-                             task,         context,    statistics};
-    const SkinDetection::Prepared candidates = skin_.prepare(call);
-    if (candidates.source != SkinDetection::Source::none) {
-      return skin_.deliver(call, candidates, sink);
-    }
-  }
-  own.search.search(own.elements, task, sink, context, statistics);
-}
-
-template <int Dim>
-Statistics DetectionRun::find_in(const DetectionRequest& request, PairSink& sink,
-                                 DetectionContext& context) {
-  RunArrays<Dim>& own = arrays_.in<Dim>();
-  const SearchTask task = task_of(request);
-  Statistics statistics;
-  statistics.elements = request.size();
-  statistics.dimensions = Dim;
-
-  Stopwatch stopwatch;
-  context.progress.begin("gather", request.size());
-  if (request.others == nullptr) {
-    elements::gather<Dim>(request.elements, {task.settings.workers, task.settings.simd},
-                          own.elements, context);
-  } else {
-    own.two_set_search.gather(request.elements, *request.others, task, own.elements, context);
-  }
-  statistics.gather_seconds = stopwatch.lap();
-  search<Dim>(request, task, sink, context, statistics);
-  statistics.search_seconds = stopwatch.lap();
-  return statistics;
-}
-
-Statistics DetectionRun::find(const DetectionRequest& request, PairSink& sink,
-                              DetectionContext& context) {
-  const PairRule& rule = request.options.rule;
-  PairSink* target = &sink;
-  if (!rule.is_empty()) {
-    ruling_.start_anew(sink, rule, request.others == nullptr ? rule.elements : rule.others);
-    target = &ruling_;
-  }
-  return request.elements.dimensions() == 2 ? find_in<2>(request, *target, context)
-                                            : find_in<3>(request, *target, context);
-}
-
 template <class ListWriter>
 Statistics DetectionRun::list(const DetectionRequest& request, const lists::PairDemand& demand,
                               ListWriter&& write) {
   return guarded(request, [&](DetectionContext& context) {
     found_.start_anew(demand);
-    Statistics statistics = find(request, found_, context);
+    Statistics statistics = search_.find(request, found_, context);
     statistics.contact_pairs = found_.size();
-    skin_.note_survivors(found_.size());
+    search_.skin().note_survivors(found_.size());
     context.progress.begin("order", found_.size());
     write(Writing{static_cast<std::size_t>(statistics.threads), context, statistics});
     return statistics;
@@ -206,9 +134,9 @@ Statistics DetectionRun::visit_batches(const DetectionRequest& request,
                                        const lists::Visitors& visitors) {
   return guarded(request, [&](DetectionContext& context) {
     visiting_.start_anew(request.options.max_pairs, visitors);
-    Statistics statistics = find(request, visiting_, context);
+    Statistics statistics = search_.find(request, visiting_, context);
     statistics.contact_pairs = visiting_.count();
-    skin_.note_survivors(visiting_.count());
+    search_.skin().note_survivors(visiting_.count());
     return statistics;
   });
 }
@@ -247,7 +175,7 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
 
 template <int Dim>
 geometry::MeasuredSets<Dim> DetectionRun::measured_sets(const DetectionRequest& request) {
-  const RunArrays<Dim>& own = arrays_.in<Dim>();
+  const SearchArrays<Dim>& own = search_.arrays<Dim>();
   const bool one_set = request.others == nullptr;
   return {one_set ? own.elements.elements() : own.two_set_search.first(),
           one_set ? own.elements.elements() : own.two_set_search.second(),

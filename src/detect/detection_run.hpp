@@ -1,19 +1,13 @@
 #pragma once
 
-#include "base/by_dimension.hpp"
 #include "base/detection_context.hpp"
 #include "base/memory_meter.hpp"
-#include "base/pair_sink.hpp"
 #include "detect/detection_request.hpp"
-#include "detect/element_search.hpp"
-#include "detect/skin_detection.hpp"
-#include "detect/two_set_search.hpp"
-#include "elements/gathered_elements.hpp"
+#include "detect/pair_search.hpp"
 #include "geometry/measure_pairs.hpp"
 #include "lists/csr_builder.hpp"
 #include "lists/found_pairs.hpp"
 #include "lists/order_pairs.hpp"
-#include "lists/rule_sink.hpp"
 #include "lists/visiting_sink.hpp"
 
 #include <abut/detect.hpp>
@@ -56,34 +50,15 @@ class DetectionRun {
                             const NeighborArrays& arrays);
 
   /// The part that keeps candidate pairs, for its settings and its statistics.
-  [[nodiscard]] SkinDetection& skin() noexcept { return skin_; }
-  [[nodiscard]] const SkinDetection& skin() const noexcept { return skin_; }
+  [[nodiscard]] SkinDetection& skin() noexcept { return search_.skin(); }
+  [[nodiscard]] const SkinDetection& skin() const noexcept { return search_.skin(); }
 
  private:
-  template <int Dim>
-  struct RunArrays {
-    explicit RunArrays(base::MemoryMeter& memory)
-        : elements(memory), search(memory), two_set_search(memory) {}
-
-    elements::GatheredElements<Dim> elements;
-    ElementSearch<Dim> search;
-    TwoSetSearch<Dim> two_set_search;
-  };
-
   /// Checks the request, then returns what `body(context)` does, with the counters added. The
   /// floating-point environment is set meanwhile, and lack of memory becomes an Error.
   template <class Body>
   Statistics guarded(const DetectionRequest& request, Body&& body);
 
-  /// Delivers the contact pairs to `sink`.
-  Statistics find(const DetectionRequest& request, base::PairSink& sink,
-                  base::DetectionContext& context);
-  template <int Dim>
-  Statistics find_in(const DetectionRequest& request, base::PairSink& sink,
-                     base::DetectionContext& context);
-  template <int Dim>
-  void search(const DetectionRequest& request, const SearchTask& task, base::PairSink& sink,
-              base::DetectionContext& context, Statistics& statistics);
   /// Finds the pairs and keeps them in `found_`; then `write(workers, work)` writes the result.
   template <class ListWriter>
   Statistics list(const DetectionRequest& request, const lists::PairDemand& demand,
@@ -117,11 +92,9 @@ class DetectionRun {
                     const Writing& writing);
 
   base::MemoryMeter memory_;
-  base::ByDimension<RunArrays> arrays_{RunArrays<2>(memory_), RunArrays<3>(memory_)};
-  SkinDetection skin_{memory_};
+  PairSearch search_{memory_};
   lists::FoundPairs found_{memory_};
   lists::VisitingSink visiting_;
-  lists::RuleSink ruling_;
   lists::PairOrder order_{memory_};
   lists::CsrBuilder csr_builder_{memory_};
 };

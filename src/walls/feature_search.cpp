@@ -1,20 +1,23 @@
 #include "walls/feature_search.hpp"
 
 #include "base/callers_exception.hpp"
-#include "base/detection_context.hpp"
+#include "base/stopwatch.hpp"
+#include "detect/detection_request.hpp"
+#include "detect/pair_search.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
 #include "kernels/simd_level.hpp"
 #include "lattice/check_range.hpp"
+#include "lists/order_pairs.hpp"
 #include "walls/box_cover.hpp"
 
 #include <abut/error.hpp>
-#include <abut/two_sets.hpp>
 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <string>
 
@@ -82,44 +85,60 @@ FeatureSearch<Dim>::FeatureSearch(const ElementView& spheres, const ElementView&
       memory_(detect::memory_bound(options)),
       context_(memory_, options.progress),
       spheres_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory_, 0)),
-      near_(base::make_array_for_overwrite<ElementIndex>(memory_, 0)) {
+      near_(base::make_array_for_overwrite<ElementIndex>(memory_, 0)),
+      candidates_(base::make_array_for_overwrite<ContactPair>(memory_, 0)),
+      shifts_(base::make_array_for_overwrite<ImageShift>(memory_, 0)) {
   base::letting_through([&] {
     base::reporting_lack_of_memory(memory_, [&] {
       detect::validate(options, spheres, domain);
       gather(spheres);
       leave_out_far(boxes, domain);
+      try {
+        find_candidates(boxes, domain);
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::invalid_input || !domain.is_periodic()) throw;
+        // Too far out: said of the sphere rather than of the box around it, and by the caller's
+        // numbers.
+        lattice::check_range_as_given<Dim>(spheres_, elements::lattice_of(domain), options.margin,
+                                           Shape::sphere);
+        if (near_.size() == spheres_.size()) throw;
+        keep_all();
+        find_candidates(boxes, domain);
+      }
     });
-  });
-  try {
-    candidates_ = find_candidates(boxes, domain);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::invalid_input || !domain.is_periodic()) throw;
-    // Too far out: said of the sphere rather than of the box around it, and by the caller's
-    // numbers.
-    base::reporting_lack_of_memory(memory_, [&] {
-      lattice::check_range_as_given<Dim>(spheres_, elements::lattice_of(domain), options.margin,
-                                         Shape::sphere);
-    });
-    if (near_.size() == spheres_.size()) throw;
-    base::reporting_lack_of_memory(memory_, [&] { keep_all(); });
-    candidates_ = find_candidates(boxes, domain);
-  }
-  // Given back with the meter itself.
-  base::reporting_lack_of_memory(memory_, [&] {
-    memory_.take_for_pairs(candidates_.size() * sizeof(ContactPair) +
-                           candidates_.shifts().size() * sizeof(ImageShift));
   });
 }
 
+/// Searches within this call: with its memory meter, its hook and its guards.
 template <int Dim>
-PairList FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Domain& domain) {
-  const auto around = base::letting_through(
-      [&] { return base::reporting_lack_of_memory(memory_, [&] { return boxes_around(); }); });
-  // Not inside reporting_lack_of_memory: what the caller's hook throws must pass unchanged.
-  PairList found =
-      find_contact_pairs(view_of<Dim>(around), boxes, domain, options_of_search(domain));
-  peak_of_search_ = memory_.held() + found.statistics().peak_bytes;
-  return found;
+void FeatureSearch<Dim>::find_candidates(const ElementView& boxes, const Domain& domain) {
+  const base::Array<exact::Box<Dim>> around = boxes_around();
+  const ElementView view = view_of<Dim>(around);
+  const Options options = options_of_search(domain);
+  const detect::DetectionRequest request{view, domain, options, &boxes};
+  detect::validate_request(request);
+  lists::FoundPairs found(memory_);
+  found.start_anew({.shifts = options.shifts, .order = Order::canonical});
+  statistics_ = std::make_unique<detect::PairSearch>(memory_)->find(request, found, context_);
+  order_candidates(found);
+}
+
+template <int Dim>
+void FeatureSearch<Dim>::order_candidates(lists::FoundPairs& found) {
+  context_.progress.begin("order", found.size());
+  base::Stopwatch stopwatch;
+  const lists::FoundPieces pieces = found.pieces();
+  candidates_.resize(found.size());
+  shifts_.resize(pieces.shifts.empty() ? 0 : found.size());
+  const lists::OutputBuffer target{candidates_, shifts_};
+  const auto workers = static_cast<std::size_t>(statistics_.threads);
+  lists::PairOrder order(memory_);
+  if (found.must_be_sorted()) {
+    order.sort(pieces, near_.size(), target, workers, context_.work);
+  } else {
+    order.join(pieces, target, workers, context_.work);
+  }
+  statistics_.order_seconds = stopwatch.lap();
 }
 
 template <int Dim>
@@ -183,26 +202,20 @@ base::Array<exact::Box<Dim>> FeatureSearch<Dim>::boxes_around() {
   return boxes;
 }
 
-/// The margin is in the boxes; what is held already is taken off the bound, where there is one.
+/// Without the margin, which is in the boxes.
 template <int Dim>
 Options FeatureSearch<Dim>::options_of_search(const Domain& domain) const {
-  Options search{.algorithm = options_.algorithm,
-                 .shifts = domain.is_periodic() ? Shifts::stored : Shifts::none,
-                 .rule = options_.rule,
-                 .threads = options_.threads,
-                 .simd = options_.simd};
-  if (options_.max_bytes != automatic_memory_bound) {
-    search.max_bytes = std::max(options_.max_bytes - memory_.held(), std::uint64_t{1});
-  }
-  if (options_.progress) {
-    search.progress = [this](const Progress& progress) { return options_.progress(progress); };
-  }
-  return search;
+  return {.algorithm = options_.algorithm,
+          .shifts = domain.is_periodic() ? Shifts::stored : Shifts::none,
+          .rule = options_.rule,
+          .max_bytes = options_.max_bytes,
+          .threads = options_.threads,
+          .simd = options_.simd};
 }
 
 template <int Dim>
 std::size_t FeatureSearch<Dim>::end_of_sphere(std::size_t place) const {
-  const std::span<const ContactPair> pairs = candidates_.pairs();
+  const std::span<const ContactPair> pairs(candidates_);
   const ElementIndex sphere = pairs[place].first;
   while (place < pairs.size() && pairs[place].first == sphere) ++place;
   return place;

@@ -8,13 +8,15 @@
 #include "base/memory_meter.hpp"
 #include "exact/box.hpp"
 #include "exact/sphere.hpp"
+#include "lists/found_pairs.hpp"
 
 #include <abut/contact_list.hpp>
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/image_shift.hpp>
 #include <abut/options.hpp>
-#include <abut/pair_list.hpp>
+#include <abut/pair.hpp>
+#include <abut/statistics.hpp>
 
 #include <algorithm>
 #include <compare>
@@ -118,7 +120,8 @@ class FeatureSearch {
   void leave_out_far(const ElementView& boxes, const Domain& domain);
   [[nodiscard]] base::Array<exact::Box<Dim>> boxes_around();
   [[nodiscard]] Options options_of_search(const Domain& domain) const;
-  [[nodiscard]] PairList find_candidates(const ElementView& boxes, const Domain& domain);
+  void find_candidates(const ElementView& boxes, const Domain& domain);
+  void order_candidates(lists::FoundPairs& found);
 
   /// The place behind `place` where the candidates of another sphere begin.
   [[nodiscard]] std::size_t end_of_sphere(std::size_t place) const;
@@ -128,8 +131,8 @@ class FeatureSearch {
 
   /// All candidates of one sphere, which lie in places [place, end).
   [[nodiscard]] SphereCandidates<Dim> candidates_between(std::size_t place, std::size_t end) const {
-    const auto pairs = candidates_.pairs().subspan(place, end - place);
-    const auto shifts = candidates_.shifts();
+    const auto pairs = std::span<const ContactPair>(candidates_).subspan(place, end - place);
+    const std::span<const ImageShift> shifts(shifts_);
     const ElementIndex number = near_[pairs.front().first];
     return {number, spheres_[number], pairs,
             shifts.empty() ? shifts : shifts.subspan(place, end - place)};
@@ -137,7 +140,7 @@ class FeatureSearch {
 
   template <class Contact>
   [[nodiscard]] ContactList<Contact> joined(const std::vector<FoundContacts<Contact>>& found) {
-    Statistics statistics = candidates_.statistics();
+    Statistics statistics = statistics_;
     statistics.elements = elements_;
     statistics.candidate_tests = candidates_.size();
     statistics.exact_decisions = statistics.contact_pairs = 0;
@@ -162,7 +165,9 @@ class FeatureSearch {
         if (shift_count > 0) shifts.push_back(one.shift);
       }
     }
-    statistics.peak_bytes = std::max(peak_of_search_, memory_.peak());
+    statistics.list_insertions = context_.list_insertions;
+    statistics.peak_bytes = memory_.peak();
+    statistics.working_bytes = memory_.working_peak();
     return ContactList<Contact>(std::move(all), std::move(shifts), statistics);
   }
 
@@ -172,9 +177,10 @@ class FeatureSearch {
   base::MemoryMeter memory_;
   base::DetectionContext context_;
   base::Array<exact::Sphere<Dim>> spheres_;
-  base::Array<ElementIndex> near_;  ///< numbers of the spheres that are searched, ascending
-  PairList candidates_;             ///< (place in near_, box), ascending
-  std::uint64_t peak_of_search_ = 0;
+  base::Array<ElementIndex> near_;       ///< numbers of the spheres that are searched, ascending
+  base::Array<ContactPair> candidates_;  ///< (place in near_, box), ascending
+  base::Array<ImageShift> shifts_;       ///< of the candidates; none in open space
+  Statistics statistics_;                ///< of the search for candidates
 };
 
 }  // namespace abut::walls

@@ -91,6 +91,12 @@ class ABUT_API Detector {
   const NeighborList& build_neighbor_list(const ElementView& first, const ElementView& second,
                                           const Domain& domain = Domain::open());
 
+  /// Takes the last list of pairs out of the detector. Its arrays stay where they are; the next
+  /// call that returns pairs allocates anew. It is empty if there is none.
+  [[nodiscard]] PairList take_pairs() noexcept;
+  /// Takes the last neighbor list out of the detector, as take_pairs does.
+  [[nodiscard]] NeighborList take_neighbors() noexcept;
+
  private:
   struct State;
   std::unique_ptr<State> state_;

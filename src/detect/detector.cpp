@@ -114,4 +114,12 @@ const NeighborList& Detector::build_neighbor_list(const ElementView& first,
   return list;
 }
 
+PairList Detector::take_pairs() noexcept {
+  return std::exchange(state_->pairs, {});
+}
+
+NeighborList Detector::take_neighbors() noexcept {
+  return std::exchange(state_->neighbors, {});
+}
+
 }  // namespace abut

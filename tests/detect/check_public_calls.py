@@ -9,7 +9,7 @@ import sys
 # These allocate nothing, or are inner parts that exported classes drag along.
 NOTHING_ALLOCATED = re.compile(r"""
     .*::~\w+ | .*::operator= | .*::State::\w+ |
-    abut::Detector::(options|set_options|skin|skin_statistics) |
+    abut::Detector::(options|set_options|skin|skin_statistics|take_neighbors|take_pairs) |
     abut::Error::Error | abut::ExclusionList::(contains|fill) | abut::GroupTable::(deny_all|set) |
     abut::detail::ContactMatcher::(accept|born|flipped|lost|runs) |
     abut::detail::(allocate_pages|free_pages) |

@@ -332,6 +332,27 @@ TEST(Detector, MovesWithItsListsAndOptions) {
   EXPECT_TRUE(same_canonical_pairs(expected, third.find_contact_pairs(view_of(scene)).pairs()));
 }
 
+TEST(Detector, ListsThatAreTakenOutOutliveTheNextCall) {
+  const Scene scene = made("dense", 500);
+  const PairVector expected = oracle_pairs(scene, 0.0);
+  Detector detector;
+  const ContactPair* first = detector.find_contact_pairs(view_of(scene)).pairs().data();
+  const PairList taken = detector.take_pairs();
+  EXPECT_EQ(taken.pairs().data(), first);
+  EXPECT_TRUE(detector.take_pairs().empty());
+  const ContactPair* second = detector.find_contact_pairs(view_of(scene)).pairs().data();
+  EXPECT_NE(second, first);
+  EXPECT_TRUE(same_canonical_pairs(expected, taken.pairs()));
+
+  const NeighborListKind full = NeighborListKind::full;
+  const NeighborList& built = detector.build_neighbor_list(view_of(scene), Domain::open(), full);
+  const ElementIndex* neighbors = built.neighbors().data();
+  const NeighborList taken_list = detector.take_neighbors();
+  EXPECT_EQ(taken_list.neighbors().data(), neighbors);
+  EXPECT_EQ(detector.take_neighbors().size(), 0U);
+  expect_same_list(taken_list, detector.build_neighbor_list(view_of(scene), Domain::open(), full));
+}
+
 TEST(Detector, NewOptionsHoldForTheNextCall) {
   const Scene scene = made("dense", 2000);
   Detector detector;

@@ -10,6 +10,7 @@ from ._abut import version as _version
 from ._algorithms import AlgorithmInfo, algorithms
 from ._contacts import Contacts
 from ._detect import contacts, count_contact_pairs, find_contact_pairs
+from ._detector import Detector, SkinStatistics
 from ._domain import Domain
 from ._elements import Elements, boxes, discs, points, rectangles, spheres
 from ._errors import (
@@ -24,31 +25,50 @@ from ._errors import (
     UnexpectedError,
     UsageError,
 )
+from ._files import Snapshot, read, write
+from ._history import ContactHistory
 from ._neighbors import NeighborList, build_neighbor_list, neighbors
 from ._options import Options
 from ._rules import ExclusionList, GroupTable, PairRule
 from ._statistics import Statistics
+from ._walls import (
+    BoxContacts,
+    FeatureKind,
+    MeshContacts,
+    TriangleMesh,
+    find_box_contacts,
+    find_mesh_contacts,
+    fit_boxes,
+)
 
 __version__ = _version()
 
 __all__ = [
     "AlgorithmInfo",
+    "BoxContacts",
     "Cancelled",
     "CheckError",
+    "ContactHistory",
     "Contacts",
+    "Detector",
     "Domain",
     "Elements",
     "Error",
     "ExclusionList",
+    "FeatureKind",
     "GroupTable",
     "InputError",
     "InputTypeError",
     "LimitError",
+    "MeshContacts",
     "NeighborList",
     "Options",
     "OutputError",
     "PairRule",
+    "SkinStatistics",
+    "Snapshot",
     "Statistics",
+    "TriangleMesh",
     "UnavailableError",
     "UnexpectedError",
     "UsageError",
@@ -59,10 +79,15 @@ __all__ = [
     "contacts",
     "count_contact_pairs",
     "discs",
+    "find_box_contacts",
     "find_contact_pairs",
+    "find_mesh_contacts",
+    "fit_boxes",
     "neighbors",
     "points",
+    "read",
     "rectangles",
     "simd_levels",
     "spheres",
+    "write",
 ]

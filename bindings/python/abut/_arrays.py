@@ -44,7 +44,7 @@ def _array_of(given: Any, what: str) -> npt.NDArray[Any]:
         return given
     if isinstance(given, np.ma.MaskedArray):
         if np.ma.is_masked(given):
-            count = int(np.ma.count_masked(given))
+            count = int(np.ma.getmaskarray(given).sum())
             raise InputError(
                 f"{what}: {count} of {given.size} numbers are masked, so nothing is known of them; "
                 "take the elements that are not masked, or fill the others"
@@ -107,7 +107,8 @@ def _differ_as_integers(array: npt.NDArray[Any], result: Numbers) -> npt.NDArray
     limit = 2.0 ** (63 if array.dtype.kind == "i" else 64)
     beyond = result >= limit
     back = np.where(beyond, 0.0, result).astype(array.dtype)
-    return beyond | (back != array)
+    differ: npt.NDArray[np.bool_] = beyond | (back != array)
+    return differ
 
 
 def coordinates(given: Any, what: str = "positions") -> Coordinates:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -200,6 +201,25 @@ class Contacts:
         if self._domain.is_periodic:
             columns |= {name: self.shift[:, k] for k, name in enumerate(("nx", "ny", "nz"))}
         return pandas.DataFrame(columns | {"gap": self.gap})
+
+    def write(self, path: str | os.PathLike[str], format: str = "") -> None:
+        """Writes the pairs with their gaps to a file, which appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+        format : 'csv', 'json' or 'vtp'
+            By the suffix of the path if it is left out. VTP is for ParaView.
+        """
+        _abut.write_contacts(
+            os.fspath(path),
+            format,
+            self._elements._native,
+            None if self._others is None else self._others._native,
+            self._domain._native,
+            self.pairs,
+            np.ascontiguousarray(self.shift),
+        )
 
     def __repr__(self) -> str:
         plural = {"box": "boxes"}.get(self._elements.shape, self._elements.shape + "s")

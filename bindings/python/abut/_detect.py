@@ -112,9 +112,10 @@ def contacts(
     return Contacts(results, elements, None, domain, is_canonical=order == "canonical")
 
 
-def _prepared(
+def prepared(
     elements: Elements, others: Elements | None, options: Options
 ) -> tuple[Any, Any, _abut.Domain, _abut.CallOptions]:
+    """Arguments for the compiled module: elements, others, domain, options."""
     first = require_elements(elements)
     second = None if others is None else require_elements(others)
     native = native_domain(options.get("domain"))
@@ -143,7 +144,7 @@ def find_contact_pairs(
     >>> len(abut.find_contact_pairs(probes, abut.spheres([[0.5, 0.0, 0.0]], 0.5)))
     1
     """
-    results = _abut.find_contact_pairs(*_prepared(elements, others, options))
+    results = _abut.find_contact_pairs(*prepared(elements, others, options))
     is_canonical = options.get("order", "canonical") == "canonical"
     return Contacts(results, elements, others, options.get("domain"), is_canonical=is_canonical)
 
@@ -157,4 +158,4 @@ def count_contact_pairs(
     >>> abut.count_contact_pairs(abut.discs([[0, 0], [1, 0]], 0.5)).contact_pairs
     1
     """
-    return Statistics(**_abut.count_contact_pairs(*_prepared(elements, others, options)))
+    return Statistics(**_abut.count_contact_pairs(*prepared(elements, others, options)))

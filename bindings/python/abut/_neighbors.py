@@ -10,8 +10,7 @@ import numpy.typing as npt
 
 from . import _abut
 from ._arrays import number
-from ._detect import _prepared
-from ._domain import Domain
+from ._detect import prepared
 from ._elements import Elements, as_points
 from ._errors import UsageError
 from ._options import Options
@@ -60,7 +59,7 @@ class NeighborList:
     @cached_property
     def elements(self) -> npt.NDArray[np.int64]:
         """The element that each neighbor is one of; made when it is first asked for."""
-        return np.repeat(np.arange(len(self)), np.diff(self.offsets.astype(np.int64)))
+        return np.repeat(np.arange(len(self)), np.diff(self.offsets).astype(np.int64))
 
     @cached_property
     def shifts(self) -> npt.NDArray[np.int32]:
@@ -125,7 +124,7 @@ def build_neighbor_list(
     >>> abut.build_neighbor_list(abut.discs([[0, 0], [1, 0]], 0.5)).neighbors
     array([1], dtype=uint32)
     """
-    first, second, domain, native = _prepared(elements, others, options)
+    first, second, domain, native = prepared(elements, others, options)
     native.set_neighbor_data(distances, vectors)
     return NeighborList(_abut.build_neighbor_list(first, second, domain, is_full(kind), native))
 
@@ -134,11 +133,10 @@ def neighbors(
     x: Any,
     cutoff: float,
     *,
-    domain: Domain | None = None,
     kind: str = "half",
     distances: bool = False,
     vectors: bool = False,
-    **options: Unpack[Options],  # type: ignore[misc]
+    **options: Unpack[Options],
 ) -> NeighborList:
     """Lists the neighbors of points within `cutoff` of each other, the cutoff included.
 
@@ -148,7 +146,7 @@ def neighbors(
         Positions.
     cutoff : float
         Largest distance, in the unit of the positions.
-    domain, kind, distances, vectors, **options
+    kind, distances, vectors, **options
         Those of `build_neighbor_list`; the margin is the cutoff.
 
     >>> import abut
@@ -157,8 +155,7 @@ def neighbors(
     >>> n.neighbors, n.shifts, n.distances
     (array([1], dtype=uint32), array([[-1,  0,  0]], dtype=int32), array([1.]))
     """
-    options["domain"] = domain
-    first, _, native_domain, native = _prepared(as_points(x), None, options)
+    first, _, domain, native = prepared(as_points(x), None, options)
     native.set_neighbor_data(distances, vectors)
     reach = number(cutoff, "the cutoff")
-    return NeighborList(_abut.neighbors(first, reach, native_domain, is_full(kind), native))
+    return NeighborList(_abut.neighbors(first, reach, domain, is_full(kind), native))

@@ -17,19 +17,8 @@ namespace abut::python {
 
 namespace {
 
-/// Numbers side by side in the memory of an array; the array has been made so by the package.
-template <class T>
-std::span<const T> numbers_of(const NumberBuffer& buffer) {
-  if (buffer.number_bytes() != sizeof(T) || !buffer.is_contiguous()) {
-    throw nb::type_error("an array of whole numbers side by side is needed");
-  }
-  std::size_t count = 1;
-  for (int axis = 0; axis < buffer.axes(); ++axis) count *= buffer.size(axis);
-  return {reinterpret_cast<const T*>(buffer.first()), count};
-}
-
 std::span<const ContactPair> pairs_of(const NumberBuffer& buffer) {
-  const std::span<const std::uint32_t> numbers = numbers_of<std::uint32_t>(buffer);
+  const std::span<const std::uint32_t> numbers = whole_numbers_of<std::uint32_t>(buffer);
   return {reinterpret_cast<const ContactPair*>(numbers.data()), numbers.size() / 2};
 }
 
@@ -43,7 +32,7 @@ ExclusionList exclusions_of(nb::handle pairs, std::size_t elements,
 template <class T>
 std::span<const T> kept(HeldRule& held, nb::handle array) {
   if (array.is_none()) return {};
-  return numbers_of<T>(held.buffers.emplace_back(array));
+  return whole_numbers_of<T>(held.buffers.emplace_back(array));
 }
 
 PairTraits traits_of(HeldRule& held, const nb::tuple& arrays) {

@@ -12,6 +12,12 @@ NB_MODULE(_abut, module) {
   bind_rules(module);
   bind_options(module);
   bind_pairs(module);
+  bind_gaps(module);
   bind_pair_graph(module);
   bind_neighbors(module);
+  bind_detector(module);
+  bind_history(module);
+  bind_boxes(module);
+  bind_mesh(module);
+  bind_files(module);
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 namespace abut::python {
 
@@ -45,5 +46,17 @@ class NumberBuffer {
   // A view may point into itself, so it stays where it was filled.
   std::unique_ptr<Py_buffer, Release> view_;
 };
+
+/// Whole numbers side by side in the memory of an array; the package makes arrays so. Throws
+/// nb::type_error for others.
+template <class T>
+[[nodiscard]] std::span<const T> whole_numbers_of(const NumberBuffer& buffer) {
+  if (buffer.number_bytes() != sizeof(T) || !buffer.is_contiguous()) {
+    throw nb::type_error("an array of whole numbers side by side is needed");
+  }
+  std::size_t count = 1;
+  for (int axis = 0; axis < buffer.axes(); ++axis) count *= buffer.size(axis);
+  return {reinterpret_cast<const T*>(buffer.first()), count};
+}
 
 }  // namespace abut::python

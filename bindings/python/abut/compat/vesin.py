@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -92,7 +93,7 @@ class NeighborList:
             distances="d" in quantities,
             vectors="D" in quantities,
         )
-        make = {
+        make: dict[str, Callable[[], npt.NDArray[Any]]] = {
             "i": lambda: built.elements.astype(np.uint64),
             "j": lambda: built.neighbors.astype(np.uint64),
             "P": lambda: np.stack([built.elements, built.neighbors], axis=1).astype(np.uint64),

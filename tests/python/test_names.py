@@ -1,0 +1,161 @@
+"""Python has what the public headers have, under the same names; this table lists the exceptions."""
+
+import dataclasses
+import re
+
+import pytest
+from conftest import SOURCES
+
+import abut
+
+HEADERS = SOURCES / "include" / "abut"
+
+# Names of the headers that Python has under another name or in another form.
+ELSEWHERE = {
+    "ElementView": "Elements",
+    "PairList": "Contacts",
+    "ContactList": "MeshContacts",
+    "BoxContact": "BoxContacts.records",
+    "BoxContactList": "BoxContacts",
+    "BoxFeature": "BoxContacts.side",
+    "MeshContact": "MeshContacts.records",
+    "MeshContactList": "MeshContacts",
+    "MeshFeature": "MeshContacts.number",
+    "LostContact": "ContactHistory.lost",
+    "FittedBoxes": "fit_boxes",
+    "fit_boxes_2d": "fit_boxes",
+    "fit_boxes_3d": "fit_boxes",
+    "gap": "Contacts.gap",
+    "ContactPair": "Contacts.pairs",
+    "ElementIndex": "Contacts.pairs",
+    "ImageShift": "Contacts.shift",
+    "PairArray": "Contacts.pairs",
+    "ShiftArray": "Contacts.shift",
+    "PairTraits": "PairRule",
+    "Skin": "Detector.skin",
+    "ErrorCode": "Error.code",
+}
+# Types that are words, numbers or arguments in Python, and the option that takes them.
+ARGUMENTS = {
+    "Algorithm": "algorithm",
+    "Order": "order",
+    "Shifts": "shifts",
+    "Simd": "simd",
+    "ProgressHook": "progress",
+    "Progress": "progress",
+    "ProgressAction": "progress",
+    "PairCount": "max_pairs",
+    "unlimited_pairs": "max_pairs",
+    "automatic_memory_bound": "max_bytes",
+}
+# What Python needs no name for.
+NOT_NEEDED = {
+    "Axes": "text such as 'xy'",
+    "unbounded": "None as a length",
+    "NeighborData": "distances=, vectors=",
+    "NeighborListKind": "kind=",
+    "Precision": "Elements.precision is text",
+    "Shape": "Elements.shape is text",
+    "Real": "the type of an array says it",
+    "Column": "an array is one",
+    "ColumnLike": "an array is one",
+    "ColumnScalar": "the type of an array says it",
+    "column": "an array is one",
+    "Connectivity": "an array is one",
+    "WorkerNumber": "no visitors",
+    "PairBatchVisitor": "no visitors: a call of Python for each batch would hold all workers up",
+    "ShiftedBatchVisitor": "no visitors",
+    "for_each_batch": "no visitors",
+    "for_each_shifted_batch": "no visitors",
+    "for_each_contact_pair": "no visitors",
+    "for_each_shifted_pair": "no visitors",
+    "info": "algorithms() has all",
+    "algorithm_named": "algorithm= takes the name",
+    "name_of": "names are text",
+    "available": "simd_levels() lists what is available",
+    "simd_named": "simd= takes the name",
+    "simd_variable": "ABUT_SIMD works in Python, too",
+    "version": "__version__",
+}
+
+
+def text_of(header):
+    """A header without its comments and without namespace detail."""
+    text = (HEADERS / header).read_text()
+    text = re.sub(r"^namespace detail \{.*?^\}  // namespace detail", "", text, flags=re.S | re.M)
+    return re.sub(r"//[^\n]*", "", text)
+
+
+def public_names():
+    """Names that the headers of abut.hpp declare in namespace abut."""
+    headers = re.findall(r"#include <abut/(\w+\.hpp)>", (HEADERS / "abut.hpp").read_text())
+    names = set()
+    for header in headers:
+        text = text_of(header)
+        for pattern in (
+            r"^(?:template <[^\n]*>\n)?(?:class|struct|enum class) (?:ABUT_API )?(\w+)",
+            r"^using (\w+) =",
+            r"^concept (\w+) =",
+            r"^inline constexpr [\w:\s*]+?(\w+) =",
+            r"^(?:requires[^\n]*\n)?(?:\[\[nodiscard\]\] )?(?:ABUT_API |constexpr )?"
+            r"[\w:<>&]+(?: [\w:<>&]+)* (\w+)\(",
+        ):
+            names |= set(re.findall(pattern, text, re.MULTILINE))
+    return names - {"requires"}
+
+
+def has(path):
+    value = abut
+    for name in path.split("."):
+        if not hasattr(value, name):
+            return False
+        value = getattr(value, name)
+    return True
+
+
+def test_every_name_of_the_headers_is_accounted_for():
+    names = public_names()
+    assert {"Domain", "find_contact_pairs", "Detector", "spheres", "unbounded"} <= names
+    known = set(abut.__all__) | set(ELSEWHERE) | set(ARGUMENTS) | set(NOT_NEEDED)
+    assert names - known == set(), "give them a place in Python, or in a table above"
+    assert (set(ELSEWHERE) | set(ARGUMENTS) | set(NOT_NEEDED)) - names == set(), "no longer there"
+
+
+def test_the_tables_are_true():
+    assert [path for path in ELSEWHERE.values() if not has(path)] == []
+    assert set(ARGUMENTS.values()) <= set(abut.Options.__annotations__)
+    assert all(hasattr(abut, name) for name in abut.__all__)
+
+
+def fields(header, struct):
+    """Names of the members of a struct."""
+    body = re.search(rf"^struct {struct} \{{(.*?)^\}};", text_of(header), re.DOTALL | re.MULTILINE)
+    return re.findall(r"^  [\w:<>]+ (\w+)(?: =[^;]*|\{\})?;", body[1], re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("header", "python"),
+    [("statistics.hpp", abut.Statistics), ("skin.hpp", abut.SkinStatistics)],
+)
+def test_statistics_have_the_same_fields(header, python):
+    found = fields(header, python.__name__)
+    assert len(found) >= 8
+    assert found == [field.name for field in dataclasses.fields(python)]
+
+
+def test_options_have_the_same_names():
+    found = set(fields("options.hpp", "Options"))
+    assert {"margin", "threads"} <= found
+    python = set(abut.Options.__annotations__)
+    assert found - python == {"neighbor_data"}
+    assert python - found == {"domain", "groups", "exclude"}
+
+
+def test_a_detector_has_the_same_calls():
+    text = text_of("detector.hpp")
+    declared = r"^  (?:\[\[nodiscard\]\] )?[\w:<>&*]+(?: [\w:<>&*]+)* (\w+)\("
+    calls = set(re.findall(declared, text, re.MULTILINE))
+    other = {"for_each_batch", "for_each_shifted_batch", "options", "set_options", "set_skin"}
+    other |= {"take_pairs", "take_neighbors"}
+    assert {"find_contact_pairs", "set_ids"} <= calls
+    assert [name for name in calls - other if not hasattr(abut.Detector, name)] == []

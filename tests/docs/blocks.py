@@ -6,6 +6,7 @@ A fence names its language, and the language says what the tests do with the blo
   text output  what the whole program before it prints
   console      lines "$ command" are run, the lines below compared with what they print
   cmake        configured
+  python       a session with prompts, run by tests/python; the blocks of a page are one session
   sh           not run; commands that are paths must exist
   text, csv    for the reader only
 """
@@ -14,7 +15,7 @@ import dataclasses
 import pathlib
 import re
 
-LANGUAGES = {"cpp", "text output", "console", "cmake", "sh", "text", "csv"}
+LANGUAGES = {"cpp", "text output", "console", "cmake", "python", "sh", "text", "csv"}
 TOP_PAGES = ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md")
 
 

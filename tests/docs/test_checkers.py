@@ -35,7 +35,7 @@ class Checkers(unittest.TestCase):
         self.assertEqual((block.language, block.line, block.text), ("cpp", 3, "int main() {}\n"))
 
     def test_unknown_languages_and_open_blocks_are_refused(self):
-        for text in ("```\nx\n```\n", "```python\nx\n```\n", "```cpp\nx\n"):
+        for text in ("```\nx\n```\n", "```rust\nx\n```\n", "```cpp\nx\n"):
             with self.assertRaises(blocks.PageError):
                 blocks.blocks_of(page(self.folder, text))
 

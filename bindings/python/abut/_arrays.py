@@ -29,7 +29,7 @@ def numbers(given: Any, what: str) -> Numbers:
     >>> numbers([1j], "radii")
     Traceback (most recent call last):
         ...
-    abut._errors.InputTypeError: radii are real numbers; complex128 was given
+    abut.InputTypeError: radii are real numbers; complex128 was given
     """
     array = _array_of(given, what)
     if array.dtype.kind == "f" and array.dtype.itemsize in (4, 8):
@@ -196,7 +196,7 @@ def radii(given: Any, count: int) -> Numbers | float:
     >>> radii([0.5, 0.25], 3)
     Traceback (most recent call last):
         ...
-    abut._errors.InputError: 2 radii for 3 elements; give one for each, or one number for all
+    abut.InputError: 2 radii for 3 elements; give one for each, or one number for all
     """
     if isinstance(given, (float, int)) and not isinstance(given, bool):
         return number(given, "the radius")

@@ -80,6 +80,11 @@ BY_CODE: dict[int, type[Error]] = {
 }
 
 
+# Shown as what they are imported from.
+for _kind in (Error, InputTypeError, *BY_CODE.values()):
+    _kind.__module__ = "abut"
+
+
 def made(code: int, sentence: str) -> Error:
     """Makes the error for a code of the library; called by the compiled module."""
     return BY_CODE.get(code, UnexpectedError)(sentence)

@@ -40,7 +40,7 @@ class Neighbors:
 
 def from_i_to_j(vectors: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """Vectors from i to j, as all these packages have them, of those of a neighbor list."""
-    return -vectors
+    return 0.0 - vectors  # 0, not -0, where both have the same coordinate
 
 
 def domain_of(cell: Any, pbc: Any) -> Domain:

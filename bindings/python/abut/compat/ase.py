@@ -62,7 +62,7 @@ def primitive_neighbor_list(
     >>> import numpy as np
     >>> i, S, D = primitive_neighbor_list("iSD", [1, 0, 0], np.eye(3), [[0, 0, 0]], 1.0)
     >>> i, S[0], D[0]
-    (array([0, 0]), array([-1,  0,  0]), array([-1., -0., -0.]))
+    (array([0, 0]), array([-1,  0,  0]), array([-1.,  0.,  0.]))
     """
     if use_scaled_positions:
         positions = np.dot(positions, cell)

@@ -56,13 +56,13 @@ DoubleDouble moved_sum(std::initializer_list<double> numbers, const LatticeSteps
 }
 
 /// The ends of a and b on one axis, b as it is given.
-struct Ends {
+struct BoxEnds {
   double a_lower, a_upper, b_lower, b_upper;
 };
 
 /// From center to center, on one axis.
 template <int Dim>
-DoubleDouble between_centers(const Ends& ends, const LatticeSteps<Dim>& steps,
+DoubleDouble between_centers(const BoxEnds& ends, const LatticeSteps<Dim>& steps,
                              std::size_t axis) noexcept {
   return moved_sum(
       {0.5 * ends.b_lower, 0.5 * ends.b_upper, -0.5 * ends.a_lower, -0.5 * ends.a_upper}, steps,
@@ -71,7 +71,7 @@ DoubleDouble between_centers(const Ends& ends, const LatticeSteps<Dim>& steps,
 
 /// The larger of the two separations on one axis, rounded once.
 template <int Dim>
-double separation(const Ends& ends, const LatticeSteps<Dim>& steps, std::size_t axis) noexcept {
+double separation(const BoxEnds& ends, const LatticeSteps<Dim>& steps, std::size_t axis) noexcept {
   const double b_behind_a = moved_sum({ends.b_lower, -ends.a_upper}, steps, axis, 1.0).high;
   const double a_behind_b = -moved_sum({ends.b_upper, -ends.a_lower}, steps, axis, 1.0).high;
   return std::max(b_behind_a, a_behind_b);
@@ -80,7 +80,7 @@ double separation(const Ends& ends, const LatticeSteps<Dim>& steps, std::size_t 
 /// The middle between the larger lower end and the smaller upper end. Whose that is, the sign of an
 /// exact difference tells.
 template <int Dim>
-double middle(const Ends& ends, const LatticeSteps<Dim>& steps, std::size_t axis) noexcept {
+double middle(const BoxEnds& ends, const LatticeSteps<Dim>& steps, std::size_t axis) noexcept {
   const bool lower_is_b = moved_sum({ends.b_lower, -ends.a_lower}, steps, axis, 1.0).high > 0.0;
   const bool upper_is_b = moved_sum({ends.b_upper, -ends.a_upper}, steps, axis, 1.0).high < 0.0;
   const double lower = lower_is_b ? ends.b_lower : ends.a_lower;
@@ -100,7 +100,7 @@ BoxGeometry geometry_of(const Box<Dim>& a, const Box<Dim>& b, const ImageShift& 
   std::size_t decisive = 0;
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < Dim; ++axis) {
-    const Ends ends{a.lower[axis], a.upper[axis], b.lower[axis], b.upper[axis]};
+    const BoxEnds ends{a.lower[axis], a.upper[axis], b.lower[axis], b.upper[axis]};
     vector[axis] = between_centers(ends, steps, axis);
     result.vector[axis] = vector[axis].high + 0.0;
     result.point[axis] = middle(ends, steps, axis);

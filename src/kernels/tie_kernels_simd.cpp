@@ -20,7 +20,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #include "kernels/simd_spheres-inl.hpp"
 
-
 /// Which pairs a stage decided, and how.
 struct Decision {
   Mask known;

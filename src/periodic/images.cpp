@@ -228,13 +228,18 @@ void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
   }
 }
 
+template <int Dim>
+void require_narrow_windows(std::size_t sides, const lattice::GhostWindows<Dim>& windows) {
+  for (std::size_t k = 0; k < sides; ++k) {
+    lattice::require_narrow_window(windows.of_large.most_cells(k));
+  }
+}
+
 /// Of the first elements of `home`, which are the locals, or will be when they have been moved.
 template <int Dim>
 void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
                              const ImageSettings& settings) {
-  for (std::size_t k = 0; k < plan.orthogonal_cell.count; ++k) {
-    lattice::require_narrow_window(plan.windows.of_large.most_cells(k));
-  }
+  require_narrow_windows<Dim>(plan.orthogonal_cell.count, plan.windows);
   note_shifts(plan.windows.of_large);
   reach_is_long_ = plan.to_move.empty() && is_long_reach<Dim>(home, plan.windows);
   if (reach_is_long_) {

@@ -52,8 +52,17 @@ ARGUMENTS = {
 NOT_NEEDED = {
     "Axes": "text such as 'xy'",
     "unbounded": "None as a length",
-    "NeighborData": "distances=, vectors=",
+    "Quantity": "distances=, vectors=; gap of the result",
+    "Quantities": "distances=, vectors=; gap of the result",
     "NeighborListKind": "kind=",
+    "PairGeometry": "gap of the result",
+    "PairGeometrySpans": "gap of the result",
+    "PairSpans": "gap of the result",
+    "PairMeasurer": "no visitors",
+    "measure": "gap of the result",
+    "Vector": "a row of an array is one",
+    "NumberArray": "an array is one",
+    "VectorArray": "an array is one",
     "Precision": "Elements.precision is text",
     "Shape": "Elements.shape is text",
     "Real": "the type of an array says it",
@@ -147,7 +156,7 @@ def test_options_have_the_same_names():
     found = set(fields("options.hpp", "Options"))
     assert {"margin", "threads"} <= found
     python = set(abut.Options.__annotations__)
-    assert found - python == {"neighbor_data"}
+    assert found - python == {"quantities"}
     assert python - found == {"domain", "groups", "exclude"}
 
 

@@ -77,9 +77,9 @@ const Domain& cell() {
   return domain;
 }
 
-Options with(Options options, Shifts shifts, NeighborData data) {
+Options with(Options options, Shifts shifts, Quantities quantities) {
   options.shifts = shifts;
-  options.neighbor_data = data;
+  options.quantities = quantities;
   return options;
 }
 
@@ -97,14 +97,13 @@ void add_lists(std::vector<Task>& tasks) {
                          find_contact_pairs(view_of(crowd()), Domain::open(), options));
                    }});
   tasks.push_back({"periodic list", [](const Options& options) {
-                     static_cast<void>(
-                         find_contact_pairs(view_of(dense()), cell(),
-                                            with(options, Shifts::stored, NeighborData::none)));
+                     static_cast<void>(find_contact_pairs(view_of(dense()), cell(),
+                                                          with(options, Shifts::stored, {})));
                    }});
   tasks.push_back({"neighbor list with data", [](const Options& options) {
                      static_cast<void>(build_neighbor_list(
                          view_of(dense()), cell(), NeighborListKind::full,
-                         with(options, Shifts::stored, NeighborData::distances_and_vectors)));
+                         with(options, Shifts::stored, Quantity::distance | Quantity::vector)));
                    }});
   tasks.push_back({"two sets", [](const Options& options) {
                      static_cast<void>(find_contact_pairs(view_of(dense()), view_of(mixed()),

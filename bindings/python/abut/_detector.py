@@ -133,7 +133,7 @@ class Detector:
     ) -> NeighborList:
         """Builds the neighbor list of contact pairs; see the function of this name."""
         first, second, domain, native = prepared(elements, others, {**self._options, **options})
-        native.set_neighbor_data(distances, vectors)
+        native.set_quantities(distances, vectors)
         return NeighborList(
             self._detector.build_neighbor_list(first, second, domain, is_full(kind), native)
         )

@@ -125,7 +125,7 @@ def build_neighbor_list(
     array([1], dtype=uint32)
     """
     first, second, domain, native = prepared(elements, others, options)
-    native.set_neighbor_data(distances, vectors)
+    native.set_quantities(distances, vectors)
     return NeighborList(_abut.build_neighbor_list(first, second, domain, is_full(kind), native))
 
 
@@ -156,6 +156,6 @@ def neighbors(
     (array([1], dtype=uint32), array([[-1,  0,  0]], dtype=int32), array([1.]))
     """
     first, _, domain, native = prepared(as_points(x), None, options)
-    native.set_neighbor_data(distances, vectors)
+    native.set_quantities(distances, vectors)
     reach = number(cutoff, "the cutoff")
     return NeighborList(_abut.neighbors(first, reach, domain, is_full(kind), native))

@@ -38,9 +38,9 @@ Order order_named(std::string_view name) {
                    {{"canonical", Order::canonical}, {"as_found", Order::as_found}}});
 }
 
-NeighborData neighbor_data(bool distances, bool vectors) {
-  if (distances) return vectors ? NeighborData::distances_and_vectors : NeighborData::distances;
-  return vectors ? NeighborData::vectors : NeighborData::none;
+Quantities quantities(bool distances, bool vectors) {
+  return (distances ? Quantity::distance : Quantities()) |
+         (vectors ? Quantity::vector : Quantities());
 }
 
 void init(CallOptions* place, double margin, std::string_view algorithm, std::string_view order,
@@ -75,9 +75,9 @@ void bind_options(nb::module_& module) {
            nb::arg("max_bytes").none(), nb::arg("threads").none(), nb::arg("simd"),
            nb::arg("progress").none())
       .def(
-          "set_neighbor_data",
+          "set_quantities",
           [](CallOptions& options, bool distances, bool vectors) {
-            options.options.neighbor_data = neighbor_data(distances, vectors);
+            options.options.quantities = quantities(distances, vectors);
           },
           nb::arg("distances"), nb::arg("vectors"));
 }

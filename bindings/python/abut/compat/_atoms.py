@@ -38,11 +38,6 @@ class Neighbors:
         return np.ascontiguousarray(getattr(self, letter), dtype=dtypes[letter])
 
 
-def from_i_to_j(vectors: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-    """Vectors from i to j, as all these packages have them, of those of a neighbor list."""
-    return 0.0 - vectors  # 0, not -0, where both have the same coordinate
-
-
 def domain_of(cell: Any, pbc: Any) -> Domain:
     """The domain of a cell; what is not periodic is open, whatever its vector."""
     axes = [bool(one) for one in np.broadcast_to(np.asarray(pbc), (3,))]
@@ -89,7 +84,7 @@ def _of_list(built: NeighborList, quantities: str) -> Neighbors:
         built.neighbors.astype(np.int64),
         built.shifts,
         built.distances if "d" in quantities else None,
-        from_i_to_j(built.vectors) if "D" in quantities else None,
+        built.vectors if "D" in quantities else None,
     )
 
 

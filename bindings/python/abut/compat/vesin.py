@@ -12,7 +12,7 @@ from .._arrays import numbers
 from .._detector import Detector
 from .._elements import points as points_at
 from .._errors import InputError, UsageError
-from ._atoms import domain_of, from_i_to_j
+from ._atoms import domain_of
 
 
 class NeighborList:
@@ -99,7 +99,7 @@ class NeighborList:
             "P": lambda: np.stack([built.elements, built.neighbors], axis=1).astype(np.uint64),
             "S": lambda: built.shifts.copy(),
             "d": lambda: built.distances.astype(x.dtype),
-            "D": lambda: from_i_to_j(built.vectors).astype(x.dtype, copy=False),
+            "D": lambda: built.vectors.astype(x.dtype, copy=False),
         }
         unknown = set(quantities) - set(make)
         if unknown:

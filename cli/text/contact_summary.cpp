@@ -107,7 +107,7 @@ std::string time_text(const ContactsOptions& options, const PairList& pairs,
   if (options.detection.order == Order::canonical) text += ", order " + duration(order);
   text += ", measure " + duration(measuring);
   if (!options.output.empty()) text += ", write " + duration(seconds.write);
-  text += ", summarize " + duration(seconds.summary);
+  text += ", report " + duration(seconds.summary);
   return text;
 }
 

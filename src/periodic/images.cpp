@@ -39,6 +39,13 @@ std::array<bool, Dim> all_sides() {
   return along;
 }
 
+template <int Dim>
+void require_narrow_windows(std::size_t sides, const GhostWindows<Dim>& windows) {
+  for (std::size_t k = 0; k < sides; ++k) {
+    lattice::require_narrow_window(windows.of_large.most_cells(k));
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -228,13 +235,6 @@ void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
   }
 }
 
-template <int Dim>
-void require_narrow_windows(std::size_t sides, const lattice::GhostWindows<Dim>& windows) {
-  for (std::size_t k = 0; k < sides; ++k) {
-    lattice::require_narrow_window(windows.of_large.most_cells(k));
-  }
-}
-
 /// Of the first elements of `home`, which are the locals, or will be when they have been moved.
 template <int Dim>
 void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
@@ -248,8 +248,7 @@ void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& 
     return;
   }
   require_countable<Dim>(home, plan.windows);
-  kernels::OrthogonalCellMap map =
-      map_of<Dim>(*lattice_, plan.orthogonal_cell, plan.along, plan.windows);
+  auto map = map_of<Dim>(*lattice_, plan.orthogonal_cell, plan.along, plan.windows);
   map.pack = cells_moved_.is_packed();
   const std::size_t workers = settings.workers;
   const bool moves = !plan.to_move.empty();

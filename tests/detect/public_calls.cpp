@@ -134,6 +134,24 @@ void add_free_functions(Calls& calls) {
   }
 }
 
+void add_measures(Calls& calls) {
+  const Given& g = given();
+  const auto measured = Quantity::gap | Quantity::point;
+  calls.push_back({"abut::measure", "", [&g, measured] {
+                     (void)measure(g.elements, g.shifted_pairs, measured, g.block);
+                   }});
+  calls.push_back({"abut::measure", "two sets",
+                   [&g, measured] { (void)measure(g.elements, g.elements, g.pairs, measured); }});
+  calls.push_back(
+      {"abut::PairMeasurer::PairMeasurer", "", [&g] { (void)PairMeasurer(g.elements, g.block); }});
+  calls.push_back({"abut::PairMeasurer::PairMeasurer", "two sets",
+                   [&g] { (void)PairMeasurer(g.elements, g.others, g.open); }});
+  calls.push_back({"abut::PairMeasurer::measure", "", [&g] {
+                     std::vector<double> gaps(g.pairs.size());
+                     PairMeasurer(g.elements).measure(g.pairs, {.gaps = gaps});
+                   }});
+}
+
 void add_refusals(Calls& calls) {
   const Given& g = given();
   const auto add = [&](const char* name, ErrorCode code, std::function<void()> call) {
@@ -149,7 +167,9 @@ void add_refusals(Calls& calls) {
   add("abut::find_contact_pairs", wrong_usage,
       [&g] { (void)find_contact_pairs(g.elements, g.flat); });
   add("abut::build_neighbor_list", wrong_usage,
-      [&g] { (void)build_neighbor_list(g.boxes, g.open, NeighborListKind::half, g.measured); });
+      [&g] { (void)build_neighbor_list(g.elements, g.flat, NeighborListKind::half, g.measured); });
+  add("abut::measure", wrong_usage,
+      [&g] { (void)measure(g.elements, g.pairs, Quantity::gap, g.block); });
   add("abut::neighbors", invalid_input, [&g] { (void)neighbors(g.points, -1.0); });
   add("abut::gap", wrong_usage, [&g] { (void)gap(g.elements, {0, 1000}); });
   add("abut::gap", wrong_usage, [&g] { (void)gap(g.elements, g.open, {0, 1}, {1, 0, 0}); });
@@ -345,6 +365,7 @@ void add_history(Calls& calls) {
 std::vector<PublicCall> public_calls() {
   Calls calls;
   add_free_functions(calls);
+  add_measures(calls);
   add_refusals(calls);
   add_lists_and_tables(calls);
   add_walls(calls);

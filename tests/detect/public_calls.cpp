@@ -167,7 +167,7 @@ void add_refusals(Calls& calls) {
   add("abut::find_contact_pairs", wrong_usage,
       [&g] { (void)find_contact_pairs(g.elements, g.flat); });
   add("abut::build_neighbor_list", wrong_usage,
-      [&g] { (void)build_neighbor_list(g.elements, g.flat, NeighborListKind::half, g.measured); });
+      [&g] { (void)build_neighbor_list(g.elements, g.flat, g.open, g.measured); });
   add("abut::measure", wrong_usage,
       [&g] { (void)measure(g.elements, g.pairs, Quantity::gap, g.block); });
   add("abut::neighbors", invalid_input, [&g] { (void)neighbors(g.points, -1.0); });

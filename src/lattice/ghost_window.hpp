@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace abut::lattice {
 
@@ -105,8 +106,10 @@ class GhostWindow {
   /// than twice its part in the sum. Coarse where vectors are of unequal length.
   Vector farthest_numbers_of(const ReducedLattice<Dim>& lattice, const Reaches& reaches,
                              double scale) const noexcept {
+    // Rounded up, the length of the longest vectors is infinite.
     const auto length = [&](std::size_t side) {
-      return lattice.length[orthogonal_cell_.vector_of[side]] * lattice.scale;
+      const double rounded_up = lattice.length[orthogonal_cell_.vector_of[side]];
+      return std::min(rounded_up, std::numeric_limits<double>::max()) * lattice.scale;
     };
     double distance = 4.0 * (reaches.largest_radius * scale) + 2.0 * (reaches.margin * scale);
     for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {

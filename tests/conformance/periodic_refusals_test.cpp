@@ -95,6 +95,20 @@ TEST(LargestNumbers, MayLeaveTheRangeWhereTheyAreMovedIntoTheCell) {
   EXPECT_GT(found[0], 2U);
 }
 
+/// A vector as long as the largest double, beside short ones oblique to each other.
+TEST(LargestNumbers, MayBeLengthsOfVectors) {
+  const Domain domain = Domain::lattice({81 * 0x1p990, 0, 0}, {9 * 0x1p990, 16 * 0x1p990, 0},
+                                        {0, 0, std::numeric_limits<double>::max()});
+  const std::vector<double> zero{0, 40 * 0x1p990}, end{20 * 0x1p990, 42 * 0x1p990};
+  std::vector<PairCount> found;
+  for (const Algorithm algorithm : periodic_algorithms) {
+    found.push_back(
+        count(boxes(zero, zero, zero, end, end, end), domain, {.algorithm = algorithm}));
+  }
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_GT(found[0], 0U);
+}
+
 /// Numbers cannot hold both a cell and what lies far out, also on an open axis.
 TEST(SmallCells, WithNumbersFarAboveAreRefusedByAllAlike) {
   const auto pairs_of = [](int side, int stray, Algorithm algorithm) {

@@ -129,9 +129,8 @@ std::optional<ExpectedContacts<testing::MovedContact>> expected_mesh_contacts(
     for (const auto& [pair, shift] : candidates->pairs) {
       if (pair.first == ball) shifts.push_back(shift);
     }
-    std::ranges::sort(shifts);
-    const auto rest = std::ranges::unique(shifts);
-    shifts.erase(rest.begin(), rest.end());
+    std::sort(shifts.begin(), shifts.end());
+    shifts.erase(std::unique(shifts.begin(), shifts.end()), shifts.end());
     return shifts;
   };
   return ExpectedContacts<testing::MovedContact>{

@@ -210,7 +210,7 @@ TEST(Asking, FollowsTheOrderOfManyPairsOfEach) {
       options.shifts = Shifts::stored;
       options.quantities = Quantity::distance;
       const NeighborList list = build_neighbor_list(view_of(crowd(1500)), domain, kind, options);
-      EXPECT_GE(hook.asked["order"], 35 * list.neighbors().size() / steps);
+      EXPECT_GE(hook.asked["order"], 18 * list.neighbors().size() / steps);
     }
   }
 }

@@ -215,6 +215,7 @@ struct ExactOracle::Search {
   std::array<mpz_class, 3> most_values{};  ///< the largest of each level's functional within reach
   std::array<Vector, 4> differences{};     ///< left above each level
   mpz_class scratch{};
+  std::uint64_t looked_at = 0;  ///< images, most of which may be out of reach
 
   void begin(std::size_t first, std::size_t second) {
     i = first;
@@ -270,6 +271,7 @@ struct ExactOracle::Search {
   void descend(std::size_t height) {
     if (answer.too_many) return;
     if (height == 0) {
+      if (++looked_at > 64 * most) answer.too_many = true;
       if (within_reach(differences[0])) record();
       return;
     }

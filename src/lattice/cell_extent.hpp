@@ -59,7 +59,8 @@ template <int Dim>
   });
 }
 
-/// Where sides are aligned the box of the elements has their extent, in rounded numbers too.
+/// Returns the extent of a box. If sides are aligned, it is that of its elements, in rounded
+/// numbers too.
 template <int Dim>
 [[nodiscard]] CellExtent<Dim> extent_of(const grid::Bounds<Dim>& bounds,
                                         const OrthogonalCell<Dim>& orthogonal_cell) noexcept {

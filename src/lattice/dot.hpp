@@ -5,7 +5,7 @@
 
 namespace abut::lattice {
 
-/// In the order of the axes, each product and sum rounded.
+/// Computes a . b in the order of the axes, each product and sum rounded.
 template <int Dim>
 [[nodiscard]] double dot(const std::array<double, Dim>& p,
                          const std::array<double, Dim>& q) noexcept {

@@ -15,7 +15,7 @@
 
 namespace abut::lattice {
 
-/// What reaches are made of, in the unit of the locals.
+/// Radii and margin of which reaches are made, in the unit of the locals.
 struct Reaches {
   double largest_radius;
   double margin;
@@ -51,7 +51,7 @@ class GhostWindow {
   /// Numbers of images along the vector of side k are no larger, in magnitude.
   [[nodiscard]] double most_cells(std::size_t k) const noexcept { return most_cells_[k]; }
 
-  /// No local element has more images in its window.
+  /// Upper bound of the images that one local element has in its window.
   [[nodiscard]] double most_images() const noexcept {
     double images = 1.0;
     for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
@@ -178,17 +178,18 @@ class GhostWindow {
     outer_below_[k] = extent_.upper[k] + widest_above - 1.0;
   }
 
-  /// What `walk` computes, for the local element that lies outermost: rounding is monotone. Images
-  /// along earlier sides bring roundings of their own.
+  /// Sets the number that `walk` computes for the outermost local element: rounding is monotone.
+  /// Images along earlier sides bring roundings of their own.
   void set_most_cells(std::size_t k, double moved, double rounding) noexcept {
     const double most = std::max(extent_.upper[k] + widest_[k] - extent_.lower[k],
                                  extent_.upper[k] - (extent_.lower[k] - widest_[k]));
     most_cells_[k] = std::floor(moved > 0.0 ? (most + moved) * (1.0 + 0x1p-40) + rounding : most);
   }
 
-  /// Of boxes beyond the locals in a direction along which the axes of space ascend by `ahead`,
-  /// taken together, and descend by `back`. An image ahead on an axis is within reach as far as a
-  /// local element is wide, one that lies back as far as it is wide itself.
+  /// Returns the width for boxes that lie beyond the locals in a direction along which the axes of
+  /// space ascend by `ahead`, taken together, and descend by `back`. An image ahead on an axis is
+  /// within reach as far as a local element is wide, one that lies back as far as it is wide
+  /// itself.
   static Width width_of_boxes(double ahead, double back, const Reaches& reaches, double scale,
                               double rounding) noexcept {
     const double locals = ahead * (2.0 * (reaches.largest_radius * scale));

@@ -31,15 +31,15 @@ class LatticeFrame {
     return sum;
   }
 
-  /// Of the vector that `fraction` multiplies by, rounded up.
+  /// Length of the vector that `fraction` multiplies by, rounded up.
   [[nodiscard]] double dual_length(std::size_t axis) const noexcept { return dual_length_[axis]; }
 
-  /// The same for vector k of the reduced basis, 0 where there is none.
+  /// Length of the dual of vector k of the reduced basis, rounded up; 0 if there is no such vector.
   [[nodiscard]] double reduced_dual_length(std::size_t k) const noexcept {
     return k < reduced_.count ? reduced_.dual_length[k] * reduced_.scale : 0.0;
   }
 
-  /// Whether the fractions of any lattice vector are off by less than 2^-20 of the largest number
+  /// True if the fractions of any lattice vector are off by less than 2^-20 of the largest number
   /// in it.
   [[nodiscard]] bool accurate() const noexcept { return accurate_; }
 
@@ -47,7 +47,7 @@ class LatticeFrame {
   /// farther.
   [[nodiscard]] bool nearest(const double* difference, CellNumbers& numbers) const noexcept;
 
-  /// Whether elements within these bounds lie less than 2^28 cells away from the origin, however
+  /// True if elements within these bounds lie less than 2^28 cells away from the origin, however
   /// the cell is chosen, so that image shifts are far from leaving 32 bits.
   [[nodiscard]] bool close_by(const grid::Bounds<Dim>& bounds, double reach) const noexcept;
 

@@ -94,9 +94,9 @@ void measure_errors(std::span<const std::array<double, Dim>> vectors,
   }
 }
 
-/// What docs/derivations/periodic_images.md takes from the coordinates: earlier ones do not notice
-/// a vector, its own is moved by 1, later ones by the offset, but for 2^-46 of the lengths; the
-/// sides are perpendicular, and none is longer than its vector.
+/// Checks what docs/derivations/periodic_images.md assumes of the coordinates: earlier ones do not
+/// notice a vector, its own is moved by 1, later ones by the offset, but for 2^-46 of the lengths;
+/// the sides are perpendicular, and none is longer than its vector.
 template <int Dim>
 bool is_sound(std::span<const std::array<double, Dim>> vectors,
               const OrthogonalCell<Dim>& orthogonal_cell) {

@@ -24,8 +24,8 @@ template <int Dim>
 struct OrthogonalCell {
   using Vector = std::array<double, Dim>;
 
-  /// For positions that are given times `unit`. Throws Error{invalid_input} where rounding spoils
-  /// it (docs/derivations/periodic_images.md, 1).
+  /// Makes the cell for positions that are given times `unit`. Throws Error{invalid_input} where
+  /// rounding spoils it (docs/derivations/periodic_images.md, 1).
   OrthogonalCell(const ReducedLattice<Dim>& lattice, double unit);
 
   std::size_t count = 0;                     ///< sides
@@ -47,7 +47,7 @@ struct OrthogonalCell {
     return sum;
   }
 
-  /// Of terms as large as these. Rounding is told relative to it.
+  /// Magnitude of a coordinate whose terms are as large as these; errors are relative to it.
   [[nodiscard]] double magnitude(std::size_t k, const Vector& farthest) const noexcept {
     double sum = 0.0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -56,7 +56,8 @@ struct OrthogonalCell {
     return sum;
   }
 
-  /// Each side lies along an axis: a coordinate ascends or descends with one of the position's.
+  /// True if each side lies along an axis: a coordinate ascends or descends with one of the
+  /// position's.
   [[nodiscard]] bool is_aligned() const noexcept {
     for (std::size_t k = 0; k < count; ++k) {
       std::size_t axes = 0;

@@ -12,9 +12,9 @@
 
 namespace abut::lattice {
 
-/// Where, in open space, an element may lie that is within reach of any of some others: in their
-/// box widened by the reach, and there in coarse cells that the reach of one of them covers. Says
-/// yes where it is not sure. It keeps its memory.
+/// Mask of the places in open space from which an element may reach any of some others: their box
+/// widened by the reach, and in it coarse cells that the reach of one of them covers. In doubt a
+/// place belongs to the mask. It keeps its memory.
 ///
 /// WHY NOTHING WITHIN REACH IS OUTSIDE. On each axis x is within reach of an element at c only if
 /// c - R <= x <= c + R, R the sum of both radii and the margin. R, c - R and c + R are rounded
@@ -34,7 +34,7 @@ class ReachMask {
   /// Cells too; after cover_box for the same elements.
   void cover_cells(std::span<const exact::Sphere<Dim>> spheres);
 
-  /// Whether all of a box is covered, so that there is no need to ask about what lies in it.
+  /// True if all of a box is covered, so that elements in it need not be asked about.
   [[nodiscard]] bool covers_all_of(const grid::Bounds<Dim>& bounds) const noexcept {
     bool inside = !has_cells_;
     for (std::size_t axis = 0; axis < Dim; ++axis) {

@@ -84,7 +84,7 @@ class Reduction {
     }
   }
 
-  /// Of `numbers` of the given vectors, rounded once; `remainder` is what the rounding left.
+  /// Returns the sum of `numbers` of the given vectors, rounded once; `remainder` is what is left.
   [[nodiscard]] Vector combined(const ImageNumbers& numbers, Vector* remainder = nullptr) const {
     Vector result{};
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -148,7 +148,7 @@ class Reduction {
     return found;
   }
 
-  /// What doubles can tell where little is taken: exact combinations take microseconds.
+  /// Decides in doubles if few vectors are taken; exact combinations take microseconds.
   [[nodiscard]] bool is_clearly_longer(std::size_t k, std::span<const std::size_t> others,
                                        const std::array<std::int64_t, 2>& taken) const {
     Vector left = vectors_[k];
@@ -268,8 +268,8 @@ void derive_dual(ReducedLattice<Dim>& lattice, int exponent) {
   }
 }
 
-/// What docs/derivations/periodic_images.md takes from the dual vectors: dual_k . b_l is 1 or 0 but
-/// for 2^-46 of the lengths, and no b is more than twice as long as its height.
+/// Checks what docs/derivations/periodic_images.md assumes of the dual vectors: dual_k . b_l is 1
+/// or 0 but for 2^-46 of the lengths, and no b is more than twice as long as its height.
 template <int Dim>
 bool is_sound(const ReducedLattice<Dim>& lattice, int exponent) {
   for (std::size_t k = 0; k < lattice.count; ++k) {

@@ -19,10 +19,10 @@ namespace {
 constexpr double slack_of_ghosts = 0x1p-48;
 constexpr double slack_of_fast_wraps = 0x1p-47;
 
-/// More than these are no small part of a detection.
+/// Number of locals between two questions to the hook: no small part of a detection.
 constexpr std::size_t locals_between_polls = 512 * kernels::BlockList::room;
 
-/// That many of any value, without a copy where it must grow.
+/// Gives the array a size with values of any kind, without a copy if it must grow.
 template <class T>
 void overwrite(base::Array<T>& array, std::size_t size, std::size_t room) {
   if (array.capacity() < size) {
@@ -139,7 +139,7 @@ void Images<Dim>::measure(std::span<const exact::Sphere<Dim>> elements,
   for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(parts_[worker].extent);
 }
 
-/// Whether all elements are far from what lattice::check_range refuses.
+/// True if all elements are far from what lattice::check_range refuses.
 template <int Dim>
 bool Images<Dim>::is_in_range(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
                               const Window& window) const {
@@ -302,7 +302,7 @@ void Images<Dim>::join_ghosts(std::size_t workers) {
   ghosts_ = {own_ghosts_.data(), count};
 }
 
-/// Behind the locals.
+/// Appends the ghosts after the locals in `home`.
 template <int Dim>
 void Images<Dim>::append_ghosts(base::Array<exact::Sphere<Dim>>& home,
                                 const ImageSettings& settings) {

@@ -61,7 +61,7 @@ class Images {
   void find(base::Array<exact::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
             const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
 
-  /// In the order of the elements, all numbers times unit().
+  /// Locals in the order of the elements, all numbers times unit().
   [[nodiscard]] std::span<const exact::Sphere<Dim>> locals() const noexcept {
     return locals_and_ghosts_.first(local_count_);
   }
@@ -69,11 +69,11 @@ class Images {
     return locals_and_ghosts_;
   }
 
-  /// Of the locals.
+  /// Bounds of the locals.
   [[nodiscard]] const grid::Bounds<Dim>& local_bounds() const noexcept { return bounds_; }
   [[nodiscard]] const grid::Bounds<Dim>& ghost_bounds() const noexcept { return places_.bounds; }
 
-  /// Whether the reach is so long that there are far more images than locals. Nothing is listed
+  /// True if the reach is so long that there are far more images than locals. Nothing is listed
   /// then: images are told one after another.
   [[nodiscard]] bool reach_is_long() const noexcept { return reach_is_long_; }
 
@@ -95,14 +95,15 @@ class Images {
     });
   }
 
-  /// Whether each ghost lies strictly outside of the locals' box: not so where vectors are oblique
+  /// True if each ghost lies strictly outside of the locals' box; false where vectors are oblique
   /// to the axes, or locals lie on both of two opposite faces of the cell.
   [[nodiscard]] bool ghosts_are_outside() const noexcept { return places_.all_outside; }
 
   /// Ordered by element, then by image.
   [[nodiscard]] std::span<const Ghost> ghosts() const noexcept { return ghosts_; }
 
-  /// Whether the pair of a local element and a ghost within reach is not found as another one, too.
+  /// True if this pair of a local element and a ghost is the one of its two descriptions that is
+  /// reported.
   /// Of a small and a large element the ghost is the large one.
   [[nodiscard]] bool counts(std::size_t local, const Ghost& ghost) const noexcept {
     if (size_cut_ > bounds_.largest_radius) return true;
@@ -111,7 +112,7 @@ class Images {
     return !large || ghost.is_positive();
   }
 
-  /// Whether no shift can exceed 2^31 - 1, so that shift_between never throws.
+  /// True if no shift can exceed 2^31 - 1, so that shift_between never throws.
   [[nodiscard]] bool shifts_always_fit() const noexcept { return shifts_always_fit_; }
 
   /// A power of two; not 1 only where numbers might overflow otherwise.
@@ -143,13 +144,13 @@ class Images {
     return *lattice_;
   }
   [[nodiscard]] double given_unit() const noexcept { return given_unit_; }
-  /// Of many pairs of two locals.
+  /// Fills in the shifts of many pairs of two locals.
   void shifts_between(std::span<const ContactPair> pairs, std::span<ImageShift> shifts) const;
 
  private:
   static constexpr double cells_of_error = 0x1p24;
 
-  /// What one worker finds out about its elements.
+  /// Extents and counts that one worker finds for its elements.
   struct FoundGhosts {
     explicit FoundGhosts(base::MemoryMeter& memory)
         : ghosts(base::make_array_for_overwrite<Ghost>(memory, 0)) {}

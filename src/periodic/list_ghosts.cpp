@@ -11,7 +11,7 @@ namespace {
               "vectors longer, or elements and margin smaller");
 }
 
-/// More than these are no small part of a detection.
+/// Number of locals between two questions to the hook: no small part of a detection.
 constexpr std::size_t ghosts_between_polls = std::size_t{1} << 18;
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Ghost {
   std::uint32_t element;
   std::array<std::int32_t, 3> image;
 
-  /// Whether the first of these numbers that is not 0 is.
+  /// True if the image is lexicographically positive: its first number that is not 0 is positive.
   [[nodiscard]] bool is_positive() const noexcept { return image > std::array<std::int32_t, 3>{}; }
 };
 
@@ -54,7 +54,7 @@ struct GhostWindows {
 /// a local element is within reach of a good part of them: no grid would help.
 inline constexpr double ghosts_of_long_reach = 16.0;
 
-/// Whether locals would have more ghosts than that. Counts no farther.
+/// True if locals would have more ghosts than that; stops counting there.
 template <int Dim>
 [[nodiscard]] bool is_long_reach(std::span<const exact::Sphere<Dim>> locals,
                                  const GhostWindows<Dim>& windows);

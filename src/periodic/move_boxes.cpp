@@ -5,7 +5,7 @@
 namespace abut::periodic {
 namespace {
 
-/// Where nothing was moved nothing is rounded.
+/// Moves one end of a box; rounds nothing where nothing was moved.
 template <int Dim>
 exact::Box<Dim> moved_to(const double* corner, const exact::Box<Dim>& box, double unit) {
   exact::Box<Dim> result;

@@ -13,7 +13,7 @@ namespace abut::periodic {
 /// `rows` in a periodic domain: in open space among the elements, moved into one cell, and those of
 /// their images that lie around it (periodic/images.hpp). Image shifts go to the sink's
 /// shift_buffer. Ghosts stand behind the spheres for a while; in the end these are as they were.
-/// Where there are boxes the spheres stand for them.
+/// If there are boxes, the spheres stand for them.
 template <int Dim>
 void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, std::span<const exact::Box<Dim>> boxes,
                    const grid::Bounds<Dim>& bounds, const exact::Lattice& lattice,

@@ -10,12 +10,12 @@
 
 namespace abut::periodic {
 
-/// Where some ghosts are.
+/// Bounds of some ghosts.
 template <int Dim>
 struct GhostPlaces {
   grid::Bounds<Dim> bounds;
 
-  /// Whether each lies strictly outside of the locals' box.
+  /// True if each lies strictly outside of the locals' box.
   bool all_outside = true;
 
   void include(const GhostPlaces& others) noexcept {

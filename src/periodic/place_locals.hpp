@@ -33,7 +33,7 @@ struct WrapEstimate {
   std::array<double, Dim> most_cells{};  ///< along each side, an upper bound
   lattice::CellExtent<Dim> extent;       ///< after a quick move; holds all elements
 
-  /// Whether elements are so close by that a fast wrap leaves them in `extent`.
+  /// True if elements are so close by that a fast wrap leaves them in `extent`.
   bool is_short = true;
 };
 

@@ -16,8 +16,8 @@ namespace abut {
 
 /// Pairs to measure, with their image shifts in a periodic domain: one for each pair.
 struct PairSpans {
-  std::span<const ContactPair> pairs;
-  std::span<const ImageShift> shifts = {};
+  std::span<const ContactPair> pairs;       ///< pairs of indices
+  std::span<const ImageShift> shifts = {};  ///< image shift of each; none in open space
 
   /// Takes pairs without shifts, which lie in open space.
   PairSpans(std::span<const ContactPair> given) : pairs(given) {}
@@ -56,9 +56,6 @@ class ABUT_API PairMeasurer {
 
  private:
   struct State;
-  /// Measures pairs in all threads.
-  void measure_shared(const PairSpans& pairs, const PairGeometrySpans& geometry,
-                      const ProgressHook& progress);
   friend ABUT_API void measure(const ElementView&, const PairSpans&, const PairGeometrySpans&,
                                const Domain&, const Options&);
   friend ABUT_API void measure(const ElementView&, const ElementView&, const PairSpans&,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <abut/export.hpp>
+
 #include <cstdint>
 
 namespace abut {

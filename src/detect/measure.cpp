@@ -85,6 +85,10 @@ struct PairMeasurer::State {
   /// Throws Error{wrong_usage} unless the pairs are pairs of these elements in this domain.
   void require(const PairSpans& pairs) const;
 
+  /// Measures pairs with all workers.
+  void measure(const PairSpans& pairs, const PairGeometrySpans& geometry,
+               const ProgressHook& progress);
+
   Domain domain;
   Simd simd;
   bool is_one_set;
@@ -178,33 +182,31 @@ PairGeometry arrays_for(std::size_t count, Quantities quantities) {
 
 }  // namespace
 
-void PairMeasurer::measure_shared(const PairSpans& pairs, const PairGeometrySpans& geometry,
+void PairMeasurer::State::measure(const PairSpans& pairs, const PairGeometrySpans& geometry,
                                   const ProgressHook& progress) {
   const base::FloatEnvironment environment;
-  State& state = *state_;
-  base::reporting_lack_of_memory(state.memory, [&] {
+  base::reporting_lack_of_memory(memory, [&] {
     require_lengths(pairs, geometry);
-    state.require(pairs);
-    base::DetectionContext context(state.memory, progress);
+    require(pairs);
+    base::DetectionContext context(memory, progress);
     context.progress.begin("measure", pairs.pairs.size());
     base::letting_through([&] {
-      state.dimensions == 2
-          ? geometry::measure_pairs<2>(state.measured(state.in_2d), pairs.pairs, pairs.shifts,
-                                       geometry, state.workers, context.work)
-          : geometry::measure_pairs<3>(state.measured(state.in_3d), pairs.pairs, pairs.shifts,
-                                       geometry, state.workers, context.work);
+      dimensions == 2 ? geometry::measure_pairs<2>(measured(in_2d), pairs.pairs, pairs.shifts,
+                                                   geometry, workers, context.work)
+                      : geometry::measure_pairs<3>(measured(in_3d), pairs.pairs, pairs.shifts,
+                                                   geometry, workers, context.work);
     });
   });
 }
 
 void measure(const ElementView& elements, const PairSpans& pairs, const PairGeometrySpans& geometry,
              const Domain& domain, const Options& options) {
-  PairMeasurer(elements, domain, options).measure_shared(pairs, geometry, options.progress);
+  PairMeasurer(elements, domain, options).state_->measure(pairs, geometry, options.progress);
 }
 
 void measure(const ElementView& first, const ElementView& second, const PairSpans& pairs,
              const PairGeometrySpans& geometry, const Domain& domain, const Options& options) {
-  PairMeasurer(first, second, domain, options).measure_shared(pairs, geometry, options.progress);
+  PairMeasurer(first, second, domain, options).state_->measure(pairs, geometry, options.progress);
 }
 
 PairGeometry measure(const ElementView& elements, const PairSpans& pairs, Quantities quantities,

@@ -11,13 +11,14 @@
 namespace abut::testing {
 namespace {
 
-/// 1 + 2^-60: 1 to nearest, more than 1 upwards.
+/// 1 + 2^-60: 1 to nearest, more than 1 upwards. The x87 unit, which std::fegetround asks on
+/// x86-64, is left alone.
 bool rounds_to_nearest() {
   const volatile double one = 1.0;
   const volatile double grain = 0x1p-60;
   const volatile double up = one + grain;
   const volatile double down = -one - grain;
-  return up == 1.0 && down == -1.0 && std::fegetround() == FE_TONEAREST;
+  return up == 1.0 && down == -1.0;
 }
 
 bool keeps_denormals() {

@@ -146,10 +146,13 @@ void add_measures(Calls& calls) {
       {"abut::PairMeasurer::PairMeasurer", "", [&g] { (void)PairMeasurer(g.elements, g.block); }});
   calls.push_back({"abut::PairMeasurer::PairMeasurer", "two sets",
                    [&g] { (void)PairMeasurer(g.elements, g.others, g.open); }});
-  calls.push_back({"abut::PairMeasurer::measure", "", [&g] {
-                     std::vector<double> gaps(g.pairs.size());
-                     PairMeasurer(g.elements).measure(g.pairs, {.gaps = gaps});
-                   }});
+  static std::vector<double> gaps(g.pairs.size());
+  calls.push_back(
+      {"abut::measure", "into an array", [&g] { measure(g.elements, g.pairs, {.gaps = gaps}); }});
+  calls.push_back({"abut::measure", "of two sets, into an array",
+                   [&g] { measure(g.elements, g.elements, g.pairs, {.gaps = gaps}); }});
+  calls.push_back({"abut::PairMeasurer::measure", "",
+                   [&g] { PairMeasurer(g.elements).measure(g.pairs, {.gaps = gaps}); }});
 }
 
 void add_refusals(Calls& calls) {

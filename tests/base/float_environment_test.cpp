@@ -11,14 +11,15 @@
 namespace abut::testing {
 namespace {
 
-/// 1 + 2^-60: 1 to nearest, more than 1 upwards. The x87 unit, which std::fegetround asks on
-/// x86-64, is left alone.
+/// 1 + 2^-60 and 1 - 2^-60: 1 to nearest, not all of them in any other direction. The x87 unit,
+/// which std::fegetround asks on x86-64, is left alone.
 bool rounds_to_nearest() {
   const volatile double one = 1.0;
   const volatile double grain = 0x1p-60;
   const volatile double up = one + grain;
   const volatile double down = -one - grain;
-  return up == 1.0 && down == -1.0;
+  const volatile double inward = one - grain;
+  return up == 1.0 && down == -1.0 && inward == 1.0;
 }
 
 bool keeps_denormals() {

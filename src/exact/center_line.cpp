@@ -1,13 +1,11 @@
 #include "exact/center_line.hpp"
 
+#include "exact/center_vector.hpp"
 #include "exact/direction.hpp"
 #include "exact/image_difference.hpp"
-#include "exact/numbers/exact_accumulator.hpp"
-#include "exact/numbers/exact_sum.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace abut::exact {
@@ -30,35 +28,6 @@ double largest_term(const Sphere<Dim>& a, const Sphere<Dim>& b,
     }
   }
   return largest;
-}
-
-/// One component of v for any numbers. What exceeds the largest double is that.
-template <int Dim>
-DoubleDouble any_component(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                           const LatticeSteps<Dim>& steps, int axis) noexcept {
-  ExactAccumulator<1> sum;
-  sum.add(b.center[axis], 1);
-  sum.add(a.center[axis], -1);
-  for (const auto& step : steps) sum.add(step.vector[axis], std::int64_t{step.number});
-  const double high = std::clamp(sum.rounded(), -largest_double, largest_double);
-  sum.add(high, -1);
-  const double low = sum.rounded();
-  return {high, std::fabs(high) == largest_double ? 0.0 : low};
-}
-
-/// One component of v, every bit of which counts, for numbers that can be split.
-template <int Dim>
-DoubleDouble summed_component(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                              const LatticeSteps<Dim>& steps, int axis) noexcept {
-  ExactSum<9> sum;
-  sum.add(b.center[axis]);
-  sum.add(-a.center[axis]);
-  for (const auto& step : steps) {
-    sum.add(two_product(static_cast<double>(step.number), step.vector[axis]));
-  }
-  const double high = sum.rounded();
-  sum.add(-high);
-  return {high, sum.rounded()};
 }
 
 /// Whether a component of v is neither so large nor so small that its square leaves the range.
@@ -90,6 +59,8 @@ CenterLine<Dim>::CenterLine(const Sphere<Dim>& a, const Sphere<Dim>& b, const Im
   for (int axis = 0; axis < Dim; ++axis) {
     if (largest > largest_summed) {
       vector_[axis] = any_component(a, b, steps, axis);
+      // What exceeds the largest double is that.
+      vector_[axis].high = std::clamp(vector_[axis].high, -largest_double, largest_double);
       continue;
     }
     const DoubleDouble opposite = image_difference(a, b, steps, axis).value();
@@ -100,7 +71,7 @@ CenterLine<Dim>::CenterLine(const Sphere<Dim>& a, const Sphere<Dim>& b, const Im
   if (!cancels || largest > largest_summed) return;
   is_ordinary_ = false;
   for (int axis = 0; axis < Dim; ++axis) {
-    vector_[axis] = summed_component(a, b, steps, axis);
+    vector_[axis] = component(a, b, steps, axis);
   }
 }
 

@@ -1,8 +1,7 @@
 #include "exact/distance_vector.hpp"
 
+#include "exact/center_vector.hpp"
 #include "exact/numbers/double_double.hpp"
-#include "exact/numbers/exact_accumulator.hpp"
-#include "exact/numbers/exact_sum.hpp"
 #include "exact/periodic_predicate.hpp"
 
 #include <algorithm>
@@ -23,40 +22,6 @@ constexpr double largest_summed = 0x1p900;
 
 /// Brings differences that exceed this bound back to where their squares can be scaled.
 constexpr double scale_of_large = 0x1p-128;
-
-/// One component of x_b + n A - x_a, times a power of two: the nearest double and, from what is
-/// left, the nearest double.
-template <int Dim>
-DoubleDouble component(const Sphere<Dim>& a, const Sphere<Dim>& b, const LatticeSteps<Dim>& steps,
-                       int axis, double scale) noexcept {
-  const double from = a.center[axis] * scale;
-  const double to = b.center[axis] * scale;
-  if (steps.empty()) return two_sum(to, -from);
-  ExactSum<9> sum;
-  sum.add(to);
-  sum.add(-from);
-  for (const auto& step : steps) {
-    sum.add(two_product(static_cast<double>(step.number), step.vector[axis] * scale));
-  }
-  const double high = sum.rounded();
-  sum.add(-high);
-  return {high, sum.rounded()};
-}
-
-/// The same for any numbers, unscaled. Where it exceeds the largest double, `high` is infinite and
-/// `low` means nothing.
-template <int Dim>
-DoubleDouble any_component(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                           const LatticeSteps<Dim>& steps, int axis) noexcept {
-  ExactAccumulator<1> sum;
-  sum.add(b.center[axis], 1);
-  sum.add(a.center[axis], -1);
-  for (const auto& step : steps) sum.add(step.vector[axis], std::int64_t{step.number});
-  const double high = sum.rounded();
-  if (!std::isfinite(high)) return {high, 0.0};
-  sum.add(high, -1);
-  return {high, sum.rounded()};
-}
 
 template <int Dim>
 double largest_number(const Sphere<Dim>& a, const Sphere<Dim>& b,
@@ -143,7 +108,7 @@ DistanceVector distance_vector(const Sphere<Dim>& a, const Sphere<Dim>& b, const
   DistanceVector result;
   DoubleDouble difference[Dim];
   for (int axis = 0; axis < Dim; ++axis) {
-    difference[axis] = large ? any_component(a, b, steps, axis) : component(a, b, steps, axis, 1.0);
+    difference[axis] = large ? any_component(a, b, steps, axis) : component(a, b, steps, axis);
     result.vector[static_cast<std::size_t>(axis)] =
         std::clamp(difference[axis].high, -largest_double, largest_double) + 0.0;
   }

@@ -129,3 +129,13 @@ def test_a_detector_works_after_errors():
         with pytest.raises(TypeError):
             detector.skin = skin
     assert detector.skin == 0.01
+
+
+def test_arrays_outlive_the_detector():
+    x = np.random.default_rng(7).random((500, 3))
+    expected = abut.contacts(x, 0.05).pairs.copy()
+    assert len(expected) > 50
+    found = abut.Detector().contacts(x, 0.05).pairs
+    again = [np.full_like(expected, 9) for _ in range(20)]  # takes memory that was given back
+    assert np.array_equal(found, expected)
+    assert len(again) == 20

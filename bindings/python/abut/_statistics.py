@@ -24,3 +24,4 @@ class Statistics:
     gather_seconds: float  #: Reading and checking the caller's arrays.
     search_seconds: float  #: Mapping to cells, candidates, tests.
     order_seconds: float  #: Bringing the pairs into canonical order.
+    measure_seconds: float  #: Measuring the quantities that were asked for.

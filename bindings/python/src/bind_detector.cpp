@@ -33,11 +33,19 @@ decltype(auto) unlocked(Function&& function) {
 /// last call lives any more.
 class SharedDetector {
  public:
+  SharedDetector() = default;
+  SharedDetector(const SharedDetector&) = delete;
+  SharedDetector& operator=(const SharedDetector&) = delete;
+  /// Lists that Python still sees outlive the detector.
+  ~SharedDetector() {
+    release_pairs();
+    release_neighbors();
+  }
+
   std::shared_ptr<PairResults> find(const Elements& elements, const Elements* others,
                                     const Domain& domain, nb::object options) {
     const Call call(*this, std::move(options));
-    if (pairs_ && pairs_.use_count() > 1) pairs_->keep(detector_.take_pairs());
-    pairs_.reset();
+    release_pairs();
     const PairList& list = unlocked([&]() -> const PairList& {
       return others != nullptr
                  ? detector_.find_contact_pairs(elements.view(), others->view(), domain)
@@ -51,8 +59,7 @@ class SharedDetector {
                                          const Domain& domain, NeighborListKind kind,
                                          nb::object options) {
     const Call call(*this, std::move(options));
-    if (neighbors_ && neighbors_.use_count() > 1) neighbors_->keep(detector_.take_neighbors());
-    neighbors_.reset();
+    release_neighbors();
     const NeighborList& list = unlocked([&]() -> const NeighborList& {
       return others != nullptr
                  ? detector_.build_neighbor_list(elements.view(), others->view(), domain)
@@ -79,6 +86,15 @@ class SharedDetector {
   }
 
  private:
+  void release_pairs() noexcept {
+    if (pairs_ && pairs_.use_count() > 1) pairs_->keep(detector_.take_pairs());
+    pairs_.reset();
+  }
+  void release_neighbors() noexcept {
+    if (neighbors_ && neighbors_.use_count() > 1) neighbors_->keep(detector_.take_neighbors());
+    neighbors_.reset();
+  }
+
   /// One call: sets the options, keeps the others out, and forgets the options at the end, since
   /// they look at objects of the caller.
   class Call {

@@ -70,6 +70,7 @@ nb::dict fields_of(const Statistics& statistics) {
   fields["gather_seconds"] = statistics.gather_seconds;
   fields["search_seconds"] = statistics.search_seconds;
   fields["order_seconds"] = statistics.order_seconds;
+  fields["measure_seconds"] = statistics.measure_seconds;
   return fields;
 }
 

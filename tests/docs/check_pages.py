@@ -57,6 +57,11 @@ def named_paths(line):
             yield word
 
 
+def exists(path):
+    """Whether a file or a folder with files is there: git keeps no empty folders."""
+    return path.is_file() or any(path.glob("*"))
+
+
 def words_of_source(root):
     """All words of the sources."""
     return {word for path in (root / "src").rglob("*.?pp")
@@ -93,14 +98,14 @@ def check_page(root, page):
         for target in re.findall(r"\]\(([^)\s]+)\)", line):
             problems.append(check_link(page, number, target))
         for path in named_paths(line):
-            if not (root / path).exists():
+            if not exists(root / path):
                 problems.append(f"{page}:{number}: `{path}` does not exist")
     for block in blocks.blocks_of(page):
         if block.language != "sh":
             continue
         for command in block.text.splitlines():
             word = command.removeprefix("$ ").split(" ")[0]
-            if word.startswith(FOLDERS) and not (root / word).exists():
+            if word.startswith(FOLDERS) and not exists(root / word):
                 problems.append(f"{block.where()}: {word} does not exist")
     return [p for p in problems if p]
 

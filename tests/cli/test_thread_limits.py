@@ -2,6 +2,7 @@
 
 import json
 import os
+import pathlib
 import resource
 import subprocess
 
@@ -109,6 +110,52 @@ def test_few_processes(scene, most, threads):
     told = json.loads(run_with_few_processes(scene, most, "--json", "--threads", threads).stdout)
     assert 1 <= told["threads"] <= most
     assert most > 1 or told["threads"] == 1
+
+
+def new_group_of_tasks():
+    """A folder of the kernel's whose `pids.max` limits the tasks of a container."""
+    for root in ("/sys/fs/cgroup/pids", "/sys/fs/cgroup"):  # version 1, version 2
+        group = pathlib.Path(root) / f"abut-{os.getpid()}"
+        try:
+            group.mkdir()
+        except OSError:
+            continue
+        if (group / "pids.max").exists():
+            return group
+        group.rmdir()
+    return None
+
+
+@pytest.fixture
+def group_of_tasks():
+    group = new_group_of_tasks()
+    if group is None:
+        pytest.skip("groups of tasks cannot be made here: that takes a superuser outside a container")
+    yield group
+    group.rmdir()
+
+
+@pytest.mark.parametrize("threads", [None, "8", "1000"])
+@pytest.mark.parametrize("most", [1, 2, 4])
+def test_few_tasks_in_a_container(scene, group_of_tasks, most, threads):
+    """As a container with a limit of processes; OMP_NUM_THREADS asks for more in the default call."""
+    (group_of_tasks / "pids.max").write_text(str(most), encoding="ascii")
+    options = os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0"
+    wanted = [] if threads is None else ["--threads", threads]
+
+    def told(form):
+        def enter():
+            (group_of_tasks / "cgroup.procs").write_text(str(os.getpid()), encoding="ascii")
+
+        done = subprocess.run([os.environ["ABUT"], "contacts", scene, "-q", form, *wanted],
+                              capture_output=True, text=True, preexec_fn=enter, check=False,
+                              timeout=120,
+                              env=environment(ASAN_OPTIONS=options, OMP_NUM_THREADS="8"))
+        assert (done.returncode, done.stderr) == (0, "")
+        return done.stdout
+
+    assert told("--digest") == digest(scene, 1)
+    assert 1 <= json.loads(told("--json"))["threads"] <= most
 
 
 @pytest.mark.parametrize("settings", [

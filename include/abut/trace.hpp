@@ -71,7 +71,7 @@ class ABUT_API Sink {
   Sink() = default;
   /// Copies are those of a derived class, never of a part of it.
   Sink(const Sink&) = default;
-  /// As the constructor that copies.
+  /// Assigns as the constructor copies.
   Sink& operator=(const Sink&) = default;
 };
 

@@ -9,8 +9,8 @@ namespace {
 
 constexpr const char* sentence = "memory ran out; take fewer elements, or free memory";
 
-/// Whether the ready error exists: not yet while the library is loaded, no more once it is unloaded
-/// or the program ends.
+/// True while the ready error exists: not yet while the library is loaded, no more once it is
+/// unloaded or the program ends.
 bool is_ready = false;
 
 /// An Error made in advance. Copies of an Error share its sentence, so that throwing one allocates

@@ -11,16 +11,16 @@ namespace abut::base::openmp {
 /// OMP_THREAD_LIMIT, or the processors that the process may use. At least 1.
 [[nodiscard]] std::size_t default_threads() noexcept;
 
-/// Whether the caller stands in a parallel region of its own within which OpenMP would start no
-/// further threads.
+/// Tells whether the caller stands in a parallel region of its own within which OpenMP would start
+/// no further threads.
 [[nodiscard]] bool grants_one_thread_only() noexcept;
 
 /// Times that a thread looks for work before it sleeps, in a team of `threads`: none by
 /// OMP_WAIT_POLICY=passive, and none where the threads outnumber the processors.
 [[nodiscard]] unsigned looks_before_sleep(std::size_t threads) noexcept;
 
-/// Where OMP_PROC_BIND binds threads: the place, as OpenMP numbers them, that thread `number` of
-/// `threads` is to have, counted from the caller's own. -1 where threads are not bound.
+/// The place, as OpenMP numbers them, that OMP_PROC_BIND gives to thread `number` of `threads`,
+/// counted from the caller's own. -1 where threads are not bound.
 [[nodiscard]] int place_of_thread(std::size_t number, std::size_t threads) noexcept;
 
 /// Keeps the calling thread on the processors of that place, if there is one. Does nothing where

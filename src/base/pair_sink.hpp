@@ -10,8 +10,8 @@
 
 namespace abut::base {
 
-/// Who found pairs, and when a single worker would have: what a search delivers unit by unit, in
-/// ascending order, is the `as_found` order whatever the number of workers.
+/// The origin of pairs: the worker that found them, and their unit of work. Pairs in ascending
+/// order of their units are in the `as_found` order, that of a single worker.
 struct Origin {
   std::size_t worker = 0;
   std::uint64_t unit = 0;

@@ -30,7 +30,7 @@ Shifts found_shifts(const DetectionRequest& request) {
   return is_measured(request) ? Shifts::stored : request.options.shifts;
 }
 
-/// Whether there are shifts in a list while it is made.
+/// Tells whether a list holds shifts while it is made.
 bool with_shifts(const DetectionRequest& request) {
   return request.options.shifts == Shifts::stored || found_shifts(request) == Shifts::stored;
 }

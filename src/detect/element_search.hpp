@@ -14,7 +14,7 @@
 
 namespace abut::detect {
 
-/// Where and how gathered elements are searched.
+/// The settings of a search among gathered elements, and what it may use.
 struct SearchTask {
   const Domain& domain;
   const Options& options;

@@ -57,7 +57,7 @@ class SkinDetection {
   [[nodiscard]] const SkinStatistics& statistics() const noexcept { return statistics_; }
   void note_survivors(PairCount count) noexcept { statistics_.survivors = count; }
 
-  /// Whether a skin was set and candidates are kept of such elements; of boxes none are.
+  /// Tells whether a skin was set and candidates are kept of such elements; of boxes none are.
   [[nodiscard]] bool applies_to(const DetectionRequest& request) const noexcept;
 
   /// Origin of the candidates that a call tests.

@@ -16,10 +16,10 @@ class ElementIds {
   /// Throws Error{invalid_input} unless there are no ids or `count` different ones.
   void set(std::span<const std::uint64_t> ids, std::size_t count);
 
-  /// Whether ids were given.
+  /// Tells whether ids were given.
   [[nodiscard]] bool given() const noexcept { return !ids_.empty(); }
 
-  /// Whether these elements have the same ids in the same order.
+  /// Tells whether these elements have the same ids in the same order.
   [[nodiscard]] bool same(std::span<const std::uint64_t> ids, std::size_t count) const noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return count_; }

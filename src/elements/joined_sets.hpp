@@ -25,7 +25,7 @@ class JoinedSets {
         mask_(memory),
         numbers_(base::make_array_for_overwrite<ElementIndex>(memory, 0)) {}
 
-  /// How the sets are read, and for which reach they are searched.
+  /// The form in which the sets are read, and the reach for which they are searched.
   struct Search {
     GatherSettings gather;
     double margin = 0.0;
@@ -36,7 +36,7 @@ class JoinedSets {
   void gather(const ElementView& first, const ElementView& second, const Search& search,
               GatheredElements<Dim>& joined, base::DetectionContext& context);
 
-  /// How many elements of the first set are among those joined.
+  /// The number of elements of the first set among those joined.
   [[nodiscard]] std::size_t first_count() const noexcept { return first_.count; }
 
   /// All elements of the sets, also those left out.

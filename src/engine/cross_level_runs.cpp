@@ -22,7 +22,7 @@ constexpr double farthest = 0x1p10;
 /// 1, and nothing of them, nor of the margin, reaches as far as another 1.
 constexpr double box_horizon = 4.0;
 
-/// How far beyond [first, end) cells of one axis a position lies, in the tile's unit.
+/// The distance of a position from the cells [first, end) of one axis, in the tile's unit.
 double outside(double position, double first, double end, double cell_size) {
   return std::max({0.0, (first - cell_slack) * cell_size - position,
                    position - (end + cell_slack) * cell_size});

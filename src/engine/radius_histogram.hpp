@@ -7,7 +7,7 @@
 
 namespace abut::engine {
 
-/// How many elements have which radius, in classes half an octave wide: the exponent of a double
+/// Counts of elements by radius, in classes half an octave wide: the exponent of a double
 /// and the first bit of its significand.
 class RadiusHistogram {
  public:

@@ -12,7 +12,7 @@
 
 namespace abut::engine {
 
-/// How `rows` is to run.
+/// The settings of `rows`.
 struct RowsSettings {
   double margin = 0.0;
   std::size_t workers = 1;

@@ -25,10 +25,10 @@ class SetSearch {
   void search(const SearchSet<Dim>& set);
 
  private:
-  /// Who searches the pairs of a tile: the one who sorts it, or all.
+  /// The workers that search the pairs of a tile: the one that sorts it, or all.
   enum class Parallel { tiles, layers };
 
-  /// Who searches a search set, and at which depth of which levels.
+  /// The workers that search a search set, and its depth among the levels.
   struct SearchPlace {
     TileSearcher<Dim>* worker;  ///< none: all, each tiles of its own
     RecursionLevels<Dim>& levels;

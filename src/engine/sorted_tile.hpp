@@ -13,7 +13,7 @@
 
 namespace abut::engine {
 
-/// How large the records of a tile are.
+/// Sizes of the records of a tile.
 struct RecordSizes {
   kernels::TileShape shape = kernels::TileShape::equal_spheres;
   std::span<const float> sizes;  ///< record by record

@@ -15,7 +15,7 @@ namespace abut::engine {
 template <int Dim>
 class SphereBlock {
  public:
-  /// So few that what they need stays in the nearest cache.
+  /// Number of spheres, so few that their numbers stay in the nearest cache.
   static constexpr std::size_t size = 256;
 
   /// The elements numbers[begin] .. numbers[end - 1], at most `size`; valid until the next call.

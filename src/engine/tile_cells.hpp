@@ -8,7 +8,7 @@
 
 namespace abut::engine {
 
-/// How a tile is divided into cells.
+/// The division of a tile into cells.
 template <int Dim>
 struct TileCells {
   std::array<std::int32_t, Dim> count{};  ///< own cells along each axis

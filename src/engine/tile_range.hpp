@@ -53,7 +53,7 @@ class TileRange {
         std::clamp(q, 0.0, static_cast<double>(grid_.count[axis] - 1)));
   }
 
-  /// Whether the ball, if there is one, reaches the tile, or nearly.
+  /// Tells whether the ball, if there is one, reaches the tile, or nearly.
   [[nodiscard]] bool reaches(const std::array<std::int32_t, 3>& tile) const {
     double distance_squared = 0.0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {

@@ -7,7 +7,7 @@
 
 namespace abut::exact {
 
-/// How box a and the image of box b that a shift names lie to each other.
+/// The position of the image of box b that a shift names, relative to box a.
 struct BoxGeometry {
   /// From the center of a to that of b, each component rounded once.
   std::array<double, 3> vector{};

@@ -30,7 +30,8 @@ double largest_term(const Sphere<Dim>& a, const Sphere<Dim>& b,
   return largest;
 }
 
-/// Whether a component of v is neither so large nor so small that its square leaves the range.
+/// Tells whether a component of v is neither so large nor so small that its square leaves the
+/// range.
 bool is_ordinary(double component) noexcept {
   const double magnitude = std::fabs(component);
   return magnitude == 0.0 || (magnitude >= smallest_ordinary && magnitude <= largest_ordinary);

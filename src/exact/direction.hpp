@@ -28,7 +28,7 @@ template <int Dim>
 // (distance_vector.cpp). high / |v| = q + (high - q s - q rest + low) / |v|, where q s is an exact
 // product; what is divided is below 2^-51, so that 1 / s will do for 1 / |v|.
 
-/// Of a vector whose components are 0 or in [2^-400, 2^480], and not all 0.
+/// The direction of a vector whose components are 0 or in [2^-400, 2^480], and not all 0.
 template <int Dim>
 [[nodiscard]] Direction<Dim> direction_of(const DoubleDouble (&vector)[Dim]) noexcept {
   double high = 0.0;
@@ -67,7 +67,8 @@ void scale_by(DoubleDouble (&vector)[Dim], int exponent) noexcept {
   }
 }
 
-/// Of any vector but 0; `root` and `rest` are those of the vector times a power of two.
+/// The direction of any vector but 0; `root` and `rest` are those of the vector times a power of
+/// two.
 template <int Dim>
 [[nodiscard]] Direction<Dim> direction_of_any(const DoubleDouble (&vector)[Dim]) noexcept {
   DoubleDouble scaled[Dim];

@@ -12,7 +12,7 @@
 namespace abut::exact {
 namespace {
 
-/// Of smaller numbers, squares are of no account beside that of the largest component.
+/// Smallest component whose square counts beside that of the largest component.
 constexpr double smallest_squared = 0x1p-480;
 
 constexpr double largest_double = std::numeric_limits<double>::max();
@@ -80,7 +80,7 @@ Enclosure enclose_distance(const DoubleDouble (&difference)[Dim], double scale) 
   return {root + (rest - error), root + (rest + error)};
 }
 
-/// Whether the distance is at most half of below + above, in real arithmetic.
+/// Tells whether the distance is at most half of below + above, in real arithmetic.
 template <int Dim>
 bool is_nearer_to_lower(Sphere<Dim> a, Sphere<Dim> b, const ImageShift& shift,
                         const Lattice& lattice, const Enclosure& distance) noexcept {

@@ -7,7 +7,7 @@
 
 namespace abut::exact {
 
-/// How the centers of two elements lie to each other.
+/// The vector between the centers of two elements, and its length.
 struct DistanceVector {
   /// x_b + n A - x_a, each component rounded once (to even); 0 on the third axis in 2D.
   /// Exchanging a and b and negating n negates it, to the bit but for zeros, which are positive.

@@ -180,7 +180,7 @@ std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                 exponent);
 }
 
-/// If the center, moved back by the shift, is exactly three doubles, asks the question without a
+/// Asks, if the center moved back by the shift is exactly three doubles, the question without a
 /// lattice.
 std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                                                       const Triangle& triangle,

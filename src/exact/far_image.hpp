@@ -9,11 +9,12 @@
 
 namespace abut::exact {
 
-/// How often each lattice vector is taken, of any magnitude below 2^124.
+/// Multiples of the lattice vectors, of any magnitude below 2^124.
 using FarShift = std::array<Int128, 3>;
 
-/// Whether a and the image of b that a shift beyond 32 bits names are within reach, as the contract
-/// has it. Slow: it says which of these images make a pair, that is refused, and which do not.
+/// Tells whether a and the image of b that a shift beyond 32 bits names are within reach, as the
+/// contract has it. Slow: it says which of these images make a pair, that is refused, and which do
+/// not.
 template <int Dim>
 [[nodiscard]] bool far_image_within_reach(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                           const FarShift& shift, const Lattice& lattice,

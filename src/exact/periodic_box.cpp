@@ -1,4 +1,4 @@
-// What doubles cannot decide about boxes with a lattice between them
+// Decisions about boxes with a lattice between them which doubles cannot make
 // (docs/derivations/periodic_predicate.md).
 
 #include "exact/periodic_box.hpp"
@@ -17,8 +17,8 @@ namespace {
 /// Which box of a pair is moved.
 enum class Moved { first, second };
 
-/// How far, on one axis, the first box begins behind the end of the second: lower - upper, and n A
-/// for the box that is moved by it.
+/// The distance by which, on one axis, the first box begins behind the end of the second: lower -
+/// upper, and n A for the box that is moved by it.
 template <int Dim>
 class Excess {
  public:

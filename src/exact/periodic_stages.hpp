@@ -8,8 +8,8 @@
 /// so that tests can enter it. A stage that cannot tell returns nothing; the last always decides.
 namespace abut::exact {
 
-/// If x_a - x_b - n A is a double on every axis, and no step towards it rounds: the question of
-/// open space, with a at this difference and b at the origin.
+/// Decides, if x_a - x_b - n A is a double on every axis and no step towards it rounds, the
+/// question of open space, with a at this difference and b at the origin.
 template <int Dim>
 [[nodiscard]] std::optional<bool> decide_if_difference_is_exact(const Sphere<Dim>& a,
                                                                 const Sphere<Dim>& b,

@@ -68,7 +68,7 @@ struct Side {
   Enclosed back;   ///< from the second end
 };
 
-/// Where a triangle is seen from. Each coordinate is off by less than 4.1 u `blur`.
+/// The origin from which a triangle is seen. Each coordinate is off by less than 4.1 u `blur`.
 struct Viewpoint {
   double center[3];
   double blur;
@@ -106,7 +106,7 @@ class Filter {
         normal_(cross(sides_[0].edge, sides_[1].edge)),
         reach_(reach) {}
 
-  /// Whether the bands hold here, and the signs along the sides are certain.
+  /// Tells whether the bands hold here, and the signs along the sides are certain.
   [[nodiscard]] bool applies() const noexcept {
     const double shortest = std::min({sides_[0].size, sides_[1].size, sides_[2].size});
     return shortest >= smallest_safe_length && longest_ <= largest_safe_length &&

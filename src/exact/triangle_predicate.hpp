@@ -24,10 +24,11 @@ enum class TrianglePart : std::uint8_t {
   face,
 };
 
-/// If the triangle lies within radius + margin of the center, the part of it that holds the point
-/// nearest to the center; both in real arithmetic. A triangle is convex, so that there is one such
-/// point. Where corners coincide or lie on a line it may be in several parts: then the first of
-/// these in the order of TrianglePart. Adds one to `exact_decisions` when the filter cannot decide.
+/// The part of the triangle, if that lies within radius + margin of the center, that holds the
+/// point nearest to the center; both in real arithmetic. A triangle is convex, so that there is one
+/// such point. Where corners coincide or lie on a line it may be in several parts: then the first
+/// of these in the order of TrianglePart. Adds one to `exact_decisions` when the filter cannot
+/// decide.
 [[nodiscard]] std::optional<TrianglePart> part_within_reach(
     const Sphere<3>& sphere, const Triangle& triangle, double margin,
     std::uint64_t& exact_decisions) noexcept;

@@ -133,8 +133,8 @@ std::size_t sift(const CandidateWords& words, CandidateVerdict* verdicts) {
   return words.count;
 }
 
-/// Where numbering does not follow space, each sphere lies elsewhere in memory; asked for in time,
-/// it need not be waited for.
+/// Fills the quanta of spheres. Where numbering does not follow space, each sphere lies elsewhere
+/// in memory; asked for in time, it need not be waited for.
 std::size_t fill(const QuantumFilling& filling) {
   constexpr std::size_t ahead = 24;
   using TwoTag = hn::FixedTag<double, 2>;

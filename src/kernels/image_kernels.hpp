@@ -29,7 +29,7 @@ template <int Dim>
   return sum;
 }
 
-/// Whether a coordinate is at most outer_below, or the radius at least outer_from_radius.
+/// Tells whether a coordinate is at most outer_below, or the radius at least outer_from_radius.
 template <int Dim>
 [[nodiscard]] inline bool is_outer(const OrthogonalCellMap& map, const double* record) {
   bool outer = record[Dim] >= map.outer_from_radius;

@@ -24,10 +24,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Pairs that come so much later are fetched: enough to hide the way to memory.
 constexpr std::size_t pairs_fetched_ahead = 16;
 
-/// Of distance and radii: a gap that is larger has the sign that was computed.
+/// Band relative to distance and radii: a gap that is larger has the sign that was computed.
 constexpr double band_of_gap = 0x1p-47;
 
-/// Of the distance: by how much root + rest errs at most, in doubles and with the rounding of sums.
+/// Largest error of root + rest, in doubles and with the rounding of sums, relative to the
+/// distance.
 constexpr double band_of_distance = 0x1p-90;
 
 /// Writes exact::gap where its sign is certain; tells where.

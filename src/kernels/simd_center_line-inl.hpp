@@ -2,8 +2,8 @@
 // where its numbers are ordinary, in the same order, hence the same bits. Included behind
 // simd_spheres-inl.hpp.
 
-/// Of the numbers of a pair, times the largest of them: what the sum of the terms of a shifted
-/// difference is off by at most (docs/derivations/contact_geometry.md, section 2).
+/// Largest error of the sum of the terms of a shifted difference, relative to the largest number of
+/// the pair (docs/derivations/contact_geometry.md, section 2).
 constexpr double error_of_sum = 0x1p-96;
 
 /// A hair above exact::smallest_ordinary, so that exact::gap does not scale either.

@@ -1,4 +1,4 @@
-// What an element meets, in vectors, while it is being found; included like
+// The elements that one element meets, in vectors, while they are being found; included like
 // simd_pair_tester-inl.hpp.
 
 /// The partners of an element while they are being found.

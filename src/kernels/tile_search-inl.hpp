@@ -51,7 +51,7 @@ class TileSearch {
  private:
   static constexpr std::size_t run_count = Dim == 2 ? 2 : 5;
 
-  /// Whether elements lie near few of the rows around their own, on average.
+  /// Tells whether elements lie near few of the rows around their own, on average.
   static bool has_wide_cells(const TileView& tile, const SearchJob& job) {
     if (tile.shape == TileShape::boxes) return false;
     float near[3];
@@ -75,7 +75,7 @@ class TileSearch {
   /// The runs of one element, each read when it is asked for.
   class Ahead {
    public:
-    /// What follows a run is a cell or more apart from the element, or padding.
+    /// True: behind a run lies padding, or an element that is a cell or more apart.
     static constexpr bool harmless_beyond = true;
 
     Ahead(std::uint32_t p, const std::uint32_t* cell, std::ptrdiff_t row, std::ptrdiff_t layer)
@@ -173,7 +173,7 @@ class TileSearch {
     return most;
   }
 
-  /// Whether so many elements of a row are more than `limit` for each cell.
+  /// Tells whether so many elements of a row are more than `limit` for each cell.
   [[nodiscard]] bool is_crowded(std::uint32_t elements, std::uint32_t limit) const {
     return elements > limit * static_cast<std::uint32_t>(tile_.cells[0] + 2);
   }

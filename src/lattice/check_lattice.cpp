@@ -28,7 +28,7 @@ void require_finite(const Vector& vector, std::size_t k, std::size_t dimensions)
   }
 }
 
-/// Whether p[i] q[j] differs from p[j] q[i].
+/// Tells whether p[i] q[j] differs from p[j] q[i].
 bool differs(const Vector& p, const Vector& q, std::size_t i, std::size_t j) {
   exact::ExactAccumulator<2> minor;
   minor.add_product(p[i], q[j], 1);

@@ -44,7 +44,7 @@ class GhostWindow {
 
   [[nodiscard]] std::size_t sides() const noexcept { return orthogonal_cell_.count; }
 
-  /// How far outside of the locals an image may be along side k, in sides, with the largest
+  /// The distance from the locals that an image may have along side k, in sides, with the largest
   /// radius.
   [[nodiscard]] double widest(std::size_t k) const noexcept { return widest_[k]; }
 
@@ -88,7 +88,7 @@ class GhostWindow {
  private:
   using Vector = typename OrthogonalCell<Dim>::Vector;
 
-  /// How far outside of the locals images of a radius may be, in sides.
+  /// The distance from the locals that images of a radius may have, in sides.
   struct Width {
     double per_radius = 0.0;
     double least = 0.0;

@@ -70,7 +70,7 @@ class ImageDecider {
     double upper;
   };
 
-  /// Of an element on an axis, times the unit.
+  /// Lower and upper end of an element on an axis, times the unit.
   [[nodiscard]] Ends ends(std::size_t k, std::size_t axis) const noexcept {
     if (elements_.are_boxes()) {
       const exact::Box<Dim>& box = elements_.boxes[k];

@@ -10,7 +10,7 @@
 
 namespace abut::lattice {
 
-/// How many of the lattice vectors as given an element is away from where it is taken to be.
+/// Multiples of the given lattice vectors between an element and where it is taken to be.
 using CellNumbers = std::array<std::int32_t, 3>;
 
 /// A periodic lattice at one instant, with what tells how often its vectors fit between elements.

@@ -32,9 +32,9 @@ struct OrthogonalCell {
   std::array<std::size_t, Dim> vector_of{};  ///< of the reduced basis
   std::array<Vector, Dim> coefficients{};
   std::array<Vector, Dim> offset{};
-  /// Of side k and the vector of side l: the magnitudes of the terms of coefficients times vector,
-  /// summed, and a bound of what is off in the sum, which should be 1, the offset, or 0. Where the
-  /// sides lie along the axes both are 0 for l > k, and for l < k where the offset is 0.
+  /// Sums of the products of the coefficients of side k and the vector of side l: of the magnitudes
+  /// of the terms, and a bound of the error of the sum, which should be 1, the offset, or 0. Where
+  /// the sides lie along the axes both are 0 for l > k, and for l < k where the offset is 0.
   std::array<Vector, Dim> weight{};
   std::array<Vector, Dim> error{};
   Vector dual_length{};  ///< of the coefficients without the unit, times the lattice's scale

@@ -10,7 +10,7 @@
 
 namespace abut::lattice {
 
-/// How often each vector of a basis is taken; of the periodic axes in their order.
+/// Multiples of the vectors of a basis, one for each periodic axis in their order.
 using ImageNumbers = std::array<std::int64_t, 3>;
 
 /// The same lattice with a basis that is as short and as nearly orthogonal as any (Minkowski's, but

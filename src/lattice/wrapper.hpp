@@ -11,7 +11,8 @@
 
 namespace abut::lattice {
 
-/// How many cells an element was moved, along the vector of each side of an orthogonal cell.
+/// The number of cells by which an element was moved, along the vector of each side of an
+/// orthogonal cell.
 using CellsMoved = std::array<std::int32_t, 3>;
 
 struct WrapSettings {

@@ -77,10 +77,10 @@ class FoundPairs final : public base::PairSink {
 
   [[nodiscard]] PairCount size() const noexcept { return total_; }
 
-  /// How many stand in the caller's buffer: the first ones.
+  /// The number of pairs that stand in the caller's buffer: the first ones.
   [[nodiscard]] std::size_t in_buffer() const noexcept { return in_buffer_; }
 
-  /// Whether canonical order is wanted, and the pairs did not come in it.
+  /// Tells whether canonical order is wanted, and the pairs did not come in it.
   [[nodiscard]] bool must_be_sorted() const noexcept {
     return demand_.order == Order::canonical && !comes_in_canonical_order_;
   }

@@ -13,7 +13,7 @@ namespace {
 /// The part of locals and ghosts that must be saved.
 constexpr double least_saving = 0.04;
 
-/// How many images an element has around a filled cell.
+/// The number of images that an element has around a filled cell.
 template <int Dim>
 class ImageCount {
  public:

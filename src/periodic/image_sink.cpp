@@ -118,8 +118,8 @@ bool ImageSink<Dim>::name_ghost(ImageBuffer& buffer, std::size_t from, std::size
   return true;
 }
 
-/// Of the pairs that are kept: all of them as if they were of locals, since longer runs of pairs
-/// take less time, unless that was done already; then those with ghosts.
+/// Names the shifts of the pairs that are kept: all of them as if they were of locals, since longer
+/// runs of pairs take less time, unless that was done already; then those with ghosts.
 template <int Dim>
 void ImageSink<Dim>::name_shifts(const ImageBuffer& buffer, std::size_t count) const {
   if (images_->shifts_always_fit()) {

@@ -170,8 +170,8 @@ typename Images<Dim>::Along Images<Dim>::sides_to_wrap(
   return along;
 }
 
-/// Where rounding would make the search use larger cells than the reach asks for, or images must be
-/// counted, nothing is done.
+/// Moves the elements in the fast way, but does nothing and returns false where rounding would make
+/// the search use larger cells than the reach asks for, or images must be counted.
 template <int Dim>
 bool Images<Dim>::wrap_fast_if_near(std::span<const exact::Sphere<Dim>> elements,
                                     const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
@@ -235,7 +235,8 @@ void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
   }
 }
 
-/// Of the first elements of `home`, which are the locals, or will be when they have been moved.
+/// Adds the ghosts of the first elements of `home`, which are the locals, or will be when they have
+/// been moved.
 template <int Dim>
 void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
                              const ImageSettings& settings) {
@@ -321,8 +322,8 @@ void Images<Dim>::append_ghosts(base::Array<exact::Sphere<Dim>>& home,
   for (std::size_t worker = 0; worker < workers; ++worker) places_.include(parts_[worker].places);
 }
 
-/// What rounding is relative to. Where locals are moved and images made along no vector that leads
-/// along an axis, nothing is added to coordinates on it.
+/// The magnitude to which rounding is relative. Where locals are moved and images made along no
+/// vector that leads along an axis, nothing is added to coordinates on it.
 template <int Dim>
 double Images<Dim>::magnitude_of(const Window& window, const Along& along, Shape shape) const {
   double magnitude = 0.0;

@@ -37,10 +37,10 @@ struct ImageSettings {
   base::ProgressReporter* progress = nullptr;  ///< asked now and then, by the first worker
 };
 
-/// What a search in open space needs in order to find every pair of a periodic domain exactly once:
-/// the elements themselves in about one cell, the *locals*, and copies of some of them around it,
-/// the *ghosts*. Pairs among locals and of each local element with each ghost that counts for it,
-/// its own included, are all the pairs, each once; ghosts do not pair with ghosts.
+/// Everything that a search in open space needs in order to find every pair of a periodic domain
+/// exactly once: the elements themselves in about one cell, the *locals*, and copies of some of
+/// them around it, the *ghosts*. Pairs among locals and of each local element with each ghost that
+/// counts for it, its own included, are all the pairs, each once; ghosts do not pair with ghosts.
 /// docs/derivations/periodic_images.md has the proof.
 ///
 /// Locals and ghosts are a little off where they were moved: the distance of two of them, here, by
@@ -52,9 +52,9 @@ class Images {
  public:
   explicit Images(base::MemoryMeter& memory);
 
-  /// Of the elements of a detection; `bounds` are theirs. Where no element must be moved, ghosts
-  /// are appended to `elements`, whose first numbers stay what they are. Elements and lattice must
-  /// live on. The result does not depend on the number of workers.
+  /// Finds the images of the elements of a detection; `bounds` are theirs. Where no element must be
+  /// moved, ghosts are appended to `elements`, whose first numbers stay what they are. Elements and
+  /// lattice must live on. The result does not depend on the number of workers.
   ///
   /// Throws Error{invalid_input} when an element lies more than 2^31 - 1 cells outside, and
   /// Error{limit_exceeded} when there are more locals and ghosts than elements can be numbered.
@@ -166,7 +166,7 @@ class Images {
   using Windows = GhostWindows<Dim>;
   using Along = std::array<bool, Dim>;
 
-  /// How ghosts are found among locals, which may have to be moved first.
+  /// The way to find ghosts among locals, which may have to be moved first.
   struct Plan {
     const lattice::OrthogonalCell<Dim>& orthogonal_cell;
     const Windows& windows;
@@ -219,7 +219,7 @@ class Images {
   bool reach_is_long_ = false;
   bool moved_any_ = false;
   bool shifts_always_fit_ = false;
-  /// Where these are shifts themselves: the side of each axis.
+  /// The side of each axis, where these are shifts themselves.
   std::optional<std::array<std::size_t, 3>> side_of_axis_;
 
   base::Array<exact::Sphere<Dim>> own_locals_;

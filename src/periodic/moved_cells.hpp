@@ -8,8 +8,9 @@
 
 namespace abut::periodic {
 
-/// How many cells each local element was moved. Where ten bits a side will do, one word holds all
-/// sides: naming pairs reads them in no order, and what is smaller stays in the cache.
+/// The number of cells by which each local element was moved. Where ten bits a side will do, one
+/// word holds all sides: naming pairs reads them in no order, and what is smaller stays in the
+/// cache.
 class MovedCells {
  public:
   explicit MovedCells(base::MemoryMeter& memory)
@@ -52,7 +53,7 @@ class MovedCells {
         static_cast<std::uint32_t>(zero) * ((1u << 20) + (1u << 10) + 1);
     return i - j + zeros;
   }
-  /// Where a side stands in a word, and what stands there.
+  /// The place of a side in a word, and the bits that stand there.
   [[nodiscard]] static int bits_of(std::size_t side) noexcept {
     return 20 - 10 * static_cast<int>(side);
   }

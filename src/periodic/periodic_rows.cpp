@@ -34,8 +34,9 @@ void turn_downwards(lattice::ReducedLattice<Dim>& lattice) {
   }
 }
 
-/// Where ghosts lie around the box of the locals, as halo elements do, they are no more than copies
-/// in its outer tiles. Elsewhere the search takes all alike, and pairs of ghosts are dropped.
+/// The search set of locals and ghosts. Where ghosts lie around the box of the locals, as halo
+/// elements do, they are no more than copies in its outer tiles. Elsewhere the search takes all
+/// alike, and pairs of ghosts are dropped.
 template <int Dim>
 engine::SearchSet<Dim> search_set_of(const Images<Dim>& images) {
   const std::size_t locals = images.locals().size();

@@ -16,14 +16,14 @@
 
 namespace abut::periodic {
 
-/// What vector kernels need to know of an orthogonal cell: who may have ghosts, as the windows say.
+/// The numbers of an orthogonal cell for vector kernels: who may have ghosts, as the windows say.
 template <int Dim>
 [[nodiscard]] kernels::OrthogonalCellMap map_of(const lattice::ReducedLattice<Dim>& lattice,
                                                 const lattice::OrthogonalCell<Dim>& orthogonal_cell,
                                                 const std::array<bool, Dim>& along,
                                                 const GhostWindows<Dim>& windows);
 
-/// How far some elements must be moved in order to lie in the orthogonal cell at the origin.
+/// Moves that bring some elements into the orthogonal cell at the origin.
 template <int Dim>
 struct WrapEstimate {
   WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,

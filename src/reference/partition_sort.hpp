@@ -13,9 +13,9 @@
 /// p. 99-102, Figures 3.28 to 3.38: exchange in place around the middle of the *values*.
 namespace abut::reference {
 
-/// Where values from `lowest` to `highest` > `lowest` are split: left is what is below. The book's
-/// truncated mean, but never `lowest` itself, which for values {1, 2} would split off nothing for
-/// ever. 1..16 gives 8.
+/// The value at which those from `lowest` to `highest` > `lowest` are split: left is what is below.
+/// The book's truncated mean, but never `lowest` itself, which for values {1, 2} would split off
+/// nothing for ever. 1..16 gives 8.
 [[nodiscard]] constexpr std::int32_t partition_middle(std::int32_t lowest,
                                                       std::int32_t highest) noexcept {
   const std::int64_t range = std::int64_t{highest} - lowest;

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-/// What the algorithms of the book show of themselves when a detection is traced; otherwise one
-/// comparison with a null pointer.
+/// The stages that the algorithms of the book show of themselves when a detection is traced;
+/// otherwise one comparison with a null pointer.
 namespace abut::reference {
 
 using trace::IndexedBy;

@@ -55,10 +55,10 @@ class SkinSearch {
   [[nodiscard]] bool carry_over(const ElementsNow<Dim>& now, const NamedElements& named,
                                 Search&& search);
 
-  /// How many elements were new when candidates were carried over.
+  /// The number of elements that were new when candidates were carried over.
   [[nodiscard]] std::size_t added() const noexcept { return added_.size(); }
 
-  /// How much closer two elements may have come, as covers() found; infinite where that is unknown.
+  /// The length by which two elements may have come closer, as covers() found; infinite if unknown.
   [[nodiscard]] double approach() const noexcept { return approach_; }
 
   /// Keeps what `search(margin, sink)` finds with the skin of `choice`. False if that cannot be
@@ -84,7 +84,7 @@ class SkinSearch {
  private:
   static constexpr int calls_without = 64;
 
-  /// If more than one element in so many is new, all candidates are searched for anew.
+  /// Most new elements, one in so many; beyond, all candidates are searched for anew.
   static constexpr std::size_t elements_for_a_new_one = 16;
 
   [[nodiscard]] double allowed(const ElementsNow<Dim>& now) const noexcept;

@@ -66,7 +66,7 @@ class CompensatedSum {
 
   [[nodiscard]] DoubleDouble value() const noexcept { return two_sum(high_, low_); }
 
-  /// Whether some addition rounded, or left the range of finite numbers.
+  /// Tells whether some addition rounded, or left the range of finite numbers.
   [[nodiscard]] bool rounded() const noexcept { return rounded_; }
 
  private:

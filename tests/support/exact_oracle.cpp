@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace abut::testing {
@@ -33,12 +32,6 @@ void set_to_dot(mpz_class& result, const Vector& a, const Vector& b) {
   mpz_addmul(result.get_mpz_t(), a[2].get_mpz_t(), b[2].get_mpz_t());
 }
 
-mpz_class dot(const Vector& a, const Vector& b) {
-  mpz_class result;
-  set_to_dot(result, a, b);
-  return result;
-}
-
 void subtract(Vector& from, const mpz_class& times, const Vector& vector) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     mpz_submul(from[axis].get_mpz_t(), times.get_mpz_t(), vector[axis].get_mpz_t());
@@ -55,29 +48,6 @@ long bits(const mpz_class& value) {
   return value == 0 ? 0 : static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2));
 }
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double largest = std::numeric_limits<double>::max();
-
-mpq_class midpoint(double a, double b) {
-  return (mpq_class(a) + mpq_class(b)) / 2;
-}
-
-bool is_even(double value) {
-  const Decomposed parts = decompose(value);
-  const int last = std::max(std::ilogb(value == 0.0 ? 1.0 : value) - 52, -1074);
-  return parts.significand == 0 || parts.exponent > last;
-}
-
-/// Whether `rounded` is the nearest double to `exact`, to even between two; the largest beyond it.
-bool is_nearest(const mpq_class& exact, double rounded) {
-  if (abs(exact) >= largest) return rounded == (sgn(exact) < 0 ? -largest : largest);
-  if (std::fabs(rounded) == largest) return abs(mpq_class(rounded) - exact) < 0x1p970;
-  const mpq_class above = midpoint(rounded, std::nextafter(rounded, inf));
-  const mpq_class below = midpoint(rounded, std::nextafter(rounded, -inf));
-  if (is_even(rounded)) return below <= exact && exact <= above;
-  return below < exact && exact < above;
-}
-
 }  // namespace
 
 ElementArrays joined(const ElementArrays& first, const ElementArrays& second) {
@@ -91,6 +61,12 @@ ElementArrays joined(const ElementArrays& first, const ElementArrays& second) {
   }
   append(both.radius, second.radius);
   return both;
+}
+
+mpz_class ExactOracle::dot(const Vector& a, const Vector& b) {
+  mpz_class result;
+  set_to_dot(result, a, b);
+  return result;
 }
 
 ExactOracle::ExactOracle(const ElementArrays& elements, const Domain& domain, double margin)
@@ -369,65 +345,6 @@ ExactOracle::Vector ExactOracle::difference(const ImagePair& image) const {
   subtract(result, image.shift.y, lattice_[1]);
   subtract(result, image.shift.z, lattice_[2]);
   return result;
-}
-
-mpq_class ExactOracle::number(const mpz_class& whole) const {
-  mpq_class result(whole);
-  if (exponent_ >= 0) return result << static_cast<mp_bitcnt_t>(exponent_);
-  return result >> static_cast<mp_bitcnt_t>(-exponent_);
-}
-
-bool ExactOracle::touch(const ImagePair& image) const {
-  if (shape_ == Shape::box) return box_gap(image) <= 0;
-  const Vector apart = difference(image);
-  const mpz_class reach = sizes_[image.pair.first][0] + sizes_[image.pair.second][0];
-  return dot(apart, apart) <= reach * reach;
-}
-
-mpq_class ExactOracle::box_gap(const ImagePair& image) const {
-  const Vector apart = difference(image);
-  mpz_class result;
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions_); ++axis) {
-    const mpz_class gap =
-        abs(apart[axis]) - sizes_[image.pair.first][axis] - sizes_[image.pair.second][axis];
-    if (axis == 0 || gap > result) result = gap;
-  }
-  return number(result);
-}
-
-bool ExactOracle::is_component(const ImagePair& image, std::size_t axis, double value) const {
-  return is_nearest(number(difference(image)[axis]), value);
-}
-
-bool ExactOracle::is_distance(const ImagePair& image, double value) const {
-  const Vector apart = difference(image);
-  const mpq_class root = number(1);
-  const mpq_class square = mpq_class(dot(apart, apart)) * root * root;
-  if (square >= mpq_class(largest) * largest) return value == largest;
-  if (value < 0.0 || !std::isfinite(value)) return false;
-  const double next = std::nextafter(value, inf);
-  const bool tiny = value < 0x1p-1000;
-  const mpq_class above = value == largest ? mpq_class(largest) + 0x1p970
-                          : tiny           ? mpq_class(next)
-                                           : midpoint(value, next);
-  if (square > above * above) return false;
-  if (value == 0.0) return true;
-  const double previous = std::nextafter(value, -inf);
-  const mpq_class below = tiny ? mpq_class(previous) : midpoint(value, previous);
-  return below * below < square || (tiny && below * below <= square);
-}
-
-bool ExactOracle::is_gap(const ImagePair& image, double value) const {
-  if (!std::isfinite(value) || (value <= 0.0) != touch(image)) return false;
-  if (shape_ == Shape::box) return is_nearest(box_gap(image), value);
-  const Vector apart = difference(image);
-  const mpq_class reach = number(sizes_[image.pair.first][0] + sizes_[image.pair.second][0]);
-  // The distance to 64 bits behind the last place that the whole numbers have.
-  const mpq_class distance = number(sqrt(dot(apart, apart) << 128)) >> 64;
-  const mpq_class exact = distance - reach;
-  if (abs(exact) >= largest) return std::fabs(value) >= largest * (1.0 - 0x1p-40);
-  const mpq_class error = ((distance + reach) >> 48) + mpq_class(0x1p-1072);
-  return abs(mpq_class(value) - exact) <= error;
 }
 
 }  // namespace abut::testing

@@ -75,6 +75,7 @@ class ExactOracle {
     mpz_class bound;                 ///< functional . functional
   };
 
+  [[nodiscard]] static mpz_class dot(const Vector& a, const Vector& b);
   [[nodiscard]] mpz_class whole(double value) const;
   void read_elements(const ElementArrays& elements, double margin);
   void read_lattice(const Domain& domain);

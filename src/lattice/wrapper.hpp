@@ -22,12 +22,11 @@ struct WrapSettings {
 };
 
 /// Moves elements into the orthogonal cell at the origin, 0 <= coordinate < 1 but for the rounding
-/// of the coordinate, along some of its sides.
+/// of the coordinate, along some of its sides. Along the others they move by the offsets of these.
 template <int Dim>
 class Wrapper {
  public:
-  /// `orthogonal_cell` is for positions as given, and must live on. If one of its sides is wrapped
-  /// along, so must those be that it has an offset on.
+  /// `orthogonal_cell` is for positions as given, and must live on.
   Wrapper(const ReducedLattice<Dim>& lattice, const OrthogonalCell<Dim>& orthogonal_cell,
           const std::array<bool, Dim>& along, const WrapSettings& settings = {}) noexcept;
 

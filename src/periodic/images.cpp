@@ -154,18 +154,24 @@ bool Images<Dim>::is_in_range(const lattice::OrthogonalCell<Dim>& orthogonal_cel
 /// Elements are moved along the sides that they spread over more than a cell of. A little more, a
 /// quarter of what ghosts are within, costs fewer ghosts than moving elements costs time. What
 /// overflows is left to the wrapper, which knows the element.
+///
+/// Moved along an earlier side, elements move along this one, too, and are brought back if they
+/// have gone far. Where this side is far longer than the earlier one they have not: then some of
+/// those on both sides of a face would be moved by a long vector, and all rounding would be
+/// relative to that.
 template <int Dim>
 typename Images<Dim>::Along Images<Dim>::sides_to_wrap(
     const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Window& window) const {
+  constexpr double far = 0.0625;
   Along along{};
+  std::array<double, Dim> cells{};
   for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-    const double spread = extent_.upper[k] - extent_.lower[k];
-    const bool overflows = !std::isfinite(orthogonal_cell.magnitude(k, extent_.farthest));
-    along[k] = overflows || !(spread <= 1.0 + 0.25 * std::min(window.widest(k), 1.0));
-    // Moved along an earlier side, elements move along this one, too.
-    for (std::size_t l = 0; l < k; ++l) {
-      along[k] = along[k] || (along[l] && orthogonal_cell.offset[l][k] != 0.0);
-    }
+    const double moved = moved_along_earlier_sides(orthogonal_cell, k, cells);
+    const double magnitude = orthogonal_cell.magnitude(k, extent_.farthest);
+    const double spread = extent_.upper[k] - extent_.lower[k] + 2.0 * moved;
+    along[k] = !std::isfinite(magnitude) || moved > far ||
+               !(spread <= 1.0 + 0.25 * std::min(window.widest(k), 1.0));
+    if (along[k]) cells[k] = most_cells_moved(magnitude, moved);
   }
   return along;
 }

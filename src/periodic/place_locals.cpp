@@ -60,10 +60,8 @@ WrapEstimate<Dim>::WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,
   constexpr double rounding = 0x1p-20;
   for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
     if (!along[k]) continue;
-    most_cells[k] = orthogonal_cell.magnitude(k, given.farthest) + 2.0;
-    for (std::size_t l = 0; l < k; ++l) {
-      most_cells[k] += std::fabs(orthogonal_cell.offset[l][k]) * most_cells[l];
-    }
+    most_cells[k] = most_cells_moved(orthogonal_cell.magnitude(k, given.farthest),
+                                     moved_along_earlier_sides(orthogonal_cell, k, most_cells));
   }
   for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
     const auto& vector = lattice.vectors[orthogonal_cell.vector_of[k]];
@@ -76,8 +74,9 @@ WrapEstimate<Dim>::WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,
                   (lattice.length[orthogonal_cell.vector_of[l]] * lattice.scale) * most_cells[l];
     }
     is_short = is_short && distance <= longest;
-    extent.lower[k] = (along[k] ? 0.0 : given.lower[k]) - rounding;
-    extent.upper[k] = (along[k] ? 1.0 : given.upper[k]) + rounding;
+    const double moved = moved_along_earlier_sides(orthogonal_cell, k, most_cells);
+    extent.lower[k] = (along[k] ? 0.0 : given.lower[k] - moved) - rounding;
+    extent.upper[k] = (along[k] ? 1.0 : given.upper[k] + moved) + rounding;
   }
 }
 

@@ -2,6 +2,7 @@
 //   replay_cases FOLDER|FILE...
 //   replay_cases --show FILE...          prints the cases, as text
 //   replay_cases --random COUNT [SEED]   checks random cases as fuzz_contacts does, but unguided
+//   replay_cases --write SEED            leaves the bytes of one of these in a file
 //   replay_cases --walls ...             the same of the cases of fuzz_walls
 
 #include "fuzz/check_case.hpp"
@@ -85,21 +86,35 @@ int replay(const Target& target, const std::vector<fs::path>& files) {
   return files.empty() || failures > 0 ? 1 : 0;
 }
 
-/// Each case follows from a seed of its own. Stops at the first failure, and leaves its bytes in a
-/// file.
+/// Each case follows from a seed of its own.
+std::string name_of_random(std::uint64_t seed) {
+  return "case_" + std::to_string(seed);
+}
+
+std::vector<std::uint8_t> random_bytes(std::uint64_t seed) {
+  abut::scenes::Random random(seed);
+  std::vector<std::uint8_t> bytes(24 + random.below(400));
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.below(256));
+  return bytes;
+}
+
+int write_random(std::uint64_t seed) {
+  const std::vector<std::uint8_t> bytes = random_bytes(seed);
+  std::ofstream file(name_of_random(seed), std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  return file.flush() ? 0 : 1;
+}
+
+/// Stops at the first failure, and leaves its bytes in a file.
 int check_random(const Target& target, std::uint64_t count, std::uint64_t first_seed) {
   std::uint64_t checked = 0;
   for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
-    abut::scenes::Random random(seed);
-    std::vector<std::uint8_t> bytes(24 + random.below(400));
-    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.below(256));
-    const std::string name = "case_" + std::to_string(seed);
-    const Outcome outcome = check(target, name, bytes, Thoroughness::sampled);
+    const std::string name = name_of_random(seed);
+    const Outcome outcome = check(target, name, random_bytes(seed), Thoroughness::sampled);
     checked += outcome.checked ? 1 : 0;
     if (outcome.passed) continue;
-    std::ofstream(name, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
+    write_random(seed);
     std::printf("%s fails, after %llu that were checked\n", name.c_str(),
                 static_cast<unsigned long long>(checked - 1));
     return 1;
@@ -143,5 +158,6 @@ int main(int argc, char** argv) {
     return check_random(target, std::stoull(words[1]),
                         words.size() > 2 ? std::stoull(words[2]) : 1);
   }
+  if (next_is("--write") && words.size() > 1) return write_random(std::stoull(words[1]));
   return replay(target, files_among(words));
 }

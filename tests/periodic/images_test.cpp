@@ -314,6 +314,31 @@ TEST(ImagesOfFarElements, ShiftsBeyond31BitsAreRefused) {
             "cell");
 }
 
+/// Locals lie on both sides of a face along c, and are moved along a and b. Moved along c, too, for
+/// the hair by which that changes their coordinate, some of them would lie a c from the others.
+TEST(ImagesInLongCells, LocalsStayTogether) {
+  Random random(41);
+  for (const int exponent : {5, 12, 20, 27, 35, 50, 61}) {
+    PeriodicSystem<3> system;
+    system.lattice.vectors = {
+        {{72.0, 8.0, -32.0}, {80.0, 40.0, 80.0}, {72.0, std::ldexp(75.0, exponent), 40.0}}};
+    system.lattice.periodic = {true, true, true};
+    for (int k = 0; k < 12; ++k) {
+      const auto place = [&] { return random.uniform(-900.0, 900.0); };
+      system.spheres.push_back({{place(), place(), place()}, random.uniform(4.0, 30.0)});
+    }
+    const lattice::ReducedLattice<3> reduced(system.lattice);
+    base::MemoryMeter memory;
+    auto elements = array_of(system.spheres, memory);
+    periodic::Images<3> images(memory);
+    images.find(elements, bounds_of<3>(system.spheres), reduced,
+                {0.0, 1, kernels::image_kernels(Simd::scalar)});
+    ASSERT_LT(images.slack(), 1e-6) << exponent;
+    ASSERT_FALSE(images.reach_is_long()) << exponent;
+    ASSERT_EQ(pairs_by_images(system), pairs_by_rationals(system)) << exponent;
+  }
+}
+
 /// Images of one element: so many for each local element are not stored.
 TEST(ImagesOfLargeReach, AreNotStored) {
   exact::Lattice lattice;

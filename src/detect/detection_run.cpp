@@ -7,6 +7,7 @@
 #include "detect/validate_options.hpp"
 #include "elements/lattice_of.hpp"
 #include "kernels/simd_level.hpp"
+#include "lists/ordered_rows.hpp"
 #include "lists/result_buffer.hpp"
 
 #include <abut/error.hpp>
@@ -163,8 +164,12 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
                                          memory_);
   base::WorkCounter& work = writing.context.work;
   if (found_shifts(request) == Shifts::none) fill_with_none(arrays.shifts, work);
-  csr_builder_.list(found_.pieces(), kind, {arrays.offsets, arrays.neighbors, arrays.shifts},
-                    writing.workers, work);
+  const lists::RowArrays rows{arrays.offsets, arrays.neighbors, arrays.shifts};
+  if (kind == NeighborListKind::half && found_.come_in_canonical_order()) {
+    lists::list_ordered_rows(found_.pieces(), rows, writing.workers, work);
+  } else {
+    csr_builder_.list(found_.pieces(), kind, rows, writing.workers, work);
+  }
   writing.statistics.order_seconds = stopwatch.lap();
   measure(request, arrays.geometry, entries, writing, [&] {
     request.elements.dimensions() == 2 ? measure_rows<2>(request, arrays, writing)

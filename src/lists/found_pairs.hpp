@@ -80,6 +80,9 @@ class FoundPairs final : public base::PairSink {
   /// The number of pairs that stand in the caller's buffer: the first ones.
   [[nodiscard]] std::size_t in_buffer() const noexcept { return in_buffer_; }
 
+  /// Tells whether the pairs came in canonical order.
+  [[nodiscard]] bool come_in_canonical_order() const noexcept { return comes_in_canonical_order_; }
+
   /// Tells whether canonical order is wanted, and the pairs did not come in it.
   [[nodiscard]] bool must_be_sorted() const noexcept {
     return demand_.order == Order::canonical && !comes_in_canonical_order_;

@@ -21,6 +21,8 @@ PROGRAMS = {
     "periodic_cost": ["--count", "500", "--repetitions", "1"],
     "cross_contacts": ["--count", "500", "--repetitions", "1"],
     "stepping": ["--count", "500", "--steps", "10"],
+    "pair_geometry": ["--count", "500", "--atoms", "300", "--repetitions", "1"],
+    "liquid_loop": ["--cells", "5", "--steps", "3"],
 }
 
 LAMMPS = """#!{python}

@@ -21,7 +21,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <utility>
 #include <vector>
 
 namespace abut::benchmarks {

@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -40,6 +41,15 @@ void write(const std::string& task, std::size_t elements, PairCount entries, int
               static_cast<unsigned long long>(entries), found.minimum * ns, found.median * ns);
 }
 
+/// One call for each pair.
+void measure_calls(const ElementView& elements, const PairList& list, int repetitions) {
+  double sum = 0.0;
+  write("gap() of one pair", elements.size(), list.size(), repetitions, [&] {
+    for (const ContactPair pair : list) sum += gap(elements, pair);
+  });
+  if (std::isnan(sum)) std::puts("a gap is not a number");
+}
+
 void measure_scene(const Settings& settings) {
   const scenes::Scene scene = scenes::scene_named(settings.scene).make(settings.count, 1);
   const ElementView elements = spheres(scene.x, scene.y, scene.z, scene.radius);
@@ -55,12 +65,17 @@ void measure_scene(const Settings& settings) {
   row("vector", Quantity::vector);
   row("normal", Quantity::normal);
   row("point", Quantity::point);
-  row("gap, normal and point", Quantity::gap | Quantity::normal | Quantity::point);
-  double sum = 0.0;
-  write("gap() of one pair", settings.count, list.size(), settings.repetitions, [&] {
-    for (const ContactPair pair : list) sum += gap(elements, pair);
-  });
-  if (std::isnan(sum)) std::puts("a gap is not a number");
+  row("gap; normal; point", Quantity::gap | Quantity::normal | Quantity::point);
+  measure_calls(elements, list, settings.repetitions);
+}
+
+/// So few elements that their numbers stay in the cache.
+void measure_few(const Settings& settings) {
+  const std::size_t count = std::min<std::size_t>(settings.count, 3000);
+  const scenes::Scene scene = scenes::scene_named(settings.scene).make(count, 1);
+  const ElementView elements = spheres(scene.x, scene.y, scene.z, scene.radius);
+  measure_calls(elements, find_contact_pairs(elements, Domain::open(), {.threads = 1}),
+                settings.repetitions);
 }
 
 /// Points at random, 40 of each one's within the cutoff, each pair once.
@@ -81,11 +96,11 @@ void measure_liquid(const Settings& settings) {
                      {.shifts = shifts, .quantities = quantities, .threads = 1});
   };
   const std::size_t entries = list(Shifts::none, {}).neighbors().size();
-  write("periodic liquid, neighbors", settings.atoms, entries, settings.repetitions,
+  write("liquid: neighbors", settings.atoms, entries, settings.repetitions,
         [&] { static_cast<void>(list(Shifts::none, {})); });
-  write("periodic liquid, shifts too", settings.atoms, entries, settings.repetitions,
+  write("liquid: shifts too", settings.atoms, entries, settings.repetitions,
         [&] { static_cast<void>(list(Shifts::stored, {})); });
-  write("periodic liquid, distances and vectors too", settings.atoms, entries, settings.repetitions,
+  write("liquid: distances and vectors too", settings.atoms, entries, settings.repetitions,
         [&] { static_cast<void>(list(Shifts::stored, Quantity::distance | Quantity::vector)); });
 }
 
@@ -101,6 +116,7 @@ int main_of(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   std::puts("task,elements,entries,ns_minimum,ns_median");
   measure_scene(settings);
+  measure_few(settings);
   measure_liquid(settings);
   return EXIT_SUCCESS;
 }

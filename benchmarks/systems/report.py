@@ -69,11 +69,25 @@ def neighbor_lists(rows):
     return table(head, lines)
 
 
+def pair_geometry(rows):
+    head = ["of contacts and neighbors", "elements", "entries", "ns an entry"]
+    return table(head, [[r["task"], f"{r['elements']:,}", f"{r['entries']:,}",
+                         plain(r["ns_median"])] for r in rows])
+
+
+def liquid_loop(rows):
+    head = ["loop", "ms a step", "to the list kept by hand", "detections"]
+    return table(head, [[r["loop"], plain(r["ms_per_step"], 2), plain(r["ratio"], 2),
+                         r["detections"]] for r in rows])
+
+
 SECTIONS = {
     "box_contacts": boxes,
     "periodic_cost": periodic,
     "cross_contacts": cross_contacts,
     "stepping": stepping,
+    "pair_geometry": pair_geometry,
+    "liquid_loop": liquid_loop,
     "neighbor_lists": neighbor_lists,
 }
 

@@ -212,6 +212,22 @@ Measured loop_by_hand(const Settings& settings) {
   return result;
 }
 
+/// The same with the library's own candidate list.
+Measured loop_with_candidates(const Settings& settings) {
+  Liquid liquid(settings);
+  Options options = options_of(settings, {});
+  options.margin = cutoff;
+  CandidateList candidates(skin, NeighborListKind::half, options);
+  Measured result = run(settings, liquid, [&] {
+    if (candidates.needs_rebuild(liquid.elements())) {
+      candidates.rebuild(liquid.elements(), liquid.domain);
+    }
+    add_forces(liquid, candidates.rows(), cutoff * cutoff);
+  });
+  result.detections = candidates.rebuilds();
+  return result;
+}
+
 Measured loop_with_detector(const Settings& settings, Skin chosen, Quantities quantities) {
   Liquid liquid(settings);
   Options options = options_of(settings, quantities);
@@ -253,6 +269,7 @@ int main_of(int argc, char** argv) {
     different += std::fabs(measured.energy - by_hand.energy) <= 1e-6 ? 0 : 1;
   };
   print("list kept by hand", by_hand);
+  print("candidate list", loop_with_candidates(settings));
   print("fixed skin", loop_with_detector(settings, Skin::fixed(skin), {}));
   print("automatic skin", loop_with_detector(settings, Skin::automatic(), {}));
   print("fixed skin and vectors",

@@ -78,6 +78,18 @@ void measure_few(const Settings& settings) {
                 settings.repetitions);
 }
 
+/// Whether candidates still serve, of elements that did not move.
+void measure_needs_rebuild(const Settings& settings, std::size_t count) {
+  const scenes::Scene scene = scenes::scene_named(settings.scene).make(count, 1);
+  const ElementView elements = spheres(scene.x, scene.y, scene.z, scene.radius);
+  CandidateList candidates(0.1, NeighborListKind::half, {.threads = 1});
+  candidates.rebuild(elements);
+  bool needed = false;
+  write("needs_rebuild() an element", count, count, settings.repetitions,
+        [&] { needed = needed || candidates.needs_rebuild(elements); });
+  if (needed) std::puts("elements that stand still have moved");
+}
+
 /// Points at random, 40 of each one's within the cutoff, each pair once.
 void measure_liquid(const Settings& settings) {
   constexpr double neighbors_of_each = 40.0;
@@ -117,6 +129,8 @@ int main_of(int argc, char** argv) {
   std::puts("task,elements,entries,ns_minimum,ns_median");
   measure_scene(settings);
   measure_few(settings);
+  measure_needs_rebuild(settings, std::min<std::size_t>(settings.count, 10'000));
+  measure_needs_rebuild(settings, settings.count);
   measure_liquid(settings);
   return EXIT_SUCCESS;
 }

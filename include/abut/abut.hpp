@@ -2,6 +2,7 @@
 
 #include <abut/algorithm.hpp>
 #include <abut/box_contacts.hpp>
+#include <abut/candidate_list.hpp>
 #include <abut/column.hpp>
 #include <abut/contact_history.hpp>
 #include <abut/contact_list.hpp>

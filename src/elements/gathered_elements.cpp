@@ -2,6 +2,7 @@
 
 #include "base/asking_workers.hpp"
 #include "base/shortest_text.hpp"
+#include "elements/number_reader.hpp"
 #include "grid/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
@@ -63,28 +63,13 @@ template <int Dim>
              .c_str());
 }
 
-/// Reads strided numbers of one type.
-template <Real T>
-class Reader {
- public:
-  explicit Reader(const ElementView::Numbers& numbers) : numbers_(numbers) {}
-  double operator[](std::size_t k) const {
-    T value;
-    std::memcpy(&value, numbers_.first + static_cast<std::ptrdiff_t>(k) * numbers_.stride_bytes,
-                sizeof value);
-    return static_cast<double>(value);
-  }
-
- private:
-  ElementView::Numbers numbers_;
-};
-
 template <int Dim, Real T>
 exact::Sphere<Dim> read_sphere(const ElementView& elements, std::size_t k) {
   exact::Sphere<Dim> sphere{};
-  for (int axis = 0; axis < Dim; ++axis) sphere.center[axis] = Reader<T>(elements.center(axis))[k];
-  sphere.radius =
-      elements.has_common_radius() ? elements.common_radius() : Reader<T>(elements.radii())[k];
+  for (int axis = 0; axis < Dim; ++axis)
+    sphere.center[axis] = NumberReader<T>(elements.center(axis))[k];
+  sphere.radius = elements.has_common_radius() ? elements.common_radius()
+                                               : NumberReader<T>(elements.radii())[k];
   return sphere;
 }
 
@@ -92,8 +77,8 @@ template <int Dim, Real T>
 exact::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
   exact::Box<Dim> box{};
   for (int axis = 0; axis < Dim; ++axis) {
-    box.lower[axis] = Reader<T>(elements.lower(axis))[k];
-    box.upper[axis] = Reader<T>(elements.upper(axis))[k];
+    box.lower[axis] = NumberReader<T>(elements.lower(axis))[k];
+    box.upper[axis] = NumberReader<T>(elements.upper(axis))[k];
   }
   return box;
 }

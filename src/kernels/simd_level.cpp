@@ -2,6 +2,7 @@
 
 #include "base/lack_of_memory.hpp"
 #include "kernels/candidate_kernels.hpp"
+#include "kernels/displacement_kernels.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/image_kernels.hpp"
 #include "kernels/measure_kernels.hpp"
@@ -191,6 +192,14 @@ MeasureKernels measure_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return {[](const MeasureJob&, int, std::uint32_t*, std::size_t&) { return std::size_t{0}; }};
+}
+
+DisplacementKernels displacement_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_displacement_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const DisplacementJob&, int, DisplacementBounds&) { return std::size_t{0}; }};
 }
 
 }  // namespace kernels

@@ -25,7 +25,7 @@ REFERENCE = {
     "Results": ["pair", "pair_list", "neighbor_list"],
     "From a contact to a force": ["measure", "quantity", "pair_geometry"],
     "Who may pair": ["pair_rule", "group_table", "exclusion_list"],
-    "Time steps": ["detector", "skin", "contact_history"],
+    "Time steps": ["detector", "skin", "candidate_list", "contact_history"],
     "Walls": ["mesh_contacts", "triangle_mesh", "box_contacts", "feature_kind", "contact_list"],
     "Algorithms and instruction sets": ["algorithm", "simd"],
     "A look inside": ["trace", "version"],

@@ -19,7 +19,7 @@ def test_arrays_are_views_and_read_only(cloud):
     for array in (c.pairs, c.i, c.j, c.shift, c.gap):
         with pytest.raises(ValueError, match="read-only"):
             array[:1] = 0
-    n = abut.neighbors(cloud[0], 0.1, distances=True, vectors=True, shifts=True)
+    n = abut.neighbors(cloud[0], 0.1, quantities=("distance", "vector"), shifts=True)
     for array in (n.offsets, n.neighbors, n.shifts, n.distances, n.vectors):
         with pytest.raises(ValueError, match="read-only"):
             array[:1] = 0

@@ -27,15 +27,16 @@ def test_half_and_full_lists(cloud, domain):
 def test_distances_and_vectors(cloud):
     x, _ = cloud
     cell = abut.Domain.periodic((1, 1, 1))
-    n = abut.neighbors(x, 0.1, domain=cell, distances=True, vectors=True)
+    n = abut.neighbors(x, 0.1, domain=cell, quantities=("distance", "vector"))
     there = x[n.neighbors] + n.shifts @ cell.vectors
     lengths = np.linalg.norm(there - x[n.elements], axis=1)
     assert np.allclose(n.distances, lengths)
     assert (n.distances <= 0.1).all()
-    assert np.allclose(np.abs(n.vectors), np.abs(there - x[n.elements]))
+    assert np.allclose(n.vectors, there - x[n.elements])
     bare = abut.neighbors(x, 0.1)
-    for name in ("distances", "vectors", "shifts"):
-        with pytest.raises(abut.UsageError, match=f"{name}=True"):
+    how = {"distances": "quantities='distance'", "normals": "'normal'", "shifts": "shifts=True"}
+    for name, text in how.items():
+        with pytest.raises(abut.UsageError, match=text):
             getattr(bare, name)
 
 

@@ -27,6 +27,7 @@ from ._errors import (
 )
 from ._files import Snapshot, read, write
 from ._history import ContactHistory
+from ._measure import PairGeometry, PairMeasurer, measure
 from ._neighbors import NeighborList, build_neighbor_list, neighbors
 from ._options import Options
 from ._rules import ExclusionList, GroupTable, PairRule
@@ -64,6 +65,8 @@ __all__ = [
     "NeighborList",
     "Options",
     "OutputError",
+    "PairGeometry",
+    "PairMeasurer",
     "PairRule",
     "SkinStatistics",
     "Snapshot",
@@ -83,6 +86,7 @@ __all__ = [
     "find_contact_pairs",
     "find_mesh_contacts",
     "fit_boxes",
+    "measure",
     "neighbors",
     "points",
     "read",

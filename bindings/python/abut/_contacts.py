@@ -13,6 +13,8 @@ from . import _abut
 from ._domain import OPEN, Domain
 from ._elements import Elements
 from ._errors import UsageError
+from ._measure import QUANTITIES, arrays_of_pairs, shaped
+from ._options import Options, call_options
 from ._statistics import Statistics
 
 if TYPE_CHECKING:
@@ -24,8 +26,9 @@ class Contacts:
     """The contact pairs of one detection, each once.
 
     Arrays are read-only views of the memory that the detection filled. They may be kept: they
-    outlive this object. `gap` is computed when it is first asked for, from the caller's positions;
-    ask before these change.
+    outlive this object. `gap`, `normal`, `point`, `distance` and `vector` are measured when they
+    are first asked for, from the caller's positions; ask before these change, or name them as
+    `quantities` of the detection.
 
     >>> import abut
     >>> c = abut.contacts([[0, 0, 0], [1, 0, 0], [1.75, 0, 0]], 0.5)
@@ -42,15 +45,15 @@ class Contacts:
         results: _abut.PairResults,
         elements: Elements,
         others: Elements | None,
-        domain: Domain | None,
-        *,
-        is_canonical: bool = True,
+        options: Options,
     ) -> None:
         self._results: _abut.PairResults | None = results
         self._elements = elements
         self._others = others
-        self._domain = OPEN if domain is None else domain
-        self._is_canonical = is_canonical
+        self._domain = options.get("domain") or OPEN
+        self._threads = options.get("threads")
+        self._is_canonical = options.get("order", "canonical") == "canonical"
+        self._measured: dict[str, npt.NDArray[np.float64]] = {}
 
     def __len__(self) -> int:
         return len(self.pairs) if self._results is None else len(self._results)
@@ -80,19 +83,85 @@ class Contacts:
             raise UsageError("image shifts were not stored; ask for them with shifts=True")
         return np.broadcast_to(np.int32(0), (len(self), 3))
 
-    @cached_property
+    @property
     def gap(self) -> npt.NDArray[np.float64]:
-        """Distance of the surfaces of each pair, in the unit of the positions; <= 0 exactly where
-        the elements touch."""
-        gaps = _abut.gaps(
-            self._elements._native,
-            None if self._others is None else self._others._native,
-            self._domain._native,
-            self.pairs,
-            np.ascontiguousarray(self.shift),
-        )
-        gaps.flags.writeable = False
-        return gaps
+        """Distance of the surfaces of each pair, (M,), in the unit of the positions; <= 0 exactly
+        where the elements touch."""
+        return self.measure("gap")[0]
+
+    @property
+    def normal(self) -> npt.NDArray[np.float64]:
+        """Unit vector from i to j, (M, dimensions); 0 where centers coincide."""
+        return self.measure("normal")[0]
+
+    @property
+    def point(self) -> npt.NDArray[np.float64]:
+        """Point of contact, (M, dimensions): the middle of the overlap, beside element i, which is
+        not moved by the image shift."""
+        return self.measure("point")[0]
+
+    @property
+    def distance(self) -> npt.NDArray[np.float64]:
+        """Distance of the centers, (M,)."""
+        return self.measure("distance")[0]
+
+    @property
+    def vector(self) -> npt.NDArray[np.float64]:
+        """Vector from the center of i to that of j, moved by its image shift, (M, dimensions)."""
+        return self.measure("vector")[0]
+
+    def measure(self, *quantities: str) -> tuple[npt.NDArray[np.float64], ...]:
+        """Measures quantities, those together that are not known yet: cheaper than one by one.
+
+        Parameters
+        ----------
+        *quantities : 'gap', 'normal', 'point', 'distance', 'vector'
+
+        >>> import abut
+        >>> gap, normal = abut.contacts([[0, 0], [0, 1]], 0.75).measure("gap", "normal")
+        >>> gap, normal
+        (array([-0.5]), array([[0., 1.]]))
+        """
+        known = self._measured
+        wanted = [name for name in quantities if name not in known]
+        if wanted and self._results is not None:
+            known.update(self._stored(wanted))
+            wanted = [name for name in quantities if name not in known]
+        if wanted:
+            options = call_options(quantities=wanted, threads=self._threads)
+            shift = np.ascontiguousarray(self.shift) if self._domain.is_periodic else None
+            known.update(
+                arrays_of_pairs(
+                    self._elements, self._others, self._domain, self.pairs, shift, options
+                )
+            )
+        return tuple(known[name] for name in quantities)
+
+    def _stored(self, names: list[str]) -> dict[str, npt.NDArray[np.float64]]:
+        """Those of the quantities that the detection has left with the pairs."""
+        arrays = {name: getattr(self._native(), f"{name}s", np.empty(0)) for name in names}
+        dimensions = self._elements.dimensions
+        return {
+            name: shaped(name, array, dimensions)
+            for name, array in arrays.items()
+            if 0 < len(self) == len(array)
+        }
+
+    def fabric(self) -> npt.NDArray[np.float64]:
+        """Fabric tensor (dimensions, dimensions): the mean of n n^T over all contacts with a
+        normal n (M. Satake, Fabric tensor in granular materials, 1982). Its trace is 1; NaN if
+        there is no such contact.
+
+        >>> import abut
+        >>> abut.contacts([[0, 0], [1, 0], [2, 0], [2, 1]], 0.5).fabric().round(3)
+        array([[0.667, 0.   ],
+               [0.   , 0.333]])
+        """
+        normals = self.normal
+        count = np.count_nonzero(normals.any(axis=1))
+        if count == 0:
+            return np.full((self._elements.dimensions,) * 2, np.nan)
+        return np.asarray(np.einsum("ki,kj->ij", normals, normals) / count)
 
     @cached_property
     def statistics(self) -> Statistics:
@@ -235,13 +304,17 @@ class Contacts:
         return self._results
 
     def __getstate__(self) -> dict[str, Any]:
+        if self._results is not None:
+            self._measured.update(self._stored([*QUANTITIES]))
         has_shifts = len(self._native().shifts) if self._results else "shift" in self.__dict__
         return {
             "_results": None,
             "_elements": self._elements,
             "_others": self._others,
             "_domain": self._domain,
+            "_threads": self._threads,
             "_is_canonical": self._is_canonical,
+            "_measured": self._measured,
             "pairs": self.pairs,
             "statistics": self.statistics,
             **({"shift": self.shift} if has_shifts or not self._domain.is_periodic else {}),

@@ -66,7 +66,7 @@ def contacts(
     progress : function
         Called with a phase, the elements treated in it and their number; False cancels.
     **others
-        `rule` and `simd`, as in `Options`.
+        `quantities`, `rule` and `simd`, as in `Options`.
 
     Returns
     -------
@@ -109,7 +109,9 @@ def contacts(
         **others,
     )
     results = _abut.find_contact_pairs(elements._native, None, native, options)
-    return Contacts(results, elements, None, domain, is_canonical=order == "canonical")
+    return Contacts(
+        results, elements, None, {"domain": domain, "order": order, "threads": threads}
+    )
 
 
 def prepared(
@@ -145,8 +147,7 @@ def find_contact_pairs(
     1
     """
     results = _abut.find_contact_pairs(*prepared(elements, others, options))
-    is_canonical = options.get("order", "canonical") == "canonical"
-    return Contacts(results, elements, others, options.get("domain"), is_canonical=is_canonical)
+    return Contacts(results, elements, others, options)
 
 
 def count_contact_pairs(

@@ -107,10 +107,7 @@ class Detector:
         """Finds the contact pairs of elements of any shape, or of two sets."""
         options = {**self._options, **options}
         results = self._detector.find_contact_pairs(*prepared(elements, others, options))
-        is_canonical = options.get("order", "canonical") == "canonical"
-        return Contacts(
-            results, elements, others, options.get("domain"), is_canonical=is_canonical
-        )
+        return Contacts(results, elements, others, options)
 
     def count_contact_pairs(
         self, elements: Elements, others: Elements | None = None, **options: Unpack[Options]
@@ -127,15 +124,13 @@ class Detector:
         others: Elements | None = None,
         *,
         kind: str = "half",
-        distances: bool = False,
-        vectors: bool = False,
         **options: Unpack[Options],
     ) -> NeighborList:
         """Builds the neighbor list of contact pairs; see the function of this name."""
         first, second, domain, native = prepared(elements, others, {**self._options, **options})
-        native.set_quantities(distances, vectors)
         return NeighborList(
-            self._detector.build_neighbor_list(first, second, domain, is_full(kind), native)
+            self._detector.build_neighbor_list(first, second, domain, is_full(kind), native),
+            elements.dimensions,
         )
 
     def __repr__(self) -> str:

@@ -13,6 +13,7 @@ from ._arrays import number
 from ._detect import prepared
 from ._elements import Elements, as_points
 from ._errors import UsageError
+from ._measure import shaped
 from ._options import Options
 from ._statistics import Statistics
 
@@ -30,8 +31,9 @@ class NeighborList:
     array([0, 2], dtype=uint32)
     """
 
-    def __init__(self, results: _abut.NeighborResults) -> None:
+    def __init__(self, results: _abut.NeighborResults, dimensions: int) -> None:
         self._results = results
+        self._dimensions = dimensions
 
     def __len__(self) -> int:
         return len(self._results)
@@ -67,15 +69,35 @@ class NeighborList:
         return self._stored(self._results.shifts, "image shifts", "shifts=True")
 
     @cached_property
+    def gaps(self) -> npt.NDArray[np.float64]:
+        """Distance of the surfaces for each neighbor, (M,)."""
+        return self._quantity("gap", self._results.gaps)
+
+    @cached_property
+    def normals(self) -> npt.NDArray[np.float64]:
+        """Unit vector from the element to each neighbor, (M, dimensions)."""
+        return self._quantity("normal", self._results.normals)
+
+    @cached_property
+    def points(self) -> npt.NDArray[np.float64]:
+        """Point of contact with each neighbor, (M, dimensions)."""
+        return self._quantity("point", self._results.points)
+
+    @cached_property
     def distances(self) -> npt.NDArray[np.float64]:
-        """Distance of the centers for each neighbor: the nearest double, never above a cutoff."""
-        return self._stored(self._results.distances, "distances", "distances=True")
+        """Distance of the centers for each neighbor, (M,): the nearest double, never above a
+        cutoff."""
+        return self._quantity("distance", self._results.distances)
 
     @cached_property
     def vectors(self) -> npt.NDArray[np.float64]:
-        """Vector for each neighbor, (M, 3), each component rounded once; the third is 0 in 2D.
-        Its direction is that of `NeighborList::vectors` in C++."""
-        return self._stored(self._results.vectors, "vectors", "vectors=True")
+        """Vector from the element to each neighbor, (M, dimensions), each component rounded
+        once."""
+        return self._quantity("vector", self._results.vectors)
+
+    def _quantity(self, name: str, array: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        stored = self._stored(array, f"{name}s", f"quantities={name!r}")
+        return shaped(name, stored, self._dimensions)
 
     def _stored(self, array: npt.NDArray[Any], what: str, how: str) -> npt.NDArray[Any]:
         if len(array) != len(self.neighbors):
@@ -103,8 +125,6 @@ def build_neighbor_list(
     others: Elements | None = None,
     *,
     kind: str = "half",
-    distances: bool = False,
-    vectors: bool = False,
     **options: Unpack[Options],
 ) -> NeighborList:
     """Builds the neighbor list of contact pairs, without a list of pairs in between.
@@ -115,18 +135,18 @@ def build_neighbor_list(
         With two sets there is one row for each of `elements`, with indices of `others`.
     kind : 'half' or 'full'
         Half: each pair (i, j) once, j is a neighbor of i. Full: i is a neighbor of j, too.
-    distances, vectors : bool
-        Whether distances and vectors of the centers are stored.
     **options
-        Those of `contacts`.
+        Those of `contacts`; `quantities` names what the list holds of each neighbor.
 
     >>> import abut
     >>> abut.build_neighbor_list(abut.discs([[0, 0], [1, 0]], 0.5)).neighbors
     array([1], dtype=uint32)
     """
     first, second, domain, native = prepared(elements, others, options)
-    native.set_quantities(distances, vectors)
-    return NeighborList(_abut.build_neighbor_list(first, second, domain, is_full(kind), native))
+    return NeighborList(
+        _abut.build_neighbor_list(first, second, domain, is_full(kind), native),
+        elements.dimensions,
+    )
 
 
 def neighbors(
@@ -134,8 +154,6 @@ def neighbors(
     cutoff: float,
     *,
     kind: str = "half",
-    distances: bool = False,
-    vectors: bool = False,
     **options: Unpack[Options],
 ) -> NeighborList:
     """Lists the neighbors of points within `cutoff` of each other, the cutoff included.
@@ -146,16 +164,18 @@ def neighbors(
         Positions.
     cutoff : float
         Largest distance, in the unit of the positions.
-    kind, distances, vectors, **options
+    kind, **options
         Those of `build_neighbor_list`; the margin is the cutoff.
 
     >>> import abut
     >>> n = abut.neighbors([[0, 0, 0], [3, 0, 0]], 2.0, domain=abut.Domain.periodic((4, 4, 4)),
-    ...                    distances=True)
+    ...                    quantities="distance")
     >>> n.neighbors, n.shifts, n.distances
     (array([1], dtype=uint32), array([[-1,  0,  0]], dtype=int32), array([1.]))
     """
-    first, _, domain, native = prepared(as_points(x), None, options)
-    native.set_quantities(distances, vectors)
+    elements = as_points(x)
+    first, _, domain, native = prepared(elements, None, options)
     reach = number(cutoff, "the cutoff")
-    return NeighborList(_abut.neighbors(first, reach, domain, is_full(kind), native))
+    return NeighborList(
+        _abut.neighbors(first, reach, domain, is_full(kind), native), elements.dimensions
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, TypedDict
 
 import numpy.typing as npt
@@ -15,6 +15,8 @@ from ._rules import ExclusionList, PairRule, rule_of
 
 #: Called with the phase, the elements treated in it and their number; False cancels.
 ProgressFunction = Callable[[str, int, int], "bool | None"]
+#: One or more of 'gap', 'normal', 'point', 'distance', 'vector'.
+QuantityNames = str | Iterable[str]
 
 
 class Options(TypedDict, total=False):
@@ -28,6 +30,7 @@ class Options(TypedDict, total=False):
     algorithm: str  #: 'auto' or a name of `algorithms`.
     order: str  #: 'canonical' or 'as_found'.
     shifts: bool | None  #: Whether image shifts are stored; None: in periodic domains.
+    quantities: QuantityNames  #: What lists hold of each contact, such as 'gap'.
     max_pairs: int | None  #: One pair more raises LimitError.
     max_bytes: int | None  #: Bound on the bytes of abut's own buffers.
     threads: int | None  #: None for OpenMP's default.
@@ -36,7 +39,7 @@ class Options(TypedDict, total=False):
 
 
 def call_options(
-    sizes: tuple[int, int | None],
+    sizes: tuple[int, int | None] = (0, None),
     domain: Domain | None = None,
     margin: float = 0.0,
     groups: Any = None,
@@ -45,6 +48,7 @@ def call_options(
     algorithm: str = "auto",
     order: str = "canonical",
     shifts: bool | None = None,
+    quantities: QuantityNames = (),
     max_pairs: int | None = None,
     max_bytes: int | None = None,
     threads: int | None = None,
@@ -64,6 +68,7 @@ def call_options(
         algorithm,
         order,
         bool(shifts),
+        _quantities(quantities),
         rule_of(rule, groups, exclude, sizes),
         count(max_pairs, "max_pairs"),
         count(max_bytes, "max_bytes"),
@@ -71,6 +76,13 @@ def call_options(
         simd,
         progress,
     )
+
+
+def _quantities(given: QuantityNames) -> tuple[str, ...]:
+    names = (given,) if isinstance(given, str) else given
+    if names and not all(isinstance(name, str) for name in names):
+        raise InputTypeError(f"quantities are names, not {given!r}")
+    return tuple(names)
 
 
 def _threads(given: int | None) -> int | None:

@@ -3,6 +3,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -31,14 +32,28 @@ template <class T, class Record>
   return ReadOnlyArray<T>(static_cast<const void*>(records.data()), {records.size(), width}, owner);
 }
 
+/// Makes a vector one that Python owns.
+template <class Vector>
+[[nodiscard]] std::pair<Vector&, nb::capsule> owned_by_python(Vector numbers) {
+  auto kept = std::make_unique<Vector>(std::move(numbers));
+  nb::capsule owner(kept.get(), [](void* vector) noexcept { delete static_cast<Vector*>(vector); });
+  return {*kept.release(), std::move(owner)};
+}
+
 /// Gives a vector to NumPy, which may write to it.
-template <class T>
-[[nodiscard]] nb::ndarray<nb::numpy, T> given_away(std::vector<T> numbers) {
-  auto kept = std::make_unique<std::vector<T>>(std::move(numbers));
-  const nb::capsule owner(
-      kept.get(), [](void* vector) noexcept { delete static_cast<std::vector<T>*>(vector); });
-  std::vector<T>& vector = *kept.release();
+template <class T, class Allocator>
+[[nodiscard]] nb::ndarray<nb::numpy, T> given_away(std::vector<T, Allocator> numbers) {
+  const auto [vector, owner] = owned_by_python(std::move(numbers));
   return nb::ndarray<nb::numpy, T>(vector.data(), {vector.size()}, owner);
+}
+
+/// Gives points or vectors to NumPy, as rows of a table.
+template <class T, std::size_t Width, class Allocator>
+[[nodiscard]] nb::ndarray<nb::numpy, T> table_given_away(
+    std::vector<std::array<T, Width>, Allocator> records) {
+  const auto [vector, owner] = owned_by_python(std::move(records));
+  return nb::ndarray<nb::numpy, T>(static_cast<void*>(vector.data()), {vector.size(), Width},
+                                   owner);
 }
 
 }  // namespace abut::python

@@ -15,7 +15,7 @@ void bind_elements(nb::module_& module);
 void bind_rules(nb::module_& module);
 void bind_options(nb::module_& module);
 void bind_pairs(nb::module_& module);
-void bind_gaps(nb::module_& module);
+void bind_measure(nb::module_& module);
 void bind_pair_graph(nb::module_& module);
 void bind_neighbors(nb::module_& module);
 void bind_detector(nb::module_& module);

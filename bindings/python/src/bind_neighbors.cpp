@@ -3,6 +3,7 @@
 #include "array_out.hpp"
 #include "call_options.hpp"
 #include "elements.hpp"
+#include "geometry_out.hpp"
 #include "held_results.hpp"
 #include "statistics_out.hpp"
 
@@ -52,21 +53,18 @@ using Self = nb::pointer_and_handle<NeighborResults>;
 }  // namespace
 
 void bind_neighbors(nb::module_& module) {
-  nb::class_<NeighborResults>(module, "NeighborResults")
-      .def("__len__", [](const NeighborResults& results) { return results.list().size(); })
+  nb::class_<NeighborResults> type(module, "NeighborResults");
+  type.def("__len__", [](const NeighborResults& results) { return results.list().size(); })
       .def_prop_ro("offsets", [](Self self) { return array_of(self.p->list().offsets(), self.h); })
       .def_prop_ro("neighbors",
                    [](Self self) { return array_of(self.p->list().neighbors(), self.h); })
       .def_prop_ro(
           "shifts",
           [](Self self) { return table_of<std::int32_t>(self.p->list().shifts(), self.h); })
-      .def_prop_ro("distances",
-                   [](Self self) { return array_of(self.p->list().distances(), self.h); })
-      .def_prop_ro("vectors",
-                   [](Self self) { return table_of<double>(self.p->list().vectors(), self.h); })
       .def_prop_ro("statistics", [](const NeighborResults& results) {
         return fields_of(results.list().statistics());
       });
+  bind_stored_geometry(type);
   module.def("build_neighbor_list", &built, nb::arg("elements"), nb::arg("others").none(),
              nb::arg("domain"), nb::arg("full"), nb::arg("options"));
   module.def("neighbors", &within, nb::arg("points"), nb::arg("cutoff"), nb::arg("domain"),

@@ -38,21 +38,35 @@ Order order_named(std::string_view name) {
                    {{"canonical", Order::canonical}, {"as_found", Order::as_found}}});
 }
 
-Quantities quantities(bool distances, bool vectors) {
-  return (distances ? Quantity::distance : Quantities()) |
-         (vectors ? Quantity::vector : Quantities());
+Quantity quantity_named(std::string_view name) {
+  return named(
+      "quantity", name,
+      std::array<std::pair<std::string_view, Quantity>, 5>{{{"gap", Quantity::gap},
+                                                            {"normal", Quantity::normal},
+                                                            {"point", Quantity::point},
+                                                            {"distance", Quantity::distance},
+                                                            {"vector", Quantity::vector}}});
+}
+
+Quantities quantities_named(const nb::tuple& names) {
+  Quantities result;
+  for (const nb::handle name : names) {
+    result = result | quantity_named(nb::cast<std::string_view>(name));
+  }
+  return result;
 }
 
 void init(CallOptions* place, double margin, std::string_view algorithm, std::string_view order,
-          bool shifts, nb::object rule, std::optional<std::uint64_t> max_pairs,
-          std::optional<std::uint64_t> max_bytes, std::optional<int> threads, std::string_view simd,
-          nb::object progress) {
+          bool shifts, const nb::tuple& quantities, nb::object rule,
+          std::optional<std::uint64_t> max_pairs, std::optional<std::uint64_t> max_bytes,
+          std::optional<int> threads, std::string_view simd, nb::object progress) {
   Options options;
   options.margin = margin;
   options.algorithm = algorithm_named(algorithm);
   options.order = order_named(order);
   options.simd = simd_named(simd);
   options.shifts = shifts ? Shifts::stored : Shifts::none;
+  options.quantities = quantities_named(quantities);
   if (!rule.is_none()) options.rule = nb::cast<const HeldRule&>(rule).rule;
   if (max_pairs) options.max_pairs = *max_pairs;
   if (max_bytes) options.max_bytes = *max_bytes;
@@ -71,15 +85,9 @@ Options CallOptions::of_call() const {
 void bind_options(nb::module_& module) {
   nb::class_<CallOptions>(module, "CallOptions")
       .def("__init__", &init, nb::arg("margin"), nb::arg("algorithm"), nb::arg("order"),
-           nb::arg("shifts"), nb::arg("rule").none(), nb::arg("max_pairs").none(),
-           nb::arg("max_bytes").none(), nb::arg("threads").none(), nb::arg("simd"),
-           nb::arg("progress").none())
-      .def(
-          "set_quantities",
-          [](CallOptions& options, bool distances, bool vectors) {
-            options.options.quantities = quantities(distances, vectors);
-          },
-          nb::arg("distances"), nb::arg("vectors"));
+           nb::arg("shifts"), nb::arg("quantities"), nb::arg("rule").none(),
+           nb::arg("max_pairs").none(), nb::arg("max_bytes").none(), nb::arg("threads").none(),
+           nb::arg("simd"), nb::arg("progress").none());
 }
 
 }  // namespace abut::python

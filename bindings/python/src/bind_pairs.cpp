@@ -3,6 +3,7 @@
 #include "array_out.hpp"
 #include "call_options.hpp"
 #include "elements.hpp"
+#include "geometry_out.hpp"
 #include "held_results.hpp"
 #include "pair_arrays.hpp"
 #include "statistics_out.hpp"
@@ -75,8 +76,8 @@ nb::dict fields_of(const Statistics& statistics) {
 }
 
 void bind_pairs(nb::module_& module) {
-  nb::class_<PairResults>(module, "PairResults")
-      .def("__len__", [](const PairResults& results) { return results.list().size(); })
+  nb::class_<PairResults> type(module, "PairResults");
+  type.def("__len__", [](const PairResults& results) { return results.list().size(); })
       .def_prop_ro("pairs",
                    [](nb::pointer_and_handle<PairResults> self) {
                      return table_of<std::uint32_t>(self.p->list().pairs(), self.h);
@@ -88,6 +89,7 @@ void bind_pairs(nb::module_& module) {
       .def_prop_ro("statistics", [](const PairResults& results) {
         return fields_of(results.list().statistics());
       });
+  bind_stored_geometry(type);
   module.def("find_contact_pairs", &find, nb::arg("elements"), nb::arg("others").none(),
              nb::arg("domain"), nb::arg("options"));
   module.def("count_contact_pairs", &count, nb::arg("elements"), nb::arg("others").none(),

@@ -12,7 +12,7 @@ NB_MODULE(_abut, module) {
   bind_rules(module);
   bind_options(module);
   bind_pairs(module);
-  bind_gaps(module);
+  bind_measure(module);
   bind_pair_graph(module);
   bind_neighbors(module);
   bind_detector(module);

@@ -14,6 +14,9 @@ from .._elements import points, spheres
 from .._errors import InputError
 from .._neighbors import NeighborList, build_neighbor_list, neighbors
 
+#: Quantities by the letters that other packages have for them.
+QUANTITIES = {"d": "distance", "D": "vector"}
+
 
 @dataclass(frozen=True)
 class Neighbors:
@@ -66,8 +69,7 @@ def _within(x: Any, cutoff: Any, domain: Domain, quantities: str, itself: bool) 
         "kind": "full",
         "domain": domain,
         "shifts": True,
-        "distances": "d" in quantities,
-        "vectors": "D" in quantities,
+        "quantities": [name for letter, name in QUANTITIES.items() if letter in quantities],
     }
     reach = np.asarray(cutoff, dtype=np.float64)
     if reach.ndim == 0:

@@ -90,7 +90,7 @@ def sparse_distance_matrix(
     _require(output_type, ("dok_matrix", "coo_matrix", "dict", "ndarray"))
     first, second = points(data), points(other)
     margin = number(max_distance, "max_distance")
-    built = build_neighbor_list(first, second, margin=margin, distances=True)
+    built = build_neighbor_list(first, second, margin=margin, quantities="distance")
     shape = (len(first), len(second))
     return _DISTANCES[output_type](built, shape)
 

@@ -12,7 +12,7 @@ from .._arrays import numbers
 from .._detector import Detector
 from .._elements import points as points_at
 from .._errors import InputError, UsageError
-from ._atoms import domain_of
+from ._atoms import QUANTITIES, domain_of
 
 
 class NeighborList:
@@ -90,8 +90,7 @@ class NeighborList:
             margin=self.cutoff,
             domain=domain_of(box, periodic),
             shifts="S" in quantities,
-            distances="d" in quantities,
-            vectors="D" in quantities,
+            quantities=[name for letter, name in QUANTITIES.items() if letter in quantities],
         )
         make: dict[str, Callable[[], npt.NDArray[Any]]] = {
             "i": lambda: built.elements.astype(np.uint64),

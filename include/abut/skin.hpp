@@ -17,7 +17,7 @@ class ABUT_API Skin {
   enum class Kind : std::uint8_t {
     none,       ///< no skin
     fixed,      ///< the caller's length
-    automatic,  ///< by measured cost
+    automatic,  ///< by counted work
   };
 
   /// Makes no skin: each call detects anew.
@@ -27,8 +27,8 @@ class ABUT_API Skin {
   /// it is finite and not negative.
   [[nodiscard]] static Skin fixed(double length);
 
-  /// Makes a skin of the length that costs least, by the seconds measured and the motion seen so
-  /// far.
+  /// Makes a skin of the length that costs least, by the candidates counted and the motion seen so
+  /// far. No time is measured: the same calls have the same lengths.
   [[nodiscard]] static constexpr Skin automatic() noexcept { return {Kind::automatic, 0.0}; }
 
   /// Way in which the length is chosen.

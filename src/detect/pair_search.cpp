@@ -41,10 +41,8 @@ void PairSearch::search(const DetectionRequest& request, const SearchTask& task,
   if (skin_.applies_to(request)) {
     const SkinCall<Dim> call{own.elements, own.search, own.two_set_search,
                              task,         context,    statistics};
-    const SkinDetection::Prepared candidates = skin_.prepare(call);
-    if (candidates.source != SkinDetection::Source::none) {
-      return skin_.deliver(call, candidates, sink);
-    }
+    const SkinDetection::Source source = skin_.prepare(call);
+    if (source != SkinDetection::Source::none) return skin_.deliver(call, source, sink);
   }
   own.search.search(own.elements, task, sink, context, statistics);
 }

@@ -91,7 +91,10 @@ bool SkinDetection::find_candidates(const SkinCall<Dim>& call, const skin::Named
                            settings_with_margin(call.task.settings, margin)};
     call.search.search(call.elements, wider, sink, call.context, call.statistics);
   };
-  return arrays_.in<Dim>().candidates.find_candidates(elements_now(call), named, choice_,
+  const skin::SkinCounts counts{call.elements.spheres.size(), statistics_.candidates,
+                                statistics_.survivors};
+  const auto next_skin = [&](double reach) { return choice_.next_length(reach, Dim, counts); };
+  return arrays_.in<Dim>().candidates.find_candidates(elements_now(call), named, next_skin,
                                                       search_wider);
 }
 
@@ -141,36 +144,33 @@ void SkinDetection::note(Source source, const Statistics& statistics) {
 }
 
 template <int Dim>
-SkinDetection::Prepared SkinDetection::prepare(const SkinCall<Dim>& call) {
-  Prepared prepared{};
-  prepared.source = find_source(call);
+SkinDetection::Source SkinDetection::prepare(const SkinCall<Dim>& call) {
+  const Source source = find_source(call);
   Statistics& statistics = call.statistics;
-  if (prepared.source == Source::earlier_call || prepared.source == Source::carried_over) {
+  if (source == Source::earlier_call || source == Source::carried_over) {
     statistics.algorithm = candidates_from_;
     statistics.reason = "candidate pairs kept from an earlier call";
     call.context.progress.begin("search", call.elements.spheres.size());
   }
-  note(prepared.source, statistics);
-  return prepared;
+  note(source, statistics);
+  return source;
 }
 
 template <int Dim>
-void SkinDetection::deliver(const SkinCall<Dim>& call, Prepared prepared, base::PairSink& sink) {
+void SkinDetection::deliver(const SkinCall<Dim>& call, Source source, base::PairSink& sink) {
   skin::SkinSearch<Dim>& candidates = arrays_.in<Dim>().candidates;
   call.statistics.threads = static_cast<int>(call.task.settings.workers);
   statistics_.candidates = candidates.candidates();
   statistics_.skin = candidates.skin();
-  const bool found_now = prepared.source == Source::this_call;
+  const bool found_now = source == Source::this_call;
   statistics_.approach = found_now ? 0.0 : candidates.approach();
   candidates.deliver_contacts(elements_now(call), sink, call.context);
-  if (found_now) return choice_.detected(prepared.stopwatch.lap(), candidates.approach());
-  if (prepared.source == Source::carried_over) return choice_.carried();
-  choice_.reused(prepared.stopwatch.lap());
+  found_now ? choice_.detected(candidates.approach()) : choice_.reused();
 }
 
-template SkinDetection::Prepared SkinDetection::prepare<2>(const SkinCall<2>&);
-template SkinDetection::Prepared SkinDetection::prepare<3>(const SkinCall<3>&);
-template void SkinDetection::deliver<2>(const SkinCall<2>&, Prepared, base::PairSink&);
-template void SkinDetection::deliver<3>(const SkinCall<3>&, Prepared, base::PairSink&);
+template SkinDetection::Source SkinDetection::prepare<2>(const SkinCall<2>&);
+template SkinDetection::Source SkinDetection::prepare<3>(const SkinCall<3>&);
+template void SkinDetection::deliver<2>(const SkinCall<2>&, Source, base::PairSink&);
+template void SkinDetection::deliver<3>(const SkinCall<3>&, Source, base::PairSink&);
 
 }  // namespace abut::detect

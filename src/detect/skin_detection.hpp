@@ -4,7 +4,6 @@
 #include "base/detection_context.hpp"
 #include "base/memory_meter.hpp"
 #include "base/pair_sink.hpp"
-#include "base/stopwatch.hpp"
 #include "detect/detection_request.hpp"
 #include "detect/element_search.hpp"
 #include "detect/two_set_search.hpp"
@@ -68,18 +67,13 @@ class SkinDetection {
     earlier_call,  ///< kept as they are
   };
 
-  struct Prepared {
-    Source source;
-    base::Stopwatch stopwatch;  ///< runs since the call began to look for them
-  };
-
   /// Sees to it that there are candidates for this call, if that can be.
   template <int Dim>
-  [[nodiscard]] Prepared prepare(const SkinCall<Dim>& call);
+  [[nodiscard]] Source prepare(const SkinCall<Dim>& call);
 
   /// Delivers the contacts among the candidates that were prepared, in canonical order.
   template <int Dim>
-  void deliver(const SkinCall<Dim>& call, Prepared prepared, base::PairSink& sink);
+  void deliver(const SkinCall<Dim>& call, Source source, base::PairSink& sink);
 
  private:
   template <int Dim>

@@ -6,14 +6,22 @@
 
 namespace abut::skin {
 
-/// Chooses the length of the skin before each detection. For an automatic one: where a detection
-/// takes a seconds, a reuse c, elements approach each other by v in a call and candidates grow like
-/// (reach + skin)^d, a call with a skin s costs about
+/// What the last call with a skin found.
+struct SkinCounts {
+  std::uint64_t elements = 0;
+  std::uint64_t candidates = 0;
+  std::uint64_t survivors = 0;  ///< candidates that were contacts
+};
+
+/// Chooses the length of the skin before each detection. For an automatic one: where elements
+/// approach each other by v in a call, candidates found with a skin s serve s / v calls after that
+/// which found them. It takes the length for which
 ///
-///   a v / s + c (1 + d (s - s0) / (reach + s0)),
+///   (detection(s) + s / v reuse(s)) / (1 + s / v)
 ///
-/// near the skin s0 with which a and c were measured: least at s^2 = v a (reach + s0) / (d c). What
-/// is measured is smoothed over some detections.
+/// is least. The costs are counted, not measured: elements, candidates and survivors, each times
+/// what it takes on average (docs/adr/0021). So the choice is the same whatever else the machine
+/// does, and however many threads work.
 class SkinChoice {
  public:
   void set(Skin skin) noexcept {
@@ -23,35 +31,22 @@ class SkinChoice {
 
   [[nodiscard]] Skin skin() const noexcept { return skin_; }
 
-  /// Returns the skin for the next detection. `reach` is that of two elements of mean size.
-  [[nodiscard]] double next_length(double reach, int dimensions) noexcept;
+  /// Returns the skin for the next detection. `reach` is that of two elements of mean size;
+  /// `counts` are those of the last call.
+  [[nodiscard]] double next_length(double reach, int dimensions, const SkinCounts& counts) noexcept;
 
-  /// A detection ended; `approach` is what was seen just before it since the one before, infinite
-  /// where that is not known.
-  void detected(double seconds, double approach) noexcept;
+  /// Notes that a detection ended; `approach` is what was seen just before it since the one before,
+  /// infinite where that is not known.
+  void detected(double approach) noexcept;
 
-  void reused(double seconds) noexcept;
-
-  /// Candidates were carried over to other elements, which is not what a reuse costs.
-  void carried() noexcept { ++reuses_; }
+  /// Notes a call that tested candidates of an earlier one.
+  void reused() noexcept { ++reuses_; }
 
  private:
-  /// Follows a quantity that changes slowly.
-  struct Smoothed {
-    double value = 0.0;
-    bool known = false;
-
-    void include(double measured) noexcept {
-      value = known ? 0.7 * value + 0.3 * measured : measured;
-      known = true;
-    }
-  };
-
   Skin skin_ = Skin::none();
   double length_ = 0.0;
-  Smoothed detection_seconds_;
-  Smoothed reuse_seconds_;
-  Smoothed approach_;         ///< in a call
+  double approach_ = 0.0;  ///< in a call, smoothed over some detections
+  bool approach_is_known_ = false;
   std::uint64_t reuses_ = 0;  ///< since the last detection
 };
 

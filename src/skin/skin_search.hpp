@@ -7,7 +7,6 @@
 #include "skin/candidate_pairs.hpp"
 #include "skin/displacement_tracker.hpp"
 #include "skin/elements_now.hpp"
-#include "skin/skin_choice.hpp"
 
 #include <abut/error.hpp>
 #include <abut/pair.hpp>
@@ -61,12 +60,13 @@ class SkinSearch {
   /// The length by which two elements may have come closer, as covers() found; infinite if unknown.
   [[nodiscard]] double approach() const noexcept { return approach_; }
 
-  /// Keeps what `search(margin, sink)` finds with the skin of `choice`. False if that cannot be
+  /// Keeps what `search(margin, sink)` finds with the skin `next_skin(reach)`, where the reach is
+  /// that of two elements of mean size. False if that cannot be
   /// kept, because the memory bound or the range of image shifts leave no room for more than was
   /// asked for; it is not tried again for some calls then.
-  template <class Search>
+  template <class NextSkin, class Search>
   [[nodiscard]] bool find_candidates(const ElementsNow<Dim>& now, const NamedElements& named,
-                                     SkinChoice& choice, Search&& search);
+                                     NextSkin&& next_skin, Search&& search);
 
   /// Delivers the contacts; needs covers(), carry_over() or find_candidates() for the same elements
   /// before.
@@ -137,9 +137,9 @@ bool SkinSearch<Dim>::if_there_is_room(Body&& body) {
 }
 
 template <int Dim>
-template <class Search>
+template <class NextSkin, class Search>
 bool SkinSearch<Dim>::find_candidates(const ElementsNow<Dim>& now, const NamedElements& named,
-                                      SkinChoice& choice, Search&& search) {
+                                      NextSkin&& next_skin, Search&& search) {
   valid_ = false;
   if (pause_ > 0) {
     --pause_;
@@ -147,7 +147,7 @@ bool SkinSearch<Dim>::find_candidates(const ElementsNow<Dim>& now, const NamedEl
   }
   return if_there_is_room([&] {
     if (!tracker_->start(now)) return false;
-    skin_ = choice.next_length(2.0 * tracker_->mean_radius() + now.margin, Dim);
+    skin_ = next_skin(2.0 * tracker_->mean_radius() + now.margin);
     margin_ = now.margin + skin_;
     if (!(margin_ < std::numeric_limits<double>::infinity())) return false;
     search(margin_, candidates_->start_anew(now.domain.is_periodic()));

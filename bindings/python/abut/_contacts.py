@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _abut
+from . import _abut, _exports, _plot
 from ._domain import OPEN, Domain
 from ._elements import Elements
 from ._errors import UsageError
@@ -18,8 +18,11 @@ from ._options import Options, call_options
 from ._statistics import Statistics
 
 if TYPE_CHECKING:
+    import matplotlib.axes
+    import networkx
     import pandas
     import scipy.sparse
+    import xarray
 
 
 class Contacts:
@@ -270,6 +273,53 @@ class Contacts:
         if self._domain.is_periodic:
             columns |= {name: self.shift[:, k] for k, name in enumerate(("nx", "ny", "nz"))}
         return pandas.DataFrame(columns | {"gap": self.gap})
+
+    def to_networkx(self) -> networkx.Graph:
+        """Graph with a node for each element, which has its position as `pos`, and an edge with
+        `gap` for each contact; in a periodic domain a MultiGraph, whose edges have `shift`, too.
+
+        >>> import abut
+        >>> abut.contacts([[0, 0], [1, 0], [2, 0]], 0.5).to_networkx().degree[1]
+        2
+        """
+        return _exports.to_networkx(self)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Data set with i, j, gap, normal, point, in a periodic domain shift, along `contact`.
+
+        >>> import abut
+        >>> dict(abut.contacts([[0, 0], [1, 0]], 0.5).to_xarray().sizes)
+        {'contact': 1, 'axis': 2}
+        """
+        return _exports.to_xarray(self)
+
+    def to_freud(self) -> Any:
+        """`freud.locality.NeighborList` with each contact in both directions, in float32 as freud
+        has it; of two sets from the first, the query points, to the second."""
+        return _exports.to_freud(self)
+
+    def to_ovito(self) -> Any:
+        """`ovito.data.DataCollection` with the elements as particles, the cell, and the contacts as
+        bonds with a property Gap."""
+        return _exports.to_ovito(self)
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """Draws the elements and a line for each contact, from center to center, colored by the
+        depth of the overlap; in three dimensions the centers only.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes
+            Axes to draw on, in three dimensions with projection='3d'; new ones by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        return _plot.plot(self, ax)
+
+    def _repr_html_(self) -> str:
+        return _exports.as_html(self)
 
     def write(self, path: str | os.PathLike[str], format: str = "") -> None:
         """Writes the pairs with their gaps to a file, which appears whole or not at all.

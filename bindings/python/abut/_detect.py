@@ -10,7 +10,8 @@ from . import _abut
 from ._contacts import Contacts
 from ._domain import Domain, native_domain
 from ._elements import Elements, require_elements, round_elements
-from ._options import Options, ProgressFunction, call_options
+from ._options import Options, call_options
+from ._progress import Progress
 from ._rules import ExclusionList
 from ._statistics import Statistics
 
@@ -29,7 +30,7 @@ def contacts(
     max_pairs: int | None = None,
     max_bytes: int | None = None,
     threads: int | None = None,
-    progress: ProgressFunction | None = None,
+    progress: Progress | None = None,
     **others: Any,
 ) -> Contacts:
     """Finds which spheres (in 2D: discs) touch: all pairs with |x_i - x_j| <= r_i + r_j + margin.
@@ -63,8 +64,9 @@ def contacts(
         Limits on the number of pairs and on abut's own memory.
     threads : int
         Number of threads; OpenMP's default if it is left out. Any number gives the same bytes.
-    progress : function
-        Called with a phase, the elements treated in it and their number; False cancels.
+    progress : function, or class of bars
+        Called with a phase, the elements treated in it and their number; False cancels. A class
+        such as tqdm, or a `functools.partial` of it, draws a bar for each phase.
     **others
         `quantities`, `rule` and `simd`, as in `Options`.
 

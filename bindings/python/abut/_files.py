@@ -13,7 +13,7 @@ from . import _abut
 from ._arrays import number
 from ._domain import Domain
 from ._elements import Elements, boxes, discs, rectangles, require_elements, spheres
-from ._options import ProgressFunction
+from ._progress import Progress, progress_function
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ def read(
     radius: float | None = None,
     frame: int | None = None,
     groups: str = "",
-    progress: ProgressFunction | None = None,
+    progress: Progress | None = None,
 ) -> Snapshot:
     """Reads one frame of a file: CSV, LAMMPS dump or data, XYZ or extended XYZ.
 
@@ -51,7 +51,7 @@ def read(
         Frame, from 0, negative from the end; the last by default.
     groups : str
         Column whose whole numbers are read.
-    progress : function
+    progress : function, or class of bars such as tqdm
         Called with 'read', the bytes read and their number; False cancels.
 
     Raises
@@ -69,7 +69,7 @@ def read(
         None if radius is None else number(radius, "the radius"),
         None if frame is None else int(frame),
         groups,
-        progress,
+        progress_function(progress),
     )
     return Snapshot(
         _elements_of(fields),

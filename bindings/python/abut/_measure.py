@@ -13,7 +13,8 @@ from ._arrays import whole_numbers
 from ._domain import Domain, native_domain
 from ._elements import Elements, require_elements
 from ._errors import InputError
-from ._options import ProgressFunction, QuantityNames, call_options
+from ._options import QuantityNames, call_options
+from ._progress import Progress
 
 QUANTITIES = ("gap", "normal", "point", "distance", "vector")
 #: Quantities that are points or vectors, with a number for each coordinate.
@@ -116,7 +117,7 @@ class PairMeasurer:
         threads: int | None = None,
         max_bytes: int | None = None,
         simd: str = "auto",
-        progress: ProgressFunction | None = None,
+        progress: Progress | None = None,
     ) -> None:
         first = require_elements(elements)
         self._dimensions = first.dimensions
@@ -147,7 +148,7 @@ def measure(
     threads: int | None = None,
     max_bytes: int | None = None,
     simd: str = "auto",
-    progress: ProgressFunction | None = None,
+    progress: Progress | None = None,
 ) -> PairGeometry:
     """Measures quantities of any pairs, whether they touch or not.
 

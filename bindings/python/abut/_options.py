@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import Any, TypedDict
 
 import numpy.typing as npt
@@ -11,10 +11,9 @@ from . import _abut
 from ._arrays import count, number
 from ._domain import Domain
 from ._errors import InputTypeError
+from ._progress import Progress, progress_function
 from ._rules import ExclusionList, PairRule, rule_of
 
-#: Called with the phase, the elements treated in it and their number; False cancels.
-ProgressFunction = Callable[[str, int, int], "bool | None"]
 #: One or more of 'gap', 'normal', 'point', 'distance', 'vector'.
 QuantityNames = str | Iterable[str]
 
@@ -35,7 +34,7 @@ class Options(TypedDict, total=False):
     max_bytes: int | None  #: Bound on the bytes of abut's own buffers.
     threads: int | None  #: None for OpenMP's default.
     simd: str  #: Instruction set, 'auto' or a name of `simd_levels`.
-    progress: ProgressFunction | None  #: Called now and then.
+    progress: Progress | None  #: Called now and then, or a class of bars such as tqdm.
 
 
 def call_options(
@@ -53,14 +52,12 @@ def call_options(
     max_bytes: int | None = None,
     threads: int | None = None,
     simd: str = "auto",
-    progress: ProgressFunction | None = None,
+    progress: Progress | None = None,
 ) -> _abut.CallOptions:
     """Options for the compiled module, checked as far as types go."""
     for what, name in (("algorithm", algorithm), ("order", order), ("simd", simd)):
         if not isinstance(name, str):
             raise InputTypeError(f"{what} is a name, not {name!r}")
-    if progress is not None and not callable(progress):
-        raise InputTypeError(f"progress is a function, not {progress!r}")
     if shifts is None:
         shifts = domain is not None and domain.is_periodic
     return _abut.CallOptions(
@@ -74,7 +71,7 @@ def call_options(
         count(max_bytes, "max_bytes"),
         _threads(threads),
         simd,
-        progress,
+        progress_function(progress),
     )
 
 

@@ -4,8 +4,11 @@ import os
 import pickle
 import re
 import signal
+import subprocess
+import sys
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -119,6 +122,55 @@ def test_other_threads_run_during_a_detection():
         stop.set()
         thread.join()
     assert len(ticks) >= 5
+
+
+def test_several_threads_detect_at_once(cloud):
+    x, r = cloud
+    expected = abut.contacts(x, r).pairs.tobytes()
+
+    def bytes_of(seed):
+        detector = abut.Detector(threads=1 + seed % 2)
+        return {detector.contacts(x, r).pairs.tobytes() for _ in range(20)}
+
+    with ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(bytes_of, range(8))) == [{expected}] * 8
+
+
+def test_a_measurement_may_be_cancelled(cloud):
+    elements = abut.spheres(*cloud)
+    with pytest.raises(abut.Cancelled):
+        abut.measure(elements, [[0, 1]], "gap", progress=lambda *now: False)
+
+
+SUB_INTERPRETER = """
+import sys
+try:
+    import _interpreters as interpreters
+except ImportError:
+    import _xxsubinterpreters as interpreters
+with_main = sys.argv[1] == "after"
+if with_main:
+    import abut
+try:
+    wrong = interpreters.run_string(
+        interpreters.create(), f"import sys; sys.path[:] = {sys.path}; import abut"
+    )
+except interpreters.RunFailedError as error:
+    wrong = error
+print(wrong)
+import abut
+print(len(abut.contacts([[0, 0], [1, 0]], 0.5)))
+"""
+
+
+@pytest.mark.parametrize("when", ["before", "after"])
+def test_sub_interpreters_are_refused_and_the_main_one_lives(when):
+    child = subprocess.run(
+        [sys.executable, "-c", SUB_INTERPRETER, when], capture_output=True, text=True, check=True
+    )
+    refused, contacts = child.stdout.rsplit(maxsplit=1)
+    assert "abut does not support sub-interpreters" in refused
+    assert contacts == "1"
 
 
 def test_a_forked_child_detects(cloud):

@@ -1,10 +1,13 @@
 """What is taken as positions and radii, without a copy where that can be, and what is refused."""
 
+import array
 import sys
 
 import numpy as np
 import pandas
+import polars
 import pytest
+import xarray
 from conftest import tuples
 from hypothesis import given
 from hypothesis import strategies as st
@@ -103,6 +106,55 @@ def test_tables_by_name(cloud):
         abut.contacts({"a": [1], "b": [2]}, 1)
 
 
+def test_polars_and_xarray(cloud):
+    x, r = cloud
+    expected = tuples(abut.contacts(x, r).pairs)
+    frame = polars.DataFrame({"x": x[:, 0], "y": x[:, 1], "z": x[:, 2], "radius": r})
+    assert tuples(abut.contacts(frame).pairs) == expected
+    assert np.shares_memory(abut.spheres(frame)._first[1], frame["y"].to_numpy())
+    with pytest.raises(abut.InputTypeError, match=r"collect\(\)"):
+        abut.contacts(frame.lazy())
+    with pytest.raises(abut.InputError, match="element 2 has y = nan"):
+        abut.contacts({"x": polars.Series([1, 2, 3]), "y": polars.Series([1, 2, None])}, r[:3])
+    data = xarray.Dataset({name: ("sphere", x[:, k]) for k, name in enumerate("xyz")})
+    for given in (data, data.set_coords(["x", "y"]), xarray.DataArray(x, dims=("sphere", "axis"))):
+        assert tuples(abut.contacts(given, r).pairs) == expected
+    assert np.shares_memory(abut.spheres(data, r)._first[0], data["x"].values)
+    assert tuples(abut.contacts(data.assign(r=("sphere", r))).pairs) == expected
+
+
+def test_columns_with_missing_numbers():
+    kinds = {"x": pandas.array([1.0, None], dtype="Float64"), "y": pandas.array([0, 1])}
+    with pytest.raises(abut.InputError, match="element 1 has x = nan"):
+        abut.contacts(pandas.DataFrame(kinds), 1)
+    column = np.ma.masked_array([1.0, 2.0], mask=[False, True])
+    with pytest.raises(abut.InputError, match="positions x: 1 of 2 numbers are masked"):
+        abut.contacts((column, [0, 0]), 1)
+    with pytest.raises(abut.InputError, match="radii: 1 of 2 numbers are masked"):
+        abut.contacts([[0, 0], [1, 0]], column)
+    fields = np.ma.masked_all(2, dtype=[("x", "f8"), ("y", "f8")])
+    with pytest.raises(abut.InputError, match="positions x: 2 of 2 numbers are masked"):
+        abut.contacts(fields, 1)
+
+
+@pytest.mark.parametrize("count", [2**32 - 1, 2**32, 2**40])
+def test_more_elements_than_have_numbers_are_refused(count):
+    # A view of one point, again and again: no memory.
+    x = np.broadcast_to(np.zeros(3), (count, 3))
+    for call in (abut.contacts, abut.neighbors):
+        with pytest.raises(abut.LimitError, match=f"^{count} elements; .* at most 4294967294"):
+            call(x, 0.5)
+
+
+def test_other_objects_that_show_their_memory(cloud):
+    x, r = cloud
+    expected = tuples(abut.contacts(x, r).pairs)
+    for given in (memoryview(x), tuple(array.array("d", one) for one in x.T)):
+        assert tuples(abut.contacts(given, r).pairs) == expected
+    records = np.rec.fromarrays([*x.T, r], names="x,y,z,radius")
+    assert tuples(abut.contacts(records).pairs) == expected
+
+
 def test_a_tuple_means_columns_and_a_list_points():
     assert len(abut.spheres(([0.0, 1.0], [0.0, 0.0], [0.0, 0.0]), 1)) == 2
     assert len(abut.spheres([(0.0, 1.0, 2.0), (0.0, 0.0, 0.0)], 1)) == 2
@@ -141,9 +193,9 @@ def test_whole_numbers_are_taken_exactly_or_not_at_all(values):
 
 
 WRONG = {
-    "complex": (np.zeros((2, 3), complex), TypeError, "real numbers; complex128"),
-    "objects": (np.array([[None, 1], [1, 1]]), TypeError, "real numbers; Python objects"),
-    "text": ([["a", "b"]], TypeError, "real numbers; text"),
+    "complex": (np.zeros((2, 3), complex), TypeError, "real numbers, not complex128"),
+    "objects": (np.array([[None, 1], [1, 1]]), TypeError, "real numbers, not Python objects"),
+    "text": ([["a", "b"]], TypeError, "real numbers, not text"),
     "truth": (np.ones((2, 2), bool), TypeError, "truth values"),
     "dates": (np.zeros((2, 2), "M8[s]"), TypeError, "datetime64"),
     "ragged": ([[1, 2], [1]], ValueError, "do not make an array"),

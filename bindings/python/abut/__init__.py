@@ -5,6 +5,7 @@
 array([[0, 1]], dtype=uint32)
 """
 
+from . import _interpreter  # noqa: F401, I001  (comes before all else)
 from ._abut import build_description, simd_levels
 from ._abut import version as _version
 from ._algorithms import AlgorithmInfo, algorithms

@@ -29,7 +29,7 @@ def numbers(given: Any, what: str) -> Numbers:
     >>> numbers([1j], "radii")
     Traceback (most recent call last):
         ...
-    abut.InputTypeError: radii are real numbers; complex128 was given
+    abut.InputTypeError: radii are real numbers, not complex128
     """
     array = _array_of(given, what)
     if array.dtype.kind == "f" and array.dtype.itemsize in (4, 8):
@@ -78,9 +78,7 @@ def _converted(array: npt.NDArray[Any], what: str) -> Numbers:
     if array.size == 0 and array.dtype.kind == "O":
         return array.astype(np.float64)
     kind = {"O": "Python objects", "b": "truth values", "U": "text", "S": "bytes"}
-    raise InputTypeError(
-        f"{what} are real numbers; {kind.get(array.dtype.kind, array.dtype)} was given"
-    )
+    raise InputTypeError(f"{what} are real numbers, not {kind.get(array.dtype.kind, array.dtype)}")
 
 
 def _exactly(array: npt.NDArray[Any], what: str) -> Numbers:
@@ -160,8 +158,11 @@ def columns_by_name(given: Any) -> list[str] | None:
     """Names of the columns of a table: a mapping, a data frame, a data set, a structured array."""
     if isinstance(given, np.ndarray):
         return list(given.dtype.names) if given.dtype.names else None
+    if hasattr(given, "collect_schema") and not hasattr(given, "to_numpy"):
+        raise InputTypeError("the table has not been computed yet; give what its collect() returns")
     if isinstance(given, Mapping):
-        return [str(name) for name in given]
+        # Data sets name their coordinates among their variables only.
+        return [str(name) for name in getattr(given, "variables", given)]
     names = getattr(given, "columns", None)
     if names is None or isinstance(given, (list, tuple)):
         return None

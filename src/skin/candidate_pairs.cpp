@@ -73,11 +73,11 @@ CandidatePairs<Dim>::CandidatePairs(base::MemoryMeter& memory)
       survivors_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
 
 template <int Dim>
-base::PairSink& CandidatePairs<Dim>::start_anew(bool periodic) {
+base::PairSink& CandidatePairs<Dim>::start_anew(std::size_t elements, bool periodic) {
   periodic_ = periodic;
   size_ = 0;
   shift_list_.clear();
-  found_.start_anew({.shifts = periodic ? Shifts::stored : Shifts::none});
+  found_.start_anew({.limit = most(elements), .shifts = periodic ? Shifts::stored : Shifts::none});
   return found_;
 }
 
@@ -87,7 +87,8 @@ base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> n
                                                 const DisplacementTracker<Dim>& placing,
                                                 base::WorkCounter& work) {
   size_ = 0;
-  found_.start_anew({.shifts = periodic_ ? Shifts::stored : Shifts::none});
+  found_.start_anew(
+      {.limit = most(numbers.size()), .shifts = periodic_ ? Shifts::stored : Shifts::none});
   found_.expect_workers(1);
   base::ImagePairWriter writer(found_);
   const auto candidates = layout_.candidates();

@@ -25,8 +25,15 @@ class CandidatePairs {
  public:
   explicit CandidatePairs(base::MemoryMeter& memory);
 
-  /// Drops all candidates and returns the sink to which a search delivers new ones.
-  [[nodiscard]] base::PairSink& start_anew(bool periodic);
+  /// Most candidates that are kept of so many elements: with more a skin does not pay, and one that
+  /// is many cells long would take all memory. The sink throws Error{limit_exceeded} beyond.
+  [[nodiscard]] static constexpr PairCount most(std::size_t elements) noexcept {
+    return (PairCount{1} << 16) + PairCount{512} * elements;
+  }
+
+  /// Drops all candidates and returns the sink to which a search delivers those of so many
+  /// elements.
+  [[nodiscard]] base::PairSink& start_anew(std::size_t elements, bool periodic);
 
   /// Keeps the candidates of elements that are still there, under their new numbers: element i has
   /// become `numbers[i]`, or is gone if that is ElementIds::none. Returns the sink for further

@@ -61,9 +61,9 @@ class SkinSearch {
   [[nodiscard]] double approach() const noexcept { return approach_; }
 
   /// Keeps what `search(margin, sink)` finds with the skin `next_skin(reach)`, where the reach is
-  /// that of two elements of mean size. False if that cannot be
-  /// kept, because the memory bound or the range of image shifts leave no room for more than was
-  /// asked for; it is not tried again for some calls then.
+  /// that of two elements of mean size. False if that cannot be kept, because the memory bound or
+  /// the range of image shifts leave no room for more than was asked for, or because there are far
+  /// too many; it is not tried again for some calls then.
   template <class NextSkin, class Search>
   [[nodiscard]] bool find_candidates(const ElementsNow<Dim>& now, const NamedElements& named,
                                      NextSkin&& next_skin, Search&& search);
@@ -150,7 +150,7 @@ bool SkinSearch<Dim>::find_candidates(const ElementsNow<Dim>& now, const NamedEl
     skin_ = next_skin(2.0 * tracker_->mean_radius() + now.margin);
     margin_ = now.margin + skin_;
     if (!(margin_ < std::numeric_limits<double>::infinity())) return false;
-    search(margin_, candidates_->start_anew(now.domain.is_periodic()));
+    search(margin_, candidates_->start_anew(now.spheres.size(), now.domain.is_periodic()));
     if (!candidates_->finish(now, *tracker_)) return false;
     remember(named);
     return valid_ = true;

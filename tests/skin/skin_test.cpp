@@ -120,6 +120,21 @@ TEST(Skin, OrderAsFoundIsCanonicalAndOfAnyNumberOfThreads) {
   }
 }
 
+/// A skin of 80 cells has 10^8 candidates: they are given up long before.
+TEST(Skin, OfManyCellsIsDoneWithout) {
+  const std::vector<double> x{0.1, 0.4, 0.7};
+  const Domain cell = Domain::periodic({1.0, 1.0, 1.0});
+  for (const Algorithm algorithm : {Algorithm::rows, Algorithm::direct_check}) {
+    Detector detector({.algorithm = algorithm, .shifts = Shifts::stored, .threads = 1});
+    detector.set_skin(Skin::fixed(80.0));
+    const PairList& list = detector.find_contact_pairs(spheres(x, x, x, 0.3), cell);
+    EXPECT_TRUE(std::ranges::equal(
+        find_contact_pairs(spheres(x, x, x, 0.3), cell, detector.options()).pairs(), list.pairs()));
+    EXPECT_LT(list.statistics().candidate_tests, 1000000U);
+    EXPECT_EQ(detector.skin_statistics().candidates, 0U);
+  }
+}
+
 /// Two spheres that start 1/2 apart and whose skin is 1/2: the pair is a candidate. One that starts
 /// farther out is none, and may touch when both have moved by half a skin.
 TEST(Skin, LastsUntilTheTwoLargestDisplacementsUseItUp) {

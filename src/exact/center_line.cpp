@@ -1,5 +1,6 @@
 #include "exact/center_line.hpp"
 
+#include "exact/cancellation.hpp"
 #include "exact/center_vector.hpp"
 #include "exact/direction.hpp"
 #include "exact/image_difference.hpp"
@@ -15,20 +16,6 @@ constexpr double largest_double = std::numeric_limits<double>::max();
 
 /// Larger numbers might overflow when they are split for an exact product.
 constexpr double largest_summed = 0x1p900;
-
-/// The largest coordinate, and the largest component of a vector that moves b.
-template <int Dim>
-double largest_term(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                    const LatticeSteps<Dim>& steps) noexcept {
-  double largest = 0.0;
-  for (int axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(a.center[axis]), std::fabs(b.center[axis])});
-    for (const auto& step : steps) {
-      largest = std::max(largest, std::fabs(step.number * step.vector[axis]));
-    }
-  }
-  return largest;
-}
 
 /// Tells whether a component of v is neither so large nor so small that its square leaves the
 /// range.

@@ -39,7 +39,4 @@ class CenterLine {
 inline constexpr double largest_ordinary = 0x1p480;
 inline constexpr double smallest_ordinary = 0x1p-400;
 
-/// Cancellation of coordinates by lattice vectors beyond which a compensated sum is not enough.
-inline constexpr double most_cancellation = 0x1p-40;
-
 }  // namespace abut::exact

@@ -1,5 +1,7 @@
 #include "exact/periodic_gap.hpp"
 
+#include "exact/cancellation.hpp"
+#include "exact/center_vector.hpp"
 #include "exact/image_difference.hpp"
 #include "exact/periodic_predicate.hpp"
 #include "exact/sphere_gap.hpp"
@@ -19,42 +21,55 @@ constexpr double largest_summed = 0x1p900;
 /// Brings differences and radii that exceed this bound to where their squares can be scaled.
 constexpr double scale_of_large = 0x1p-128;
 
-template <int Dim>
-double largest_number(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                      const LatticeSteps<Dim>& steps) noexcept {
-  double largest = std::max(a.radius, b.radius);
-  for (int axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(a.center[axis]), std::fabs(b.center[axis])});
-    for (const auto& step : steps) largest = std::max(largest, std::fabs(step.vector[axis]));
-  }
-  return largest;
-}
-
-/// x_a - (x_b + n A), times a power of two.
+/// x_a - (x_b + n A), times a power of two. Errs by less than 2^-54 of its largest component.
 template <int Dim>
 struct ScaledDifference {
   ScaledDifference(const Sphere<Dim>& a, const Sphere<Dim>& b,
                    const LatticeSteps<Dim>& steps) noexcept
       : largest(std::max(a.radius, b.radius)) {
-    const bool large = largest_number(a, b, steps) > largest_summed;
-    for (int axis = 0; axis < Dim; ++axis) {
-      component[axis] = large ? rounded_difference(a, b, steps, axis)
-                              : image_difference(a, b, steps, axis).value().high;
-      largest = std::max(largest, std::fabs(component[axis]));
+    const double terms = largest_term(a, b, steps);
+    if (!(std::max(terms, largest) <= largest_summed)) {
+      subtract_large(a, b, steps);
+      return;
     }
-    if (!large || largest <= largest_summed) return;
-    // Beside a number that large, what scaling loses of the others is of no account.
-    scale = scale_of_large;
-    largest = std::max(a.radius, b.radius) * scale;
+    double longest = 0.0;
     for (int axis = 0; axis < Dim; ++axis) {
-      component[axis] = image_difference(a, b, steps, axis, scale).value().high;
-      largest = std::max(largest, std::fabs(component[axis]));
+      longest = std::max(longest, set(axis, image_difference(a, b, steps, axis).value().high));
     }
+    if (longest >= most_cancellation * terms) return;
+    largest = std::max(a.radius, b.radius);
+    for (int axis = 0; axis < Dim; ++axis) set(axis, -component_between(a, b, steps, axis));
   }
 
   double component[Dim] = {};
   double scale = 1.0;
   double largest;  ///< of the components and the radii, times the scale
+
+ private:
+  /// Returns the magnitude.
+  double set(int axis, double value) noexcept {
+    component[axis] = value;
+    largest = std::max(largest, std::fabs(value));
+    return std::fabs(value);
+  }
+
+  static double component_between(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                  const LatticeSteps<Dim>& steps, int axis,
+                                  double times = 1.0) noexcept {
+    return exact::component(a, b, steps, axis, times).high;
+  }
+
+  void subtract_large(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                      const LatticeSteps<Dim>& steps) noexcept {
+    for (int axis = 0; axis < Dim; ++axis) set(axis, rounded_difference(a, b, steps, axis));
+    if (largest <= largest_summed) return;
+    // Beside a number that large, what scaling loses of the others is of no account.
+    scale = scale_of_large;
+    largest = std::max(a.radius, b.radius) * scale;
+    for (int axis = 0; axis < Dim; ++axis) {
+      set(axis, -component_between(a, b, steps, axis, scale));
+    }
+  }
 };
 
 /// A further power of two that brings distance or radii near one where squares would leave the

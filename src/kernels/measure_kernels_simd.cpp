@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "exact/cancellation.hpp"
 #include "exact/center_line.hpp"
 #include "kernels/measure_kernels.hpp"
 

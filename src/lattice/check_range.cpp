@@ -3,6 +3,7 @@
 #include "base/shortest_text.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "lattice/orthogonal_cell.hpp"
+#include "lattice/turn_downwards.hpp"
 #include "lattice/wrapper.hpp"
 
 #include <abut/error.hpp>
@@ -65,7 +66,8 @@ void check_range_as_given(std::span<const exact::Sphere<Dim>> spheres,
     bounds.include_radius(sphere.radius);
   }
   const double unit = unit_of<Dim>(lattice, grid::largest_number(bounds, margin));
-  const ReducedLattice<Dim> reduced(times(lattice, unit));
+  ReducedLattice<Dim> reduced(times(lattice, unit));
+  if (shape == Shape::box) turn_downwards(reduced);
   check_range<Dim>(spheres, reduced, margin, shape, unit);
 }
 

@@ -8,6 +8,7 @@
 #include "lattice/lattice_unit.hpp"
 #include "lattice/orthogonal_cell.hpp"
 #include "lattice/reduced_lattice.hpp"
+#include "lattice/turn_downwards.hpp"
 #include "periodic/ghost_cut.hpp"
 #include "periodic/move_boxes.hpp"
 #include "periodic/periodic_decider.hpp"
@@ -19,20 +20,6 @@
 
 namespace abut::periodic {
 namespace {
-
-/// Makes every side of the orthogonal cell lead against the axes of space, rather than along them:
-/// images along it, of which ghosts are made, are then within reach of locals as far as they are
-/// wide themselves. In the other direction it would be as far as the widest local element is, and
-/// one wide wall would make ghosts of all elements.
-template <int Dim>
-void turn_downwards(lattice::ReducedLattice<Dim>& lattice) {
-  if (lattice.count == 0) return;
-  const lattice::OrthogonalCell<Dim> orthogonal_cell(lattice, 1.0);
-  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-    if (orthogonal_cell.rise[k] > orthogonal_cell.fall[k])
-      lattice.turn(orthogonal_cell.vector_of[k]);
-  }
-}
 
 /// The search set of locals and ghosts. Where ghosts lie around the box of the locals, as halo
 /// elements do, they are no more than copies in its outer tiles. Elsewhere the search takes all
@@ -191,7 +178,7 @@ void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, std::span<const exa
   const double unit = lattice::unit_of<Dim>(lattice, grid::largest_number(bounds, settings.margin));
   const Given<Dim> given(spheres, boxes, bounds, unit, own.enlarged);
   lattice::ReducedLattice<Dim> reduced(unit == 1.0 ? lattice : lattice::times(lattice, unit));
-  if (!boxes.empty()) turn_downwards(reduced);
+  if (!boxes.empty()) lattice::turn_downwards(reduced);
   const kernels::ImageKernels kernels = kernels::image_kernels(settings.simd);
   find_images(given, {spheres, boxes}, reduced, settings, kernels, own, context.progress);
 

@@ -113,6 +113,31 @@ TEST(PeriodicErrors, FarElementsAreRefusedByOneRule) {
   }
 }
 
+/// The cell of boxes leads against the axes of space: on that side one lies a cell farther out.
+TEST(PeriodicErrors, FarBoxesAreRefusedByOneRule) {
+  const Domain domain = Domain::periodic({1.0, unbounded});
+  const auto refusal_of = [&](double x, Algorithm algorithm) -> std::string {
+    const std::vector<double> lower{0.0, x};
+    const std::vector<double> y{0.0, 0.0};
+    try {
+      static_cast<void>(find_contact_pairs(rectangles(lower, y, lower, y), domain,
+                                           {.algorithm = algorithm, .threads = 1}));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  for (const Algorithm algorithm : {Algorithm::rows, Algorithm::direct_check}) {
+    EXPECT_EQ(refusal_of(2147483646.5, algorithm), "none");
+    EXPECT_NE(
+        refusal_of(2147483647.5, algorithm).find("element 1 has xmin = 2147483647.5; it lies"),
+        std::string::npos);
+    EXPECT_EQ(refusal_of(-2147483647.5, algorithm), "none");
+    EXPECT_NE(refusal_of(-2147483648.5, algorithm).find("element 1 has xmin = "),
+              std::string::npos);
+  }
+}
+
 TEST(PeriodicErrors, ShiftsBeyond32BitsAreAnError) {
   const Domain strip = Domain::periodic({1.0, unbounded});
   for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {

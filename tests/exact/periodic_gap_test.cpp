@@ -114,6 +114,20 @@ TEST(PeriodicGapCases, SmallNumbersStayBesideLargeOnesThatCancel) {
   }
 }
 
+/// Multiples of two vectors cancel but for a part that is 2^-900 of them, or less.
+TEST(PeriodicGapCases, SmallNumbersStayBesideVectorsThatCancel) {
+  exact::Lattice lattice;
+  lattice.periodic = {true, true, false};
+  const exact::Sphere<2> a{{3, 11}, 1};
+  const exact::Sphere<2> b{{0, 0}, 1};
+  for (const int exponent : {0, 40, 60, 100, 340, 860, 900, 1010}) {
+    const double length = std::ldexp(3.0, exponent);
+    lattice.vectors = {{{length, 0, 0}, {384.0 * length, 7, 0}, {}}};
+    EXPECT_EQ(exact::gap(a, b, {-384, 1, 0}, lattice), 3.0) << exponent;
+    EXPECT_EQ(exact::gap(b, a, {384, -1, 0}, lattice), 3.0) << exponent;
+  }
+}
+
 TEST(PeriodicGapCases, AGapThatNoDoubleHoldsIsTheLargest) {
   constexpr double huge = std::numeric_limits<double>::max();
   exact::Lattice lattice;

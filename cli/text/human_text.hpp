@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/quoted_text.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -27,8 +29,6 @@ namespace abut::cli {
 /// `indent` blanks, which count.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
-/// A file name that can be pasted into a shell; with $'...' (POSIX 2024, section 2.2.4) where a
-/// terminal would not show it as it is.
-[[nodiscard]] std::string shell_quoted(std::string_view word);
+using io::shell_quoted;
 
 }  // namespace abut::cli

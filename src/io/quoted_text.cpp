@@ -127,4 +127,28 @@ std::string quoted(std::string_view text) {
   return result;
 }
 
+std::string shell_quoted(std::string_view word) {
+  static constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./+:=@%,";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
+    return std::string(word);
+  }
+  bool is_plain = true;
+  std::string simple = "'";
+  std::string escaped = "$'";
+  while (!word.empty()) {
+    const Character character = first_character(word);
+    const std::string_view text = word.substr(0, character.bytes);
+    is_plain = is_plain && character.is_visible;
+    simple += text == "'" ? "'\\''" : text;
+    if (text == "'" || text == "\\") escaped += '\\';
+    for (const char c : text) {
+      escaped += character.is_visible ? std::string(1, c)
+                                      : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    }
+    word.remove_prefix(character.bytes);
+  }
+  return (is_plain ? simple : escaped) + "'";
+}
+
 }  // namespace abut::io

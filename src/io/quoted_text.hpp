@@ -28,4 +28,8 @@ struct Character {
 /// The visible text between quotes: its first 40 characters.
 [[nodiscard]] std::string quoted(std::string_view text);
 
+/// A file name that can be pasted into a shell; with $'...' (POSIX 2024, section 2.2.4) where a
+/// terminal would not show it as it is.
+[[nodiscard]] std::string shell_quoted(std::string_view word);
+
 }  // namespace abut::io

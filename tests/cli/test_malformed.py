@@ -34,7 +34,7 @@ CASES = {
     "open quote": ('x,y,radius\n1,2,"3\n', "line 2"),
     "binary": ("\x7fELF\2\1\1\0\0\0\0\0\n", ""),
     "UTF-16": (b"\xff\xfex\0,\0y\0", "UTF-16"),
-    "gzip": (b"\x1f\x8b\x08\0\0\0\0\0", "compressed"),
+    "gzip": (b"\x1f\x8b\x08\0\0\0\0\0", "gzip -dc FILE | abut contacts -"),
     "a line of 2 MiB": ("x,y,radius\n" + "1" * (2 << 20) + ",2,3\n", "line 2"),
     "dump, cut in its atoms": (DUMP[: DUMP.index("2 1 0")], "2"),
     "dump, cut in a number": (DUMP[:-6], ""),

@@ -85,7 +85,7 @@ const Malformed malformed_csv[] = {
     {"two byte order marks", ".csv", "\xEF\xBB\xBF\xEF\xBB\xBFx,y,r\n", 1, {"'\\u{feff}x'"}},
     {"end of file of DOS", ".csv", csv("\x1A"), 3, {"\\x1a"}},
     {"UTF-16", ".csv", "\xFF\xFEx\0,\0"s, 0, {"UTF-16", "UTF-8"}},
-    {"gzip", ".csv", "\x1F\x8B\x08\x00 and so on"s, 0, {"compressed", "decompress"}},
+    {"gzip", ".csv", "\x1F\x8B\x08\x00 and so on"s, 0, {"compressed", "gzip -dc"}},
 };
 
 const Malformed malformed_dump[] = {

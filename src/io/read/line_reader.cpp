@@ -1,6 +1,7 @@
 #include "io/read/line_reader.hpp"
 
 #include "io/quoted_text.hpp"
+#include "io/read/foreign_format.hpp"
 
 #include <abut/error.hpp>
 
@@ -31,7 +32,7 @@ LineReader::LineReader(const std::string& path, const ProgressHook& progress)
     : name_(path == "-" ? "standard input" : path), progress_(progress), block_(block_bytes) {
   open(path);
   try {
-    begin_text();
+    begin_text(path);
   } catch (...) {
     if (owns_descriptor_) ::close(descriptor_);
     throw;
@@ -68,20 +69,17 @@ void LineReader::open(const std::string& path) {
   bytes_ = static_cast<std::uint64_t>(status.st_size - here);
 }
 
-void LineReader::begin_text() {
+void LineReader::begin_text(const std::string& path) {
   report(true);
-  while (end_ < 4 && fill()) {
+  while (end_ < telling_bytes && fill()) {
   }
   const std::string_view text(block_.data(), end_);
   if (text.starts_with("\xEF\xBB\xBF")) begin_ = 3;
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     fail("is UTF-16 text; save it as UTF-8");
   }
-  if (text.starts_with("\x1F\x8B") || text.starts_with("\x28\xB5\x2F\xFD") ||
-      text.starts_with("BZh") ||
-      text.starts_with("\xFD"
-                       "7zX")) {
-    fail("is compressed; decompress it, or pipe it in with '-' as the file");
+  if (const std::optional<std::string> what = foreign_format({text.substr(begin_), bytes_}, path)) {
+    fail(*what);
   }
 }
 
@@ -241,6 +239,11 @@ void LineReader::fail(std::string_view what) const {
 
 void LineReader::fail_at_line(std::string_view what) const {
   throw Error(ErrorCode::invalid_input, fmt::format("{}, line {}: {}", shown_name(), line_, what));
+}
+
+void LineReader::fail_at_next_line(std::string_view what) const {
+  throw Error(ErrorCode::invalid_input,
+              fmt::format("{}, line {}: {}", shown_name(), line_ + 1, what));
 }
 
 void LineReader::fail_in_column(std::string_view column, std::string_view what) const {

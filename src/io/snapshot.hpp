@@ -12,13 +12,28 @@
 
 namespace abut::io {
 
+/// A column of a table, and the numbers in it.
+struct ColumnDescription {
+  std::string name;
+  std::uint64_t numbers = 0;  ///< rows that have one here
+  double least = 0.0;
+  double most = 0.0;
+};
+
+/// A table of which nobody can tell what its elements are.
+struct TableDescription {
+  std::uint64_t rows = 0;
+  std::vector<ColumnDescription> columns;
+  std::string problem;  ///< the sentence that a detection would end with
+};
+
 /// The elements of one frame of a file, in the order of the file. Lengths in the file's unit.
 struct Snapshot {
   int dimensions = 3;
   std::vector<double> x;
   std::vector<double> y;
   std::vector<double> z;                   ///< empty in 2D
-  std::vector<double> radius;              ///< one per element
+  std::vector<double> radius;              ///< one per element; empty if only to be described
   std::vector<std::int64_t> ids;           ///< the file's own numbers; empty if it has none
   std::vector<std::uint32_t> groups;       ///< of the column that was asked for, one per element
   std::vector<std::string> group_columns;  ///< that may be asked for; empty unless they are sought
@@ -37,6 +52,8 @@ struct Snapshot {
   std::array<bool, 3> periodic{};
   std::optional<std::array<std::array<double, 3>, 3>> box;
   bool periodicity_is_assumed = false;  ///< the format has a box and does not say
+
+  std::optional<TableDescription> table;  ///< in place of elements, where only that is asked for
 
   bool is_blank = false;         ///< no line of the source holds anything
   std::string source;            ///< the file's name as given, "standard input" for "-"

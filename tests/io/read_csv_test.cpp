@@ -2,6 +2,7 @@
 
 #include <abut/detect.hpp>
 
+#include <algorithm>
 #include <array>
 #include <clocale>
 #include <cstdint>
@@ -35,8 +36,57 @@ TEST(ReadCsv, ColumnsInAnyOrderOthersIgnored) {
   EXPECT_EQ(snapshot.periodic, (std::array{false, false, false}));
 }
 
+ReadOptions with_columns(std::vector<std::string> names) {
+  ReadOptions options;
+  options.columns = std::move(names);
+  return options;
+}
+
+TEST(ReadCsv, NamesOfColumnsFromTheCaller) {
+  const ReadOptions options = with_columns({"", "y", "radius", "x"});
+  for (const std::string_view text : {
+           "7,2,0.25,0.5\n7,4,0,-1e-3\n",
+           "# x,y,z,radius\n7 2 0.25 0.5\n7 4 0 -1e-3\n",
+           "a;b;c;d\n7;2;0.25;0.5\n7;4;0;-1e-3\n",
+           "Ar 2 0.25 0.5\nAr 4 0 -1e-3\n",
+       }) {
+    SCOPED_TRACE(text);
+    expect_two_discs(read_text("a.csv", text, options));
+    expect_two_discs(read_text("a.dat", text, options));
+  }
+  EXPECT_EQ(read_text("a.csv", "# nothing\n", options).size(), 0);
+  EXPECT_EQ(sentence_of(
+                ErrorCode::invalid_input,
+                [&] {
+                  static_cast<void>(read_text("a.csv", "1 2 3\n", options));
+                }).find("3 fields, but there are 4 columns") == std::string::npos,
+            false);
+  const std::string other = sentence_of(ErrorCode::wrong_usage, [&] {
+    static_cast<void>(read_text("a.xyz", "1\n\nX 0 0 0 1\n", options));
+  });
+  EXPECT_NE(other.find("--format csv"), std::string::npos) << other;
+}
+
+/// Three axes of each kind: none is lost for its capitals.
+TEST(ReadCsv, AxesOfOtherNames) {
+  for (const std::string_view header :
+       {"X,Y,Z,Radius", "x,y,Z,radius", "Points:0,Points:1,Points:2,r",
+        "XMIN,YMIN,Zmin,Xmax,Ymax,Zmax"}) {
+    SCOPED_TRACE(header);
+    EXPECT_EQ(read_text("a.csv", std::string(header) + "\n").dimensions, 3);
+  }
+}
+
 TEST(ReadCsv, FormsOfTheSameTable) {
   for (const std::string_view text : {
+           "# x,y,radius\n0.5,2,0.25\n-1e-3,4,0\n",  // numpy.savetxt
+           "# x,y,radius\n5.0e-01 2.0e+00 2.5e-01\n-1e-3 4 0\n",
+           "# a run\n#x\ty\tr\n# of sand, x and y in m\n0.5\t2\t0.25\n-1e-3\t4\t0\n",
+           "#format x_y_r\n0.5\t2\t0.25\n-1e-3\t4\t0\n",  // YADE
+           "X,Y,Radius\n0.5,2,0.25\n-1e-3,4,0\n",
+           "X,y,R,x\n9,2,0.25,0.5\n9,4,0,-1e-3\n",  // the same capitals come first
+           "\"Points:0\",\"Points:1\",\"radius\"\n0.5,2,0.25\n-1e-3,4,0\n",  // ParaView
+           "Points_0,Points_1,Diameter\n0.5,2,0.5\n-1e-3,4,0\n",
            "x,y,radius\n0.5,2,0.25\n-1e-3,4,0\n",
            "x,y,r\r\n0.5,2,0.25\r\n-1e-3,4,0\r\n",           // CR LF
            "x,y,diameter\n0.5,2,0.5\n-1e-3,4,0",             // no last line end

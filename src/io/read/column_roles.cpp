@@ -22,10 +22,28 @@ std::string listed(const std::vector<std::string>& names) {
   return result.empty() ? "none" : result;
 }
 
-bool equal_but_for_case(std::string_view text, std::string_view lower) {
-  return std::equal(text.begin(), text.end(), lower.begin(), lower.end(), [](char a, char b) {
-    return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b);
-  });
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool equal_but_for_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char c, char d) { return lower(c) == lower(d); });
+}
+
+/// The columns of that name; where there are none, those that differ from it in capitals only.
+std::vector<std::size_t> columns_named(std::span<const std::string> names, std::string_view name) {
+  std::vector<std::size_t> same;
+  std::vector<std::size_t> similar;
+  for (std::size_t column = 0; column < names.size(); ++column) {
+    if (names[column] == name) same.push_back(column);
+    if (equal_but_for_case(names[column], name)) similar.push_back(column);
+  }
+  return same.empty() ? similar : same;
+}
+
+bool has_column(std::span<const std::string> names, std::string_view name) {
+  return !columns_named(names, name).empty();
 }
 
 /// Finds columns by name and gives them roles.
@@ -33,17 +51,7 @@ class Finder {
  public:
   Finder(const LineReader& reader, TableColumns& table) : reader_(reader), table_(table) {}
 
-  [[nodiscard]] bool has(std::string_view name) const { return find(name) != absent; }
-
-  /// Fails where a column is missing and another one has its name in capitals: left out, it would
-  /// make a plane of a volume.
-  void require_no_capital(std::string_view name) const {
-    for (const std::string& other : table_.names) {
-      if (other == name || !equal_but_for_case(other, name)) continue;
-      reader_.fail_at_line(fmt::format("there is no column {0}, but {1}; write {0}, or rename it",
-                                       name, quoted(other)));
-    }
-  }
+  [[nodiscard]] bool has(std::string_view name) const { return has_column(table_.names, name); }
 
   bool assign(std::string_view name, ColumnRole role) {
     const std::size_t column = find_alone(name);
@@ -71,18 +79,11 @@ class Finder {
  private:
   /// Fails where several columns have the name.
   [[nodiscard]] std::size_t find_alone(std::string_view name) const {
-    const auto& names = table_.names;
-    if (std::count(names.begin(), names.end(), name) > 1) {
-      reader_.fail_at_line(
-          fmt::format("column {} is there twice; rename one of them", quoted(name)));
-    }
-    return find(name);
-  }
-
-  [[nodiscard]] std::size_t find(std::string_view name) const {
-    const auto& names = table_.names;
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? absent : static_cast<std::size_t>(found - names.begin());
+    const std::vector<std::size_t> found = columns_named(table_.names, name);
+    if (found.empty()) return absent;
+    if (found.size() == 1) return found[0];
+    reader_.fail_at_line(fmt::format("column {} is there twice{}; rename one of them", quoted(name),
+                                     table_.names[found[0]] == name ? "" : " but for capitals"));
   }
 
   const LineReader& reader_;
@@ -103,7 +104,10 @@ std::size_t find_axes(const LineReader& reader, const Finder& finder, const Tabl
 void find_radius(const LineReader& reader, Finder& finder, const TableColumns& table,
                  RadiusColumn radius) {
   if (radius == RadiusColumn::ignored) return;
-  if (finder.assign("radius", ColumnRole::radius) || finder.assign("r", ColumnRole::radius) ||
+  // Beside green and blue it is red, in clouds of points.
+  const bool is_color = finder.has("g") && finder.has("b");
+  if (finder.assign("radius", ColumnRole::radius) ||
+      (!is_color && finder.assign("r", ColumnRole::radius)) ||
       finder.assign("diameter", ColumnRole::diameter) || radius == RadiusColumn::optional) {
     return;
   }
@@ -131,7 +135,6 @@ TableColumns find_columns(const LineReader& reader, std::vector<std::string> nam
   finder.assign(found[0], ColumnRole::x);
   finder.assign(found[1], ColumnRole::y);
   table.dimensions = finder.assign(found[2], ColumnRole::z) ? 3 : 2;
-  if (table.dimensions == 2) finder.require_no_capital(found[2]);
   for (const AxisNames& other : axes) {
     if (table.dimensions == 3 || !finder.has(other[2])) continue;
     reader.fail_at_line(fmt::format("columns {} and {} come without {}, but there is {}; write {}",
@@ -143,10 +146,12 @@ TableColumns find_columns(const LineReader& reader, std::vector<std::string> nam
   return table;
 }
 
+bool names_coordinates(std::span<const std::string> names) {
+  return (has_column(names, "x") && has_column(names, "y")) || names_boxes(names);
+}
+
 bool names_boxes(std::span<const std::string> names) {
-  const auto has = [&](std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
+  const auto has = [&](std::string_view name) { return has_column(names, name); };
   return !(has("x") && has("y")) && (has("xmin") || has("xmax"));
 }
 
@@ -174,9 +179,6 @@ TableColumns find_box_columns(const LineReader& reader, std::vector<std::string>
   };
   for (const Corner& corner : in_plane) require(corner);
   table.dimensions = finder.has("zmin") || finder.has("zmax") ? 3 : 2;
-  if (table.dimensions == 2) {
-    for (const Corner& corner : upright) finder.require_no_capital(corner.name);
-  }
   if (table.dimensions == 3) {
     for (const Corner& corner : upright) require(corner);
   }

@@ -57,12 +57,16 @@ struct WantedColumns {
   bool candidates = false;  ///< whether columns that may hold groups are told
 };
 
-/// Finds coordinates (the first of `axes` of which x and y are there; without z the table is 2D),
+/// Finds columns by name, where there is none of that name by the same name in other capitals:
+/// coordinates (the first of `axes` of which x and y are there; without z the table is 2D),
 /// radius (`radius`, `r` or `diameter`), `id` and the column of groups by name. Throws
 /// Error{invalid_input} if one that is needed is missing or named twice.
 [[nodiscard]] TableColumns find_columns(const LineReader& reader, std::vector<std::string> names,
                                         std::span<const AxisNames> axes,
                                         const WantedColumns& wanted);
+
+/// Whether these are names of columns of elements: `x` and `y`, or ends of boxes.
+[[nodiscard]] bool names_coordinates(std::span<const std::string> names);
 
 /// Whether a table without `x` and `y` names ends of boxes.
 [[nodiscard]] bool names_boxes(std::span<const std::string> names);

@@ -4,14 +4,11 @@
 #include <cstddef>
 
 namespace abut::io {
-namespace {
 
 bool is_data(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t\r\f\v");
   return first != std::string_view::npos && line[first] != '#';
 }
-
-}  // namespace
 
 std::optional<std::string_view> next_data_line(LineReader& reader) {
   while (const std::optional<std::string_view> line = reader.next()) {

@@ -1,10 +1,14 @@
 #include "io/number_text.hpp"
 #include "io/quoted_text.hpp"
 #include "io/read/column_roles.hpp"
+#include "io/read/csv_header.hpp"
 #include "io/read/csv_lines.hpp"
+#include "io/read/describe_table.hpp"
 #include "io/read/read_format.hpp"
 #include "io/read/row_parser.hpp"
 #include "io/read/select_frame.hpp"
+
+#include <abut/error.hpp>
 
 #include <fmt/format.h>
 
@@ -17,37 +21,38 @@
 namespace abut::io {
 namespace {
 
-constexpr AxisNames axis_names[] = {{"x", "y", "z"}};
+/// Plain, and as ParaView saves the points of a data set.
+constexpr AxisNames axis_names[] = {
+    {"x", "y", "z"}, {"Points:0", "Points:1", "Points:2"}, {"Points_0", "Points_1", "Points_2"}};
 
-TableColumns read_header(LineReader& reader, std::string_view header, Separator separator,
-                         const ReadOptions& options) {
-  std::vector<std::string> names = column_names(reader, header, separator);
-  if (!names.empty() && parse_number(names[0]).fault == NumberFault::none) {
-    reader.fail_at_line(
-        fmt::format("a header line is missing: {} is a number; begin the file with a line such as "
-                    "x,y,z,radius",
-                    quoted(names[0])));
-  }
+TableColumns find_roles(LineReader& reader, const std::optional<CsvHeader>& header,
+                        const ReadOptions& options) {
+  if (!header) fail_without_header(reader);
   const WantedColumns wanted = wanted_columns(options);
-  if (names_boxes(names)) {
+  if (names_boxes(header->names)) {
     if (wanted.radius == RadiusColumn::ignored) {
       reader.fail_at_line(
           "has columns of boxes, to which neither a radius nor a cutoff applies; leave it out");
     }
-    return find_box_columns(reader, std::move(names), wanted);
+    return find_box_columns(reader, header->names, wanted);
   }
-  return find_columns(reader, std::move(names), axis_names, wanted);
+  return find_columns(reader, header->names, axis_names, wanted);
 }
 
 }  // namespace
 
 Snapshot read_csv(LineReader& reader, const ReadOptions& options) {
-  const std::optional<std::string_view> header = next_data_line(reader);
-  if (!header) {
-    reader.fail("is empty; a header line such as x,y,z,radius is needed even without elements");
+  const std::optional<CsvHeader> header = read_csv_header(reader, options);
+  TableColumns columns;
+  try {
+    columns = find_roles(reader, header, options);
+  } catch (const Error& error) {
+    if (options.purpose == Purpose::detection) throw;
+    Snapshot described;
+    described.table = describe_table(reader, header, error.what());
+    return described;
   }
-  const Separator separator = separator_of(*header);
-  const TableColumns columns = read_header(reader, *header, separator, options);
+  const Separator separator = header->separator;
   Snapshot snapshot;
   snapshot.frame = frame_number(reader, options, 1);
   RowParser rows(reader, columns, separator, options.radius, IdRule::dropped_unless_integers,

@@ -13,6 +13,8 @@ namespace abut::io {
   if (options.radius) {
     const bool in_place = options.radius_use == RadiusUse::in_place_of_own;
     radius = in_place ? RadiusColumn::ignored : RadiusColumn::optional;
+  } else if (options.purpose == Purpose::description) {
+    radius = RadiusColumn::optional;
   }
   return {radius, options.groups, options.group_columns == GroupColumns::sought};
 }

@@ -64,7 +64,8 @@ std::vector<std::string> columns_of_style(const LineReader& reader, const std::s
 std::vector<std::string> columns_by_number(const LineReader& reader, std::size_t fields,
                                            const ReadOptions& options) {
   const std::size_t without_flags = fields >= 9 ? fields - 3 : fields;
-  if (options.radius && without_flags >= 5 && without_flags <= 7) {
+  const bool needs_radii = !options.radius && options.purpose == Purpose::detection;
+  if (!needs_radii && without_flags >= 5 && without_flags <= 7) {
     std::vector<std::string> names{"id"};
     if (without_flags == 5) names.emplace_back("type");  // else a molecule may stand there
     while (names.size() + 3 < without_flags) names.push_back(fmt::format("#{}", names.size() + 1));

@@ -1,6 +1,7 @@
 #include "io/read/read_snapshot.hpp"
 
 #include "base/shortest_text.hpp"
+#include "io/nearest_word.hpp"
 #include "io/number_text.hpp"
 #include "io/quoted_text.hpp"
 #include "io/read/line_reader.hpp"
@@ -49,10 +50,15 @@ FormatNumber format_named(const std::string& name) {
     if (formats[k].name == name) return k;
   }
   if (const auto found = format_with_suffix(fmt::format(".{}", name))) return *found;
-  std::string names;
-  for (const FormatInfo& format : formats) names += fmt::format(" {}", format.name);
+  std::string all;
+  std::vector<std::string> names;
+  for (const FormatInfo& format : formats) {
+    all += fmt::format(" {}", format.name);
+    names.emplace_back(format.name);
+  }
   throw Error(ErrorCode::wrong_usage,
-              fmt::format("there is no format {} to read; the formats are{}", quoted(name), names));
+              fmt::format("there is no format {} to read; the formats are{}{}", quoted(name), all,
+                          suggestion(name, names)));
 }
 
 /// By the first line that is not blank: a section of a dump, the comment that LAMMPS writes above
@@ -71,6 +77,7 @@ FormatNumber choose_format(LineReader& reader, const std::string& path,
   const auto by_suffix = path == "-" ? std::nullopt : format_with_suffix(suffix);
   // Some call their data so, too; a dump begins with a section.
   if (suffix == ".lammps" && !reader.peek()->starts_with("ITEM:")) return lammps_data;
+  if (!options.columns.empty() && !by_suffix) return csv;
   return by_suffix ? *by_suffix : format_by_content(reader);
 }
 
@@ -98,6 +105,12 @@ Snapshot read(const std::string& path, const ReadOptions& options) {
   const FormatNumber format = empty && options.format.empty()
                                   ? format_with_suffix(suffix_of(path)).value_or(csv)
                                   : choose_format(reader, path, options);
+  if (!options.columns.empty() && format != csv) {
+    throw Error(ErrorCode::wrong_usage,
+                fmt::format("{} is read as {}, whose columns have names; leave out --columns, or "
+                            "say --format csv",
+                            visible(reader.name()), formats[format].name));
+  }
   Snapshot snapshot = empty ? read_nothing(reader, options) : readers[format](reader, options);
   snapshot.is_blank = empty;
   snapshot.source = reader.name();

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace abut::io {
 
@@ -21,6 +22,10 @@ enum class LoneFrame { by_its_number, always_taken };
 /// Whether the columns that may hold groups are sought.
 enum class GroupColumns { not_sought, sought };
 
+/// What the elements are read for. A description takes files that a detection must refuse: without
+/// radii, and CSV tables without names of coordinates, which come as `Snapshot::table`.
+enum class Purpose { detection, description };
+
 struct ReadOptions {
   std::string format;            ///< a name of `readable_formats()`; empty: by suffix, then content
   std::optional<double> radius;  ///< for all elements
@@ -30,6 +35,11 @@ struct ReadOptions {
   LoneFrame lone_frame = LoneFrame::by_its_number;
   std::string groups = {};  ///< name of a column whose whole numbers are read; empty: none
   GroupColumns group_columns = GroupColumns::not_sought;
+
+  Purpose purpose = Purpose::detection;
+
+  /// Names of the columns of a CSV table, in place of those that it gives itself.
+  std::vector<std::string> columns = {};
 };
 
 /// Reads one frame of a file; "-" is standard input. Streams: memory follows the frame, not the

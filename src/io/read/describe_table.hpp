@@ -1,0 +1,18 @@
+#pragma once
+
+#include "io/read/csv_header.hpp"
+#include "io/read/line_reader.hpp"
+#include "io/snapshot.hpp"
+
+#include <optional>
+#include <string>
+
+namespace abut::io {
+
+/// What the rest of a CSV table holds, column by column, where its columns cannot be told to be
+/// elements for the reason `problem`. Without a header its columns are called by their numbers.
+[[nodiscard]] TableDescription describe_table(LineReader& reader,
+                                              const std::optional<CsvHeader>& header,
+                                              std::string problem);
+
+}  // namespace abut::io

@@ -20,6 +20,7 @@ ROOMS_BELOW = {
     "base": "",
     "exact/numbers": "",
     "exact": "exact/numbers",
+    "exact/features": "exact/numbers exact",
     "kernels": "base exact",
     "grid": "base exact kernels",
     "lattice": "base exact/numbers exact grid",
@@ -34,7 +35,7 @@ ROOMS_BELOW = {
     "detect": (
         "base exact kernels grid reference engine periodic elements lists geometry skin algorithms"),
     "history": "base exact lattice elements detect",
-    "walls": "base exact kernels lattice elements lists detect",
+    "walls": "base exact/features exact kernels lattice elements lists geometry detect",
 }
 CORE = {"include/abut": set()} | {
     f"src/{room}": {"include/abut"} | {f"src/{other}" for other in below.split()}

@@ -57,39 +57,60 @@ Sphere<Dim> point_at(const double (&corner)[Dim]) noexcept {
 }  // namespace
 
 template <int Dim>
-std::optional<BoxSides<Dim>> sides_within_reach(const Sphere<Dim>& sphere, const Box<Dim>& box,
-                                                const ImageShift& shift, const Lattice& lattice,
-                                                double margin,
-                                                std::uint64_t& exact_decisions) noexcept {
-  const LatticeSteps<Dim> steps(shift, lattice);
-  if (steps.empty()) return sides_within_reach(sphere, box, margin, exact_decisions);
-  // Axes where the center lies between the bounds are taken away, from all that has axes.
+BoxSides<Dim> nearest_sides(const Sphere<Dim>& sphere, const Box<Dim>& box,
+                            const LatticeSteps<Dim>& steps, std::uint64_t& doubts) noexcept {
   const Sphere<Dim> lower = point_at(box.lower);
   const Sphere<Dim> upper = point_at(box.upper);
-  Sphere<Dim> outside = sphere;
-  Sphere<Dim> nearest{};
-  Lattice rest = lattice;
   BoxSides<Dim> sides{};
-  std::uint64_t doubts = 0;
   for (int axis = 0; axis < Dim; ++axis) {
     std::int8_t& side = sides[static_cast<std::size_t>(axis)];
     if (sign_of_difference(sphere, lower, steps, axis, doubts) <= 0) {
       side = -1;
     } else if (sign_of_difference(sphere, upper, steps, axis, doubts) >= 0) {
       side = lower.center[axis] == upper.center[axis] ? -1 : 1;
-    } else {
-      outside.center[axis] = 0.0;
-      for (auto& vector : rest.vectors) vector[static_cast<std::size_t>(axis)] = 0.0;
-      continue;
     }
-    nearest.center[axis] = side < 0 ? lower.center[axis] : upper.center[axis];
   }
-  const bool within = within_reach(outside, nearest, shift, rest, margin, doubts);
+  return sides;
+}
+
+template <int Dim>
+SideCorner<Dim>::SideCorner(const Sphere<Dim>& sphere, const Box<Dim>& box,
+                            const BoxSides<Dim>& sides, const Lattice& given) noexcept
+    : center(sphere), nearest{}, lattice(given) {
+  for (int axis = 0; axis < Dim; ++axis) {
+    const std::int8_t side = sides[static_cast<std::size_t>(axis)];
+    if (side == 0) {
+      center.center[axis] = 0.0;
+      for (auto& vector : lattice.vectors) vector[static_cast<std::size_t>(axis)] = 0.0;
+    } else {
+      nearest.center[axis] = side < 0 ? box.lower[axis] : box.upper[axis];
+    }
+  }
+}
+
+template <int Dim>
+std::optional<BoxSides<Dim>> sides_within_reach(const Sphere<Dim>& sphere, const Box<Dim>& box,
+                                                const ImageShift& shift, const Lattice& lattice,
+                                                double margin,
+                                                std::uint64_t& exact_decisions) noexcept {
+  const LatticeSteps<Dim> steps(shift, lattice);
+  if (steps.empty()) return sides_within_reach(sphere, box, margin, exact_decisions);
+  std::uint64_t doubts = 0;
+  const BoxSides<Dim> sides = nearest_sides(sphere, box, steps, doubts);
+  const SideCorner<Dim> across(sphere, box, sides, lattice);
+  const bool within =
+      within_reach(across.center, across.nearest, shift, across.lattice, margin, doubts);
   exact_decisions += doubts == 0 ? 0 : 1;
   if (!within) return std::nullopt;
   return sides;
 }
 
+template BoxSides<2> nearest_sides<2>(const Sphere<2>&, const Box<2>&, const LatticeSteps<2>&,
+                                      std::uint64_t&) noexcept;
+template BoxSides<3> nearest_sides<3>(const Sphere<3>&, const Box<3>&, const LatticeSteps<3>&,
+                                      std::uint64_t&) noexcept;
+template struct SideCorner<2>;
+template struct SideCorner<3>;
 template std::optional<BoxSides<2>> sides_within_reach<2>(const Sphere<2>&, const Box<2>&,
                                                           const ImageShift&, const Lattice&, double,
                                                           std::uint64_t&) noexcept;

@@ -37,6 +37,26 @@ template <int Dim>
   return sides;
 }
 
+/// The bounds on which the point of a moved box lies that is nearest to the center, however far
+/// away it is. Adds one to `doubts` for each axis on which a filter cannot tell.
+template <int Dim>
+[[nodiscard]] BoxSides<Dim> nearest_sides(const Sphere<Dim>& sphere, const Box<Dim>& box,
+                                          const LatticeSteps<Dim>& steps,
+                                          std::uint64_t& doubts) noexcept;
+
+/// A sphere outside a box and the corner of the box that lies on the given sides, with all that has
+/// axes without those on which the center lies between the bounds: these do not count in the
+/// distance.
+template <int Dim>
+struct SideCorner {
+  SideCorner(const Sphere<Dim>& sphere, const Box<Dim>& box, const BoxSides<Dim>& sides,
+             const Lattice& given) noexcept;
+
+  Sphere<Dim> center;
+  Sphere<Dim> nearest;
+  Lattice lattice;
+};
+
 /// The same with the box moved by the shift n of a lattice A. On each axis it is decided exactly on
 /// which side of the bounds + n A the center lies; the distance is that to the bounds of those axes
 /// where it does not lie between them, by the contract of two spheres with a lattice.

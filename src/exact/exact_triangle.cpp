@@ -7,6 +7,7 @@
 // decided several times as fast as others.
 
 #include "exact/image_difference.hpp"
+#include "exact/integer_vector.hpp"
 #include "exact/nearest_part.hpp"
 #include "exact/numbers/big_integer.hpp"
 #include "exact/numbers/bit_range.hpp"
@@ -50,33 +51,6 @@ class SmallInteger {
 
   Int128 value_;
 };
-
-template <class Integer>
-struct IntegerVector {
-  Integer x, y, z;
-
-  IntegerVector(const double (&point)[3], int exponent) noexcept
-      : x(point[0], exponent), y(point[1], exponent), z(point[2], exponent) {}
-  IntegerVector(const Integer& x_given, const Integer& y_given, const Integer& z_given) noexcept
-      : x(x_given), y(y_given), z(z_given) {}
-};
-
-template <class Integer>
-IntegerVector<Integer> operator-(const IntegerVector<Integer>& a,
-                                 const IntegerVector<Integer>& b) noexcept {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-template <class Integer>
-Integer dot(const IntegerVector<Integer>& a, const IntegerVector<Integer>& b) noexcept {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class Integer>
-IntegerVector<Integer> cross(const IntegerVector<Integer>& a,
-                             const IntegerVector<Integer>& b) noexcept {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// Corners seen from the center.
 template <class Integer>
@@ -127,8 +101,11 @@ std::optional<TrianglePart> decide(const IntegerVector<Integer>& center, const S
   return nearest && signs.is_within(reach, *nearest) ? nearest : std::nullopt;
 }
 
-void include(BitRange& range, const double (&point)[3]) noexcept {
-  for (const double x : point) range.include(x);
+/// Of signs that are all known.
+template <class Integer>
+TrianglePart nearest(const IntegerVector<Integer>& center, const Triangle& triangle,
+                     int exponent) noexcept {
+  return *nearest_part(ExactSigns<Integer>(center, triangle, exponent));
 }
 
 BitRange range_of(const Sphere<3>& sphere, const Triangle& triangle, double margin) noexcept {
@@ -153,19 +130,23 @@ std::optional<Sphere<3>> moved_back(const Sphere<3>& sphere,
   return moved;
 }
 
-IntegerVector<BigInteger> moved_back(const Sphere<3>& sphere, const LatticeSteps<3>& steps,
-                                     int exponent) noexcept {
-  IntegerVector<BigInteger> center(sphere.center, exponent);
-  for (const auto& step : steps) {
-    const auto product = [&](int axis) {
-      return BigInteger(step.number, 0) * BigInteger(step.vector[axis], exponent);
-    };
-    center = center - IntegerVector<BigInteger>(product(0), product(1), product(2));
-  }
-  return center;
-}
-
 }  // namespace
+
+/// If the center, moved back by the shift, is exactly three doubles, asks the question without a
+/// lattice.
+TrianglePart nearest_part_exactly(const Sphere<3>& sphere, const Triangle& triangle,
+                                  const LatticeSteps<3>& steps) noexcept {
+  const auto moved = moved_back(sphere, steps);
+  BitRange range = range_of(Sphere<3>{}, triangle, 0.0);
+  include(range, moved ? moved->center : sphere.center);
+  if (!moved) include(range, steps);
+  const int exponent = range.lowest();
+  if (moved && range.bits() <= SmallInteger::most_bits) {
+    return nearest(IntegerVector<SmallInteger>(moved->center, exponent), triangle, exponent);
+  }
+  return moved ? nearest(IntegerVector<BigInteger>(moved->center, exponent), triangle, exponent)
+               : nearest(moved_back(sphere.center, steps, exponent), triangle, exponent);
+}
 
 std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                                                       const Triangle& triangle,
@@ -190,11 +171,9 @@ std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
     return part_within_reach_exactly(*moved, triangle, margin);
   }
   BitRange range = range_of(sphere, triangle, margin);
-  for (const auto& step : steps) {
-    for (int axis = 0; axis < 3; ++axis) range.include(step.vector[axis]);
-  }
+  include(range, steps);
   const int exponent = range.lowest();
-  return decide(moved_back(sphere, steps, exponent), sphere, triangle, margin, exponent);
+  return decide(moved_back(sphere.center, steps, exponent), sphere, triangle, margin, exponent);
 }
 
 }  // namespace abut::exact

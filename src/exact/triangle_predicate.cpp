@@ -194,6 +194,15 @@ std::optional<TrianglePart> decide(const Filter& filter, const Triangle& triangl
 
 }  // namespace
 
+TrianglePart nearest_part_of(const Sphere<3>& sphere, const Triangle& triangle,
+                             const LatticeSteps<3>& steps) noexcept {
+  const auto& [x, y, z] = sphere.center;
+  const Viewpoint view = steps.empty() ? Viewpoint{{x, y, z}, 0.0} : moved_back(sphere, steps);
+  const Filter filter(view, triangle, 0.0);
+  const auto nearest = filter.applies() ? nearest_part(filter) : std::nullopt;
+  return nearest ? *nearest : nearest_part_exactly(sphere, triangle, steps);
+}
+
 std::optional<TrianglePart> part_within_reach(const Sphere<3>& sphere, const Triangle& triangle,
                                               double margin,
                                               std::uint64_t& exact_decisions) noexcept {

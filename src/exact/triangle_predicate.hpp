@@ -38,7 +38,17 @@ enum class TrianglePart : std::uint8_t {
     const Sphere<3>& sphere, const Triangle& triangle, const ImageShift& shift,
     const Lattice& lattice, double margin, std::uint64_t& exact_decisions) noexcept;
 
-/// The same by long integers alone. Needs the default floating-point environment, as all here.
+/// The part of the triangle, moved by a shift, that holds the point nearest to the center, however
+/// far away it is.
+[[nodiscard]] TrianglePart nearest_part_of(const Sphere<3>& sphere, const Triangle& triangle,
+                                           const LatticeSteps<3>& steps) noexcept;
+
+/// The same by long integers alone.
+[[nodiscard]] TrianglePart nearest_part_exactly(const Sphere<3>& sphere, const Triangle& triangle,
+                                                const LatticeSteps<3>& steps) noexcept;
+
+/// The parts within reach by long integers alone. Needs the default floating-point environment, as
+/// all here.
 [[nodiscard]] std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                                                                     const Triangle& triangle,
                                                                     double margin) noexcept;

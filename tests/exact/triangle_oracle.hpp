@@ -32,6 +32,7 @@ using RationalPoint = std::array<mpq_class, 3>;
 struct NearestPart {
   exact::TrianglePart part = exact::TrianglePart::corner_0;
   mpq_class distance_squared;
+  RationalPoint vector;  ///< from the center to the nearest point
 };
 
 class NearestPartFinder {
@@ -44,7 +45,7 @@ class NearestPartFinder {
 
   [[nodiscard]] NearestPart find() {
     using exact::TrianglePart;
-    nearest_ = {TrianglePart::corner_0, dot(corner_[0], corner_[0])};
+    nearest_ = {TrianglePart::corner_0, dot(corner_[0], corner_[0]), corner_[0]};
     consider(TrianglePart::corner_1, corner_[1]);
     consider(TrianglePart::corner_2, corner_[2]);
     consider_side(TrianglePart::side_01, corner_[0], corner_[1]);
@@ -58,7 +59,7 @@ class NearestPartFinder {
   /// Of points at the same distance the first stays.
   void consider(exact::TrianglePart part, const RationalPoint& point) {
     const mpq_class squared = dot(point, point);
-    if (squared < nearest_.distance_squared) nearest_ = {part, squared};
+    if (squared < nearest_.distance_squared) nearest_ = {part, squared, point};
   }
 
   void consider_side(exact::TrianglePart part, const RationalPoint& from, const RationalPoint& to) {

@@ -34,6 +34,21 @@ BigInteger& BigInteger::operator=(const BigInteger& other) noexcept {
   return *this;
 }
 
+/// Of three words, the highest of which is not 0: at least 129 bits. Halves of words are doubles.
+BigInteger::Scaled BigInteger::leading() const noexcept {
+  const std::size_t used = std::min<std::size_t>(size_, 3);
+  CompensatedSum sum;
+  for (std::size_t k = 0; k < used; ++k) {
+    const std::uint64_t word = words_[size_ - 1 - k];
+    const double scale = k == 0 ? 1.0 : k == 1 ? 0x1p-64 : 0x1p-128;
+    sum.add(static_cast<double>(word >> 32) * (0x1p32 * scale));
+    sum.add(static_cast<double>(word & 0xFFFFFFFF) * scale);
+  }
+  const DoubleDouble value = sum.value();
+  const int exponent = 64 * (static_cast<int>(size_) - 1);
+  return negative_ ? Scaled{{-value.high, -value.low}, exponent} : Scaled{value, exponent};
+}
+
 BigInteger BigInteger::operator-() const noexcept {
   BigInteger result = *this;
   result.negative_ = !negative_;

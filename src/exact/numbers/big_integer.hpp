@@ -1,5 +1,7 @@
 #pragma once
 
+#include "exact/numbers/double_double.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +29,13 @@ class BigInteger {
 
   /// -1, 0 or 1.
   [[nodiscard]] int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
+
+  /// The leading bits: the number is `number` 2^exponent but for 2^-104 of itself.
+  struct Scaled {
+    DoubleDouble number;
+    int exponent;
+  };
+  [[nodiscard]] Scaled leading() const noexcept;
 
   [[nodiscard]] BigInteger operator-() const noexcept;
 

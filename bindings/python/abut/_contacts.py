@@ -51,6 +51,7 @@ class Contacts:
         options: Options,
     ) -> None:
         self._results: _abut.PairResults | None = results
+        self._pairs: npt.NDArray[np.uint32] | None = None
         self._elements = elements
         self._others = others
         self._domain = options.get("domain") or OPEN
@@ -61,10 +62,13 @@ class Contacts:
     def __len__(self) -> int:
         return len(self.pairs) if self._results is None else len(self._results)
 
-    @cached_property
+    @property
     def pairs(self) -> npt.NDArray[np.uint32]:
         """Table (M, 2) of the indices of the two elements of each pair."""
-        return self._native().pairs
+        # Not a cached_property, whose lock costs more than all else here.
+        if self._pairs is None:
+            self._pairs = self._native().pairs
+        return self._pairs
 
     @property
     def i(self) -> npt.NDArray[np.uint32]:
@@ -365,7 +369,7 @@ class Contacts:
             "_threads": self._threads,
             "_is_canonical": self._is_canonical,
             "_measured": self._measured,
-            "pairs": self.pairs,
+            "_pairs": self.pairs,
             "statistics": self.statistics,
             **({"shift": self.shift} if has_shifts or not self._domain.is_periodic else {}),
         }

@@ -6,11 +6,13 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace abut::io::testing {
 namespace {
 
 using namespace std::string_literals;
+using namespace std::string_view_literals;
 
 struct Foreign {
   std::string name;
@@ -32,7 +34,7 @@ const Foreign foreign_files[] = {
     {"a.lz4", "\x04\x22\x4D\x18"s, "lz4", "lz4 -dc FOLDER/a.lz4"},
     {"a.7z", "7z\xBC\xAF\x27\x1C"s, "7-Zip", "7z x FOLDER/a.7z"},
     {"a.npz", "PK\x03\x04\x14"s, "zip", "unzip FOLDER/a.npz"},
-    {"a.tar", std::string(257, '\0') + "ustar  \0"s + zeros, "tar", "tar -xf FOLDER/a.tar"},
+    {"a.tar", zeros.substr(0, 257) + "ustar  \0"s + zeros, "tar", "tar -xf FOLDER/a.tar"},
     {"a.npy", "\x93NUMPY\x01\0v\0{'descr': "s, "NumPy", "n.load(sys.argv[1]))' FOLDER/a.npy |"},
     {"a.gsd", "\xDF\x65\xDF\x65\xDF\x65\xDF\x65"s + zeros, "GSD", "gsd.hoomd"},
     {"a b.h5", "\x89HDF\r\n\x1A\n"s + zeros, "HDF5", "' 'FOLDER/a b.h5' DATASET | abut contacts"},
@@ -51,7 +53,7 @@ const Foreign foreign_files[] = {
     {"a.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">\n"s, "VTK", "pyvista"},
     {"a.ply", "ply\r\nformat ascii 1.0\r\n"s, "PLY", "pyvista"},
     {"a.stl", "solid a\n facet normal 0 0 1\n"s, "triangles", "find_mesh_contacts"},
-    {"b.stl", std::string(80, ' ') + "\2\0\0\0"s + std::string(100, '\0'), "triangles", "walls"},
+    {"b.stl", std::string(80, ' ') + "\2\0\0\0"s + zeros.substr(0, 100), "triangles", "walls"},
     {"a.xml", "<?xml version=\"1.0\"?>\n<scene/>\n"s, "XML", "x,y,z,radius"},
     {"a.csv", "<!DOCTYPE html>\n<html>"s, "HTML", "x,y,z,radius"},
     {"a.json", "{\"x\": [1, 2]}\n"s, "JSON", "x,y,z,radius"},
@@ -81,10 +83,12 @@ TEST(ForeignFormat, OfAPipeHasAPlaceForTheName) {
 
 /// Text that begins as a foreign format does, and binary of a size that is no STL's.
 TEST(ForeignFormat, IsNotSeenInText) {
-  for (const std::string& text :
-       {"PAR1,x,y,radius\n"s, "plyer x y radius\n"s, "solid,x,y,radius\n"s, "x y CORD radius\n"s,
-        "[comment\n"s, "{comment\n"s, "x\n"s, ""s, "# vtk and more\nx,y,radius\n"s, "<comment>\n"s,
-        std::string(300, 'u') + "ustar"}) {
+  std::string late(300, 'u');
+  late += "ustar";
+  for (const std::string_view text :
+       {"PAR1,x,y,radius\n"sv, "plyer x y radius\n"sv, "solid,x,y,radius\n"sv,
+        "x y CORD radius\n"sv, "[comment\n"sv, "{comment\n"sv, "x\n"sv, ""sv,
+        "# vtk and more\nx,y,radius\n"sv, "<comment>\n"sv, std::string_view(late)}) {
     EXPECT_EQ(foreign_format({text, text.size()}, "a"), std::nullopt) << text;
   }
   const std::string binary = std::string(80, ' ') + "\3\0\0\0"s + std::string(100, '\0');

@@ -43,24 +43,34 @@ CenterLine<Dim>::CenterLine(const Sphere<Dim>& a, const Sphere<Dim>& b, const Im
     : a_(a), difference_of_radii_(two_sum(a.radius, -b.radius)) {
   const LatticeSteps<Dim> steps(shift, lattice);
   const double largest = largest_term(a, b, steps);
+  if (!(largest <= largest_summed)) {
+    subtract_large(b, steps);
+    return;
+  }
   is_ordinary_ = std::max({largest, a.radius, b.radius}) <= largest_ordinary;
   for (int axis = 0; axis < Dim; ++axis) {
-    if (largest > largest_summed) {
-      vector_[axis] = any_component(a, b, steps, axis);
-      // What exceeds the largest double is that.
-      vector_[axis].high = std::clamp(vector_[axis].high, -largest_double, largest_double);
-      continue;
-    }
     const DoubleDouble opposite = image_difference(a, b, steps, axis).value();
     vector_[axis] = {-opposite.high, -opposite.low};
     is_ordinary_ = is_ordinary_ && exact::is_ordinary(opposite.high);
   }
-  const bool cancels = !steps.empty() && largest_of(vector_) < most_cancellation * largest;
-  if (!cancels || largest > largest_summed) return;
+  if (steps.empty() || largest_of(vector_) >= most_cancellation * largest) return;
   is_ordinary_ = false;
+  for (int axis = 0; axis < Dim; ++axis) vector_[axis] = component(a, b, steps, axis);
+}
+
+/// Components beyond the largest double are kept times a power of two.
+template <int Dim>
+void CenterLine<Dim>::subtract_large(const Sphere<Dim>& b,
+                                     const LatticeSteps<Dim>& steps) noexcept {
+  is_ordinary_ = false;
+  bool finite = true;
   for (int axis = 0; axis < Dim; ++axis) {
-    vector_[axis] = component(a, b, steps, axis);
+    vector_[axis] = any_component(a_, b, steps, axis);
+    finite = finite && std::isfinite(vector_[axis].high);
   }
+  if (finite) return;
+  exponent_ = -128;
+  for (int axis = 0; axis < Dim; ++axis) vector_[axis] = component(a_, b, steps, axis, 0x1p-128);
 }
 
 template <int Dim>
@@ -83,12 +93,15 @@ std::array<double, 3> CenterLine<Dim>::point() const noexcept {
   DoubleDouble vector[Dim];
   std::copy(vector_, vector_ + Dim, vector);
   DoubleDouble radii = difference_of_radii_;
-  int exponent = 0;
+  int exponent = exponent_;
   if (!is_ordinary_) {
-    double largest = std::max(length, std::fabs(radii.high));
-    for (const double x : a_.center) largest = std::max(largest, std::fabs(x));
-    if (largest > 0.0) exponent = exponent_to_one(largest);
-    scale_by(vector, exponent);
+    double largest = std::max(length, std::fabs(std::ldexp(radii.high, exponent)));
+    for (const double x : a_.center) {
+      largest = std::max(largest, std::fabs(std::ldexp(x, exponent)));
+    }
+    const int further = largest > 0.0 ? exponent_to_one(largest) : 0;
+    scale_by(vector, further);
+    exponent += further;
     radii = {std::ldexp(radii.high, exponent), std::ldexp(radii.low, exponent)};
   }
   for (std::size_t axis = 0; axis < Dim; ++axis) {

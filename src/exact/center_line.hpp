@@ -29,10 +29,13 @@ class CenterLine {
   [[nodiscard]] std::array<double, 3> point() const noexcept;
 
  private:
+  void subtract_large(const Sphere<Dim>& b, const LatticeSteps<Dim>& steps) noexcept;
+
   Sphere<Dim> a_;
   DoubleDouble difference_of_radii_;
-  DoubleDouble vector_[Dim];  ///< v
-  bool is_ordinary_;
+  DoubleDouble vector_[Dim];  ///< v times 2^exponent_
+  int exponent_ = 0;          ///< not 0 only where a component exceeds the largest double
+  bool is_ordinary_ = false;
 };
 
 /// Numbers beyond these leave the range in which nothing of the sequence over- or underflows.

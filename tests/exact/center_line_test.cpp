@@ -157,6 +157,23 @@ TEST(CenterLine, OfOnePointHasNoDirection) {
   EXPECT_EQ(line.point(), (Vector{1.0, -2.0, 3.0}));
 }
 
+/// The vector (2, 1) times the largest double: in its direction, cut off, it would be (1, 1).
+TEST(CenterLine, OfCentersFartherApartThanTheLargestDouble) {
+  const double largest = std::numeric_limits<double>::max();
+  const exact::Sphere<2> a{{-largest, -0.5 * largest}, 0x1p1000};
+  const exact::Sphere<2> b{{largest, 0.5 * largest}, 0x1p1000};
+  const exact::CenterLine<2> line(a, b, {}, {});
+  EXPECT_NEAR(line.normal()[0], 2.0 / std::sqrt(5.0), 0x1p-52);
+  EXPECT_NEAR(line.normal()[1], 1.0 / std::sqrt(5.0), 0x1p-52);
+  EXPECT_EQ(line.point(), (Vector{0.0, 0.0, 0.0}));
+  exact::Lattice lattice;
+  lattice.vectors[0] = {largest, -largest, 0.0};
+  lattice.periodic[0] = true;
+  const exact::CenterLine<2> shifted(a, a, {4, 0, 0}, lattice);
+  EXPECT_NEAR(shifted.normal()[0], std::sqrt(0.5), 0x1p-52);
+  EXPECT_NEAR(shifted.normal()[1], -std::sqrt(0.5), 0x1p-52);
+}
+
 TEST(CenterLine, OfSymmetricSpheresMeetsInTheMiddle) {
   const exact::Sphere<2> a{{-1.0, 0.3}, 1.5};
   const exact::Sphere<2> b{{1.0, -0.3}, 1.5};

@@ -1,7 +1,7 @@
 #include "fuzz/check_case.hpp"
 
 #include "fuzz/check_face.hpp"
-#include "fuzz/check_neighbors.hpp"
+#include "fuzz/check_geometry.hpp"
 
 #include <abut/error.hpp>
 #include <abut/simd.hpp>
@@ -83,7 +83,7 @@ class StateChecker {
     std::size_t k = 0;
     for (const AlgorithmInfo& row : algorithms()) check_chosen(row.algorithm, k++);
     check_chosen(Algorithm::automatic, k);
-    if (!refusal_.code) check_gaps(question_);
+    if (!refusal_.code) check_geometry(question_);
   }
 
   void check_completely() const {
@@ -92,7 +92,7 @@ class StateChecker {
         for (const Options& options : all_options(row.algorithm)) ask(face, options);
       }
     }
-    if (!refusal_.code) check_gaps(question_);
+    if (!refusal_.code) check_geometry(question_);
   }
 
   void check_detector(Detector& detector, Face face, Options options) const {

@@ -1,7 +1,5 @@
 #include "fuzz/check_neighbors.hpp"
 
-#include "support/exact_oracle.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <string>
@@ -23,29 +21,16 @@ std::vector<ImagePair> expected_entries(const Question& question, NeighborListKi
   return entries;
 }
 
-/// Of all elements; of two sets one behind the other.
-testing::ExactOracle oracle_of(const System& system) {
-  return {system.second ? testing::joined(system.first, *system.second) : system.first,
-          system.domain, system.margin};
-}
-
-ImagePair in_both_sets(const Question& question, ImagePair image) {
-  if (question.has_two_sets()) {
-    image.pair.second += static_cast<ElementIndex>(question.system().first.size());
-  }
-  return image;
-}
-
 void require(bool holds, const std::string& what) {
   if (!holds) throw Failure("neighbor list: " + what);
 }
 
 void check_measures(const Question& question, const NeighborList& list,
                     const std::vector<ImagePair>& entries) {
-  const testing::ExactOracle oracle = oracle_of(question.system());
+  const testing::ExactOracle oracle = question.oracle();
   const std::size_t step = entries.size() / most_measured + 1;
   for (std::size_t k = 0; k < entries.size(); k += step) {
-    const ImagePair image = in_both_sets(question, entries[k]);
+    const ImagePair image = question.in_oracle(entries[k]);
     const std::string where = " of entry " + std::to_string(k);
     if (!list.distances().empty()) {
       require(oracle.is_distance(image, list.distances()[k]), "distance" + where);
@@ -81,20 +66,6 @@ void check_neighbors(const Question& question, const Options& options, NeighborL
   require(list.distances().size() == (distances ? entries.size() : 0), "distances");
   require(list.vectors().size() == (vectors ? entries.size() : 0), "vectors");
   check_measures(question, list, entries);
-}
-
-void check_gaps(const Question& question) {
-  const testing::ExactOracle oracle = oracle_of(question.system());
-  const std::vector<ImagePair>& pairs = question.expected().pairs;
-  for (std::size_t k = 0; k < pairs.size(); k += pairs.size() / most_measured + 1) {
-    const auto& [pair, n] = pairs[k];
-    const double found = question.has_two_sets()
-                             ? gap(question.first(), question.second(), question.domain(), pair, n)
-                             : gap(question.first(), question.domain(), pair, n);
-    if (!oracle.is_gap(in_both_sets(question, pairs[k]), found)) {
-      throw Failure("gap of pair " + std::to_string(k) + " is " + std::to_string(found));
-    }
-  }
 }
 
 }  // namespace abut::fuzz

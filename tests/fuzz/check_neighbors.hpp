@@ -9,7 +9,4 @@ namespace abut::fuzz {
 void check_neighbors(const Question& question, const Options& options, NeighborListKind kind,
                      const NeighborList& list);
 
-/// Throws Failure unless each gap is that of the contract.
-void check_gaps(const Question& question);
-
 }  // namespace abut::fuzz

@@ -19,6 +19,16 @@ std::size_t Question::element_count() const {
   return system_.first.size() + (system_.second ? system_.second->size() : 0);
 }
 
+testing::ExactOracle Question::oracle() const {
+  return {system_.second ? testing::joined(system_.first, *system_.second) : system_.first,
+          system_.domain, system_.margin};
+}
+
+ImagePair Question::in_oracle(ImagePair image) const {
+  if (has_two_sets()) image.pair.second += static_cast<ElementIndex>(system_.first.size());
+  return image;
+}
+
 Options Question::options() const {
   Options options;
   options.margin = system_.margin;

@@ -2,6 +2,7 @@
 
 #include "fuzz/expected.hpp"
 #include "fuzz/stored_elements.hpp"
+#include "support/exact_oracle.hpp"
 
 #include <abut/detector.hpp>
 #include <abut/exclusion_list.hpp>
@@ -31,6 +32,11 @@ class Question {
   [[nodiscard]] bool has_two_sets() const noexcept { return second_.has_value(); }
   [[nodiscard]] std::size_t element_count() const;
   [[nodiscard]] const Domain& domain() const noexcept { return system_.domain; }
+
+  /// The contract about all elements; those of a second set stand behind the first.
+  [[nodiscard]] testing::ExactOracle oracle() const;
+  /// An image of the question as that oracle numbers its elements.
+  [[nodiscard]] ImagePair in_oracle(ImagePair image) const;
 
   /// Margin and rule of the system.
   [[nodiscard]] Options options() const;

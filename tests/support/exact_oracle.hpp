@@ -58,6 +58,15 @@ class ExactOracle {
   /// nearest three.
   [[nodiscard]] bool is_distance(const ImagePair& image, double value) const;
 
+  /// Whether it is, of spheres, the unit vector from i to j (from x_i to x_j + n A), each component
+  /// off by at most one unit in the last place of the largest; 0 where centers coincide.
+  [[nodiscard]] bool is_normal(const ImagePair& image, const std::array<double, 3>& value) const;
+
+  /// Whether it is, of spheres, the middle between the surfaces on the line of centers, each
+  /// component off by at most one unit in the last place of the largest, or 2^-94 of the largest
+  /// number of the two elements.
+  [[nodiscard]] bool is_point(const ImagePair& image, const std::array<double, 3>& value) const;
+
   /// Whether it is the gap: of boxes rounded once; of spheres with the right sign, and off by at
   /// most 2^-48 of the distance and the radii, and 2^-1072.
   [[nodiscard]] bool is_gap(const ImagePair& image, double value) const;
@@ -75,6 +84,8 @@ class ExactOracle {
     mpz_class bound;                 ///< functional . functional
   };
 
+  /// A length to 128 bits behind the last place that the whole numbers have.
+  [[nodiscard]] static mpq_class length(const Vector& vector);
   [[nodiscard]] static mpz_class dot(const Vector& a, const Vector& b);
   [[nodiscard]] mpz_class whole(double value) const;
   void read_elements(const ElementArrays& elements, double margin);

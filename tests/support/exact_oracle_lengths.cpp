@@ -1,5 +1,7 @@
 #include "support/exact_oracle.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -31,7 +33,17 @@ bool is_nearest(const mpq_class& exact, double rounded) {
   return below < exact && exact < above;
 }
 
+/// The distance of the largest of the numbers to the next double above.
+double last_place(const std::array<double, 3>& numbers) {
+  const double x = std::max({std::fabs(numbers[0]), std::fabs(numbers[1]), std::fabs(numbers[2])});
+  return x < largest ? std::nextafter(x, inf) - x : 0x1p971;
+}
+
 }  // namespace
+
+mpq_class ExactOracle::length(const Vector& vector) {
+  return mpq_class(sqrt(dot(vector, vector) << 256)) >> 128;
+}
 
 mpq_class ExactOracle::number(const mpz_class& whole) const {
   mpq_class result(whole);
@@ -77,6 +89,37 @@ bool ExactOracle::is_distance(const ImagePair& image, double value) const {
   const double previous = std::nextafter(value, -inf);
   const mpq_class below = tiny ? mpq_class(previous) : midpoint(value, previous);
   return below * below < square || (tiny && below * below <= square);
+}
+
+bool ExactOracle::is_normal(const ImagePair& image, const std::array<double, 3>& value) const {
+  const Vector opposite = difference(image);
+  const mpq_class distance = length(opposite);
+  const mpq_class most = distance * last_place(value);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(value[axis])) return false;
+    if (distance == 0 && value[axis] != 0.0) return false;
+    if (abs(distance * value[axis] + opposite[axis]) > most) return false;
+  }
+  return true;
+}
+
+bool ExactOracle::is_point(const ImagePair& image, const std::array<double, 3>& value) const {
+  const auto& [i, j] = image.pair;
+  const Vector opposite = difference(image);
+  const mpq_class distance = length(opposite);
+  const mpq_class along = distance == 0 ? mpq_class(0) : (sizes_[i][0] - sizes_[j][0]) / distance;
+  mpz_class most = std::max(sizes_[i][0], sizes_[j][0]);
+  for (const auto& center : {centers_[i], centers_[j]}) {
+    for (const mpz_class& x : center) most = std::max<mpz_class>(most, abs(x));
+  }
+  const mpq_class error = (number(most) >> 94) + mpq_class(last_place(value));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(value[axis])) return false;
+    const mpq_class exact = number(centers_[i][axis]) - number(opposite[axis]) * (1 + along) / 2;
+    if (abs(exact) >= largest) continue;
+    if (abs(exact - value[axis]) > error) return false;
+  }
+  return true;
 }
 
 bool ExactOracle::is_gap(const ImagePair& image, double value) const {

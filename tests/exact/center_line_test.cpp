@@ -159,15 +159,15 @@ TEST(CenterLine, OfOnePointHasNoDirection) {
 
 /// The vector (2, 1) times the largest double: in its direction, cut off, it would be (1, 1).
 TEST(CenterLine, OfCentersFartherApartThanTheLargestDouble) {
-  const double largest = std::numeric_limits<double>::max();
-  const exact::Sphere<2> a{{-largest, -0.5 * largest}, 0x1p1000};
-  const exact::Sphere<2> b{{largest, 0.5 * largest}, 0x1p1000};
+  const double huge = std::numeric_limits<double>::max();
+  const exact::Sphere<2> a{{-huge, -0.5 * huge}, 0x1p1000};
+  const exact::Sphere<2> b{{huge, 0.5 * huge}, 0x1p1000};
   const exact::CenterLine<2> line(a, b, {}, {});
   EXPECT_NEAR(line.normal()[0], 2.0 / std::sqrt(5.0), 0x1p-52);
   EXPECT_NEAR(line.normal()[1], 1.0 / std::sqrt(5.0), 0x1p-52);
   EXPECT_EQ(line.point(), (Vector{0.0, 0.0, 0.0}));
   exact::Lattice lattice;
-  lattice.vectors[0] = {largest, -largest, 0.0};
+  lattice.vectors[0] = {huge, -huge, 0.0};
   lattice.periodic[0] = true;
   const exact::CenterLine<2> shifted(a, a, {4, 0, 0}, lattice);
   EXPECT_NEAR(shifted.normal()[0], std::sqrt(0.5), 0x1p-52);

@@ -1,5 +1,6 @@
 #include "fuzz/check_case.hpp"
 
+#include "fuzz/check_candidates.hpp"
 #include "fuzz/check_face.hpp"
 #include "fuzz/check_geometry.hpp"
 
@@ -179,26 +180,11 @@ class StateChecker {
   Refusal refusal_;
 };
 
-/// Whether candidates within the skin may be images by the thousands, which only take time.
-bool is_far_longer_than_cell(const Skin& skin, const Domain& domain) {
-  double shortest = HUGE_VAL;
-  for (int k = 0; k < 3; ++k) {
-    if (!domain.is_periodic(k)) continue;
-    double length = 0.0;
-    for (const double x : domain.vector(k)) length = std::max(length, std::fabs(x));
-    shortest = std::min(shortest, length);
-  }
-  return skin.length() > 8.0 * shortest;
-}
-
 /// Goes through all states with one Detector.
 class DetectorChecker {
  public:
   explicit DetectorChecker(const Case& given) : plan_(given.plan) {
-    const bool long_skin = std::ranges::any_of(given.states, [&](const System& state) {
-      return is_far_longer_than_cell(given.plan.skin, state.domain);
-    });
-    if (!long_skin) detector_.set_skin(given.plan.skin);
+    detector_.set_skin(given.plan.skin);
   }
 
   void check(const StateChecker& state, const System& system, std::size_t step) {
@@ -251,6 +237,7 @@ std::optional<Expected> by_direct_check(const System& system) {
 /// first state of which nothing is expected.
 bool check_states(const Case& given, Thoroughness thoroughness, auto&& expected_of_state) {
   DetectorChecker detector(given);
+  CandidateChecker candidates(given.plan.skin);
   for (std::size_t step = 0; step < given.states.size(); ++step) {
     const System& system = given.states[step];
     const std::optional<Expected> expected = expected_of_state(system);
@@ -260,6 +247,7 @@ bool check_states(const Case& given, Thoroughness thoroughness, auto&& expected_
     if (thoroughness == Thoroughness::complete) state.check_completely();
     if (step == 0) state.check_sampled();
     detector.check(state, system, step);
+    candidates.check(question);
   }
   return true;
 }

@@ -7,6 +7,8 @@
 #include <abut/feature_kind.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
+#include <abut/pair_geometry.hpp>
+#include <abut/quantity.hpp>
 
 #include <array>
 #include <compare>
@@ -46,7 +48,8 @@ using BoxContactList = ContactList<BoxContact>;
 /// point; where a box is flat, the lower side counts.
 ///
 /// Contacts ascend by (sphere, box, n), whatever order the options ask for; `shifts()` holds the n
-/// if Options::shifts asks for them.
+/// if Options::shifts asks for them, and Options::quantities asks for gaps, normals, points,
+/// distances and vectors.
 ///
 /// Throws what find_contact_pairs of two sets throws, and Error{wrong_usage} unless the first are
 /// spheres or discs and the second boxes or rectangles of as many dimensions.
@@ -59,5 +62,22 @@ using BoxContactList = ContactList<BoxContact>;
 [[nodiscard]] ABUT_API BoxContactList find_box_contacts(const ElementView& spheres,
                                                         const ElementView& boxes,
                                                         const Options& options = {});
+
+/// Measures quantities of contacts of spheres and boxes: of each sphere and of its box, wherever
+/// both lie by now; the feature of the contact does not count. With as many threads as the options
+/// say. Throws what find_box_contacts throws for spheres, boxes, domain and options, and
+/// Error{wrong_usage} if a contact names a sphere or a box that is not there, if a shift is not 0
+/// on an axis that is not periodic, and if contacts of a periodic domain come without shifts.
+[[nodiscard]] ABUT_API PairGeometry measure(const ElementView& spheres, const ElementView& boxes,
+                                            const ContactSpans<BoxContact>& contacts,
+                                            Quantities quantities,
+                                            const Domain& domain = Domain::open(),
+                                            const Options& options = {});
+
+/// Measures contacts with boxes into the caller's arrays: those that are not empty. They must have
+/// one entry for each contact.
+ABUT_API void measure(const ElementView& spheres, const ElementView& boxes,
+                      const ContactSpans<BoxContact>& contacts, const PairGeometrySpans& geometry,
+                      const Domain& domain = Domain::open(), const Options& options = {});
 
 }  // namespace abut

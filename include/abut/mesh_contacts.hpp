@@ -6,6 +6,8 @@
 #include <abut/export.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
+#include <abut/pair_geometry.hpp>
+#include <abut/quantity.hpp>
 #include <abut/triangle_mesh.hpp>
 
 #include <compare>
@@ -49,7 +51,8 @@ using MeshContactList = ContactList<MeshContact>;
 /// the mesh without the denied triangles; features keep their numbers.
 ///
 /// Contacts ascend by (sphere, kind, number, n), whatever order the options ask for; `shifts()`
-/// holds the n if Options::shifts asks for them.
+/// holds the n if Options::shifts asks for them, and Options::quantities asks for gaps, normals,
+/// points, distances and vectors.
 ///
 /// Throws what find_contact_pairs of two sets throws, and Error{wrong_usage} for elements that are
 /// not spheres and for a mesh that was joined across the faces of another domain.
@@ -62,5 +65,22 @@ using MeshContactList = ContactList<MeshContact>;
 [[nodiscard]] ABUT_API MeshContactList find_mesh_contacts(const ElementView& spheres,
                                                           const TriangleMesh& mesh,
                                                           const Options& options = {});
+
+/// Measures quantities of contacts of spheres and a mesh: of each sphere and of the point of the
+/// feature that is nearest to its center, wherever both lie by now. With as many threads as the
+/// options say. Throws what find_mesh_contacts throws for spheres, mesh, domain and options, and
+/// Error{wrong_usage} if a contact names a sphere or a feature that is not there, if a shift is not
+/// 0 on an axis that is not periodic, and if contacts of a periodic domain come without shifts.
+[[nodiscard]] ABUT_API PairGeometry measure(const ElementView& spheres, const TriangleMesh& mesh,
+                                            const ContactSpans<MeshContact>& contacts,
+                                            Quantities quantities,
+                                            const Domain& domain = Domain::open(),
+                                            const Options& options = {});
+
+/// Measures contacts with a mesh into the caller's arrays: those that are not empty. They must have
+/// one entry for each contact.
+ABUT_API void measure(const ElementView& spheres, const TriangleMesh& mesh,
+                      const ContactSpans<MeshContact>& contacts, const PairGeometrySpans& geometry,
+                      const Domain& domain = Domain::open(), const Options& options = {});
 
 }  // namespace abut

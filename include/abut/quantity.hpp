@@ -11,9 +11,9 @@ namespace abut {
 enum class Quantity : std::uint8_t {
   gap = 1,       ///< distance − (r_i + r_j), as gap() computes it
   normal = 2,    ///< unit vector from i to j; 0 where centers coincide
-  point = 4,     ///< middle of the overlap, beside element i
-  distance = 8,  ///< distance of the centers
-  vector = 16,   ///< vector from center to center
+  point = 4,     ///< middle of the overlap, beside element i; of walls the nearest point
+  distance = 8,  ///< distance of the centers, or of a center and a wall
+  vector = 16,   ///< vector from center to center, or to the point of a wall
 };
 
 /// Set of quantities, such as `Quantity::gap | Quantity::normal`.

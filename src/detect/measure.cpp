@@ -9,6 +9,7 @@
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
 #include "geometry/measure_pairs.hpp"
+#include "geometry/spans.hpp"
 #include "kernels/simd_level.hpp"
 
 #include <abut/error.hpp>
@@ -25,20 +26,8 @@ namespace {
   throw Error(ErrorCode::wrong_usage, what);
 }
 
-void require_length(std::size_t length, std::size_t pairs, const char* what) {
-  if (length == 0 || length == pairs) return;
-  refuse("the array of " + std::string(what) + " has " + std::to_string(length) +
-         " entries, but there are " + std::to_string(pairs) + " pairs; give one entry for each");
-}
-
 void require_lengths(const PairSpans& pairs, const PairGeometrySpans& geometry) {
-  const std::size_t count = pairs.pairs.size();
-  require_length(pairs.shifts.size(), count, "image shifts");
-  require_length(geometry.gaps.size(), count, "gaps");
-  require_length(geometry.normals.size(), count, "normals");
-  require_length(geometry.points.size(), count, "points");
-  require_length(geometry.distances.size(), count, "distances");
-  require_length(geometry.vectors.size(), count, "vectors");
+  geometry::require_lengths(pairs.pairs.size(), "pairs", pairs.shifts, geometry);
 }
 
 }  // namespace
@@ -102,11 +91,7 @@ struct PairMeasurer::State {
 };
 
 void PairMeasurer::State::require(const PairSpans& pairs) const {
-  if (domain.is_periodic() && pairs.shifts.empty() && !pairs.pairs.empty()) {
-    refuse(
-        "pairs of a periodic domain without image shifts; set Options::shifts to "
-        "Shifts::stored when they are found");
-  }
+  geometry::require_shifts(pairs.pairs.size(), "pairs", pairs.shifts, domain);
   std::uint64_t past_first = 0;
   std::uint64_t past_second = 0;
   for (const ContactPair pair : pairs.pairs) {
@@ -120,16 +105,6 @@ void PairMeasurer::State::require(const PairSpans& pairs) const {
   };
   require_there(past_first, first_count);
   require_there(past_second, second_count);
-  ImageShift used;
-  for (const ImageShift& shift : pairs.shifts) {
-    used = {used.x | shift.x, used.y | shift.y, used.z | shift.z};
-  }
-  const std::int32_t numbers[3] = {used.x, used.y, used.z};
-  for (int axis = 0; axis < 3; ++axis) {
-    if (numbers[axis] == 0 || domain.is_periodic(axis)) continue;
-    refuse(std::string("an image shift along ") + "xyz"[axis] +
-           " is not 0, but the domain is not periodic there");
-  }
 }
 
 PairMeasurer::PairMeasurer(const ElementView& elements, const Domain& domain,
@@ -166,22 +141,6 @@ void PairMeasurer::measure(const PairSpans& pairs, const PairGeometrySpans& geom
                                                       pairs.shifts, geometry);
 }
 
-namespace {
-
-/// Sizes the arrays that are wanted.
-PairGeometry arrays_for(std::size_t count, Quantities quantities) {
-  const auto count_if = [&](Quantity quantity) { return quantities.has(quantity) ? count : 0; };
-  PairGeometry geometry;
-  geometry.gaps.resize(count_if(Quantity::gap));
-  geometry.normals.resize(count_if(Quantity::normal));
-  geometry.points.resize(count_if(Quantity::point));
-  geometry.distances.resize(count_if(Quantity::distance));
-  geometry.vectors.resize(count_if(Quantity::vector));
-  return geometry;
-}
-
-}  // namespace
-
 void PairMeasurer::State::measure(const PairSpans& pairs, const PairGeometrySpans& geometry,
                                   const ProgressHook& progress) {
   const base::FloatEnvironment environment;
@@ -212,7 +171,7 @@ void measure(const ElementView& first, const ElementView& second, const PairSpan
 PairGeometry measure(const ElementView& elements, const PairSpans& pairs, Quantities quantities,
                      const Domain& domain, const Options& options) {
   return base::reporting_lack_of_memory([&] {
-    PairGeometry geometry = arrays_for(pairs.pairs.size(), quantities);
+    PairGeometry geometry = geometry::arrays_for(pairs.pairs.size(), quantities);
     measure(elements, pairs, geometry.spans(), domain, options);
     return geometry;
   });
@@ -221,7 +180,7 @@ PairGeometry measure(const ElementView& elements, const PairSpans& pairs, Quanti
 PairGeometry measure(const ElementView& first, const ElementView& second, const PairSpans& pairs,
                      Quantities quantities, const Domain& domain, const Options& options) {
   return base::reporting_lack_of_memory([&] {
-    PairGeometry geometry = arrays_for(pairs.pairs.size(), quantities);
+    PairGeometry geometry = geometry::arrays_for(pairs.pairs.size(), quantities);
     measure(first, second, pairs, geometry.spans(), domain, options);
     return geometry;
   });

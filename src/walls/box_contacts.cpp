@@ -5,29 +5,15 @@
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
 #include "exact/box_feature.hpp"
+#include "exact/features/solid_geometry.hpp"
 #include "walls/feature_search.hpp"
-
-#include <abut/error.hpp>
+#include "walls/require_walls.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
 
 namespace abut {
 namespace {
-
-void require_shapes(const ElementView& spheres, const ElementView& boxes) {
-  if (spheres.shape() != Shape::sphere || boxes.shape() != Shape::box) {
-    throw Error(ErrorCode::wrong_usage,
-                "contacts with boxes are those of spheres, given first, and boxes, given second; "
-                "take find_contact_pairs for elements of one shape");
-  }
-  if (spheres.dimensions() == boxes.dimensions()) return;
-  throw Error(ErrorCode::wrong_usage, "the spheres have " + std::to_string(spheres.dimensions()) +
-                                          " dimensions and the boxes " +
-                                          std::to_string(boxes.dimensions()) +
-                                          "; give both the same number of dimensions");
-}
 
 /// Returns the kind of feature, which follows from the number of bounds that the point lies on.
 template <int Dim>
@@ -58,6 +44,11 @@ BoxContactList find(const ElementView& spheres, const ElementView& boxes, const 
           std::copy(sides->begin(), sides->end(), contact.feature.side.begin());
           found.contacts.push_back({contact, shift});
         }
+      },
+      [&](const exact::Sphere<Dim>& sphere, const BoxContact& contact, const ImageShift& shift,
+          Quantities wanted) {
+        const exact::Box<Dim> box = elements::box_at<Dim>(boxes, contact.box);
+        return exact::geometry_of(sphere, box, shift, lattice, wanted);
       });
 }
 
@@ -66,7 +57,7 @@ BoxContactList find(const ElementView& spheres, const ElementView& boxes, const 
 BoxContactList find_box_contacts(const ElementView& spheres, const ElementView& boxes,
                                  const Domain& domain, const Options& options) {
   const base::FloatEnvironment environment;
-  base::reporting_lack_of_memory([&] { require_shapes(spheres, boxes); });
+  base::reporting_lack_of_memory([&] { walls::require_spheres_and_boxes(spheres, boxes); });
   return spheres.dimensions() == 2 ? find<2>(spheres, boxes, domain, options)
                                    : find<3>(spheres, boxes, domain, options);
 }

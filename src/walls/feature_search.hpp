@@ -6,9 +6,12 @@
 #include "base/detection_context.hpp"
 #include "base/lack_of_memory.hpp"
 #include "base/memory_meter.hpp"
+#include "base/stopwatch.hpp"
 #include "exact/box.hpp"
 #include "exact/sphere.hpp"
 #include "lists/found_pairs.hpp"
+#include "lists/result_buffer.hpp"
+#include "walls/measure_contacts.hpp"
 
 #include <abut/contact_list.hpp>
 #include <abut/domain.hpp>
@@ -83,15 +86,16 @@ class FeatureSearch {
   FeatureSearch& operator=(const FeatureSearch&) = delete;
 
   /// The contacts among the candidates. `find(candidates, found)` is called once for each sphere
-  /// that has some and appends its contacts; workers call it at the same time.
-  template <class Contact, class Find>
-  [[nodiscard]] ContactList<Contact> contacts(Find&& find) {
+  /// that has some and appends its contacts; `measure(sphere, contact, shift, wanted)` returns the
+  /// geometry of one contact. Workers call both at the same time.
+  template <class Contact, class Find, class Measure>
+  [[nodiscard]] ContactList<Contact> contacts(Find&& find, Measure&& measure) {
     return base::letting_through([&] {
       return base::reporting_lack_of_memory(memory_, [&] {
         context_.progress.begin("features", candidates_.size());
         std::vector<FoundContacts<Contact>> found(workers_, FoundContacts<Contact>(memory_));
         find_each(found, find);
-        return joined(found);
+        return joined(found, measure);
       });
     });
   }
@@ -138,20 +142,15 @@ class FeatureSearch {
             shifts.empty() ? shifts : shifts.subspan(place, end - place)};
   }
 
-  template <class Contact>
-  [[nodiscard]] ContactList<Contact> joined(const std::vector<FoundContacts<Contact>>& found) {
+  template <class Contact, class Measure>
+  [[nodiscard]] ContactList<Contact> joined(const std::vector<FoundContacts<Contact>>& found,
+                                            Measure& measure) {
     Statistics statistics = statistics_;
-    statistics.elements = elements_;
-    statistics.candidate_tests = candidates_.size();
-    statistics.exact_decisions = statistics.contact_pairs = 0;
-    for (const auto& part : found) {
-      statistics.exact_decisions += part.exact_decisions;
-      statistics.contact_pairs += part.contacts.size();
-    }
+    count(found, statistics);
     require_allowed(statistics.contact_pairs, options_);
     // Given back with the meter itself: the list is the caller's from then on.
-    const std::size_t shift_count =
-        options_.shifts == Shifts::stored ? statistics.contact_pairs : 0;
+    const bool with_shifts = options_.shifts == Shifts::stored || !options_.quantities.empty();
+    const std::size_t shift_count = with_shifts ? statistics.contact_pairs : 0;
     memory_.take_for_pairs(statistics.contact_pairs * sizeof(Contact) +
                            shift_count * sizeof(ImageShift));
     std::vector<Contact> all;
@@ -162,13 +161,41 @@ class FeatureSearch {
       for (const ImageContact<Contact>& one : part.contacts) {
         context_.work.did(1);
         all.push_back(one.contact);
-        if (shift_count > 0) shifts.push_back(one.shift);
+        if (with_shifts) shifts.push_back(one.shift);
       }
     }
+    PairGeometry geometry;
+    measure_all(all, shifts, measure, geometry, statistics);
+    if (options_.shifts == Shifts::none) shifts = {};
     statistics.list_insertions = context_.list_insertions;
     statistics.peak_bytes = memory_.peak();
     statistics.working_bytes = memory_.working_peak();
-    return ContactList<Contact>(std::move(all), std::move(shifts), statistics);
+    return ContactList<Contact>(std::move(all), std::move(shifts), std::move(geometry), statistics);
+  }
+
+  template <class Contact>
+  void count(const std::vector<FoundContacts<Contact>>& found, Statistics& statistics) const {
+    statistics.elements = elements_;
+    statistics.candidate_tests = candidates_.size();
+    statistics.exact_decisions = statistics.contact_pairs = 0;
+    for (const auto& part : found) {
+      statistics.exact_decisions += part.exact_decisions;
+      statistics.contact_pairs += part.contacts.size();
+    }
+  }
+
+  template <class Contact, class Measure>
+  void measure_all(const std::vector<Contact>& contacts, const std::vector<ImageShift>& shifts,
+                   Measure& measure, PairGeometry& geometry, Statistics& statistics) {
+    if (options_.quantities.empty()) return;
+    base::Stopwatch stopwatch;
+    const lists::SizedGeometry sized(geometry, options_.quantities, contacts.size(), memory_);
+    context_.progress.begin("measure", contacts.size());
+    measure_contacts(contacts.size(), geometry.spans(), workers_, context_.work,
+                     [&](std::size_t k, Quantities wanted) {
+                       return measure(spheres_[contacts[k].sphere], contacts[k], shifts[k], wanted);
+                     });
+    statistics.measure_seconds = stopwatch.lap();
   }
 
   const Options& options_;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "exact/features/feature_geometry.hpp"
 #include "exact/triangle_predicate.hpp"
 
 #include <abut/image_shift.hpp>
 #include <abut/triangle_mesh.hpp>
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
 
@@ -46,6 +48,26 @@ void for_each_feature(const TriangleMesh& mesh, ElementIndex triangle, Act&& act
     act(moved);
     last = moved;
   }
+}
+
+/// Returns the corners of a feature, where its shift 0 has it.
+[[nodiscard]] inline exact::Feature corners_of(const TriangleMesh& mesh, MeshFeature feature) {
+  exact::Feature corners{};
+  const auto add = [&](ElementIndex vertex) {
+    const TriangleMesh::Point& point = mesh.vertices()[vertex];
+    std::copy(point.begin(), point.end(), corners.corner[corners.corners++]);
+  };
+  switch (feature.kind) {
+    case FeatureKind::vertex:
+      add(feature.number);
+      break;
+    case FeatureKind::edge:
+      for (const ElementIndex vertex : mesh.edges()[feature.number]) add(vertex);
+      break;
+    default:
+      for (const ElementIndex vertex : mesh.triangles()[feature.number]) add(vertex);
+  }
+  return corners;
 }
 
 }  // namespace abut::walls

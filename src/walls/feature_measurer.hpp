@@ -1,0 +1,36 @@
+#pragma once
+
+#include "elements/lattice_of.hpp"
+#include "exact/features/feature_geometry.hpp"
+#include "exact/lattice.hpp"
+#include "exact/sphere.hpp"
+#include "walls/mesh_features.hpp"
+
+#include <abut/domain.hpp>
+#include <abut/image_shift.hpp>
+#include <abut/mesh_contacts.hpp>
+#include <abut/quantity.hpp>
+#include <abut/triangle_mesh.hpp>
+
+namespace abut::walls {
+
+/// Measures contacts with a mesh.
+class FeatureMeasurer {
+ public:
+  /// `mesh` must outlive it.
+  FeatureMeasurer(const TriangleMesh& mesh, const Domain& domain)
+      : mesh_(mesh), lattice_(elements::lattice_of(domain)) {}
+
+  [[nodiscard]] exact::FeatureGeometry operator()(const exact::Sphere<3>& sphere,
+                                                  const MeshContact& contact,
+                                                  const ImageShift& shift,
+                                                  Quantities wanted) const {
+    return exact::geometry_of(sphere, corners_of(mesh_, contact.feature), shift, lattice_, wanted);
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  exact::Lattice lattice_;
+};
+
+}  // namespace abut::walls

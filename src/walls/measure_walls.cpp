@@ -1,0 +1,167 @@
+#include "base/callers_exception.hpp"
+#include "base/detection_context.hpp"
+#include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
+#include "base/memory_meter.hpp"
+#include "base/workers.hpp"
+#include "detect/validate_options.hpp"
+#include "elements/gathered_elements.hpp"
+#include "elements/lattice_of.hpp"
+#include "exact/features/solid_geometry.hpp"
+#include "geometry/spans.hpp"
+#include "kernels/simd_level.hpp"
+#include "walls/feature_measurer.hpp"
+#include "walls/measure_contacts.hpp"
+#include "walls/require_walls.hpp"
+
+#include <abut/box_contacts.hpp>
+#include <abut/error.hpp>
+#include <abut/mesh_contacts.hpp>
+
+#include <cstddef>
+#include <string>
+
+namespace abut {
+namespace {
+
+void require_there(std::size_t number, std::size_t count, const char* what) {
+  if (number < count) return;
+  throw Error(ErrorCode::wrong_usage, "a contact names " + std::string(what) + " " +
+                                          std::to_string(number) + ", but there are " +
+                                          std::to_string(count) + ", numbered from 0");
+}
+
+void require_there(const TriangleMesh& mesh, MeshFeature feature) {
+  switch (feature.kind) {
+    case FeatureKind::vertex:
+      return require_there(feature.number, mesh.vertices().size(), "vertex");
+    case FeatureKind::edge:
+      return require_there(feature.number, mesh.edges().size(), "edge");
+    case FeatureKind::face:
+      return require_there(feature.number, mesh.size(), "face");
+    default:
+      throw Error(ErrorCode::wrong_usage, "a contact names the interior of a mesh, which has none");
+  }
+}
+
+/// What one call of `measure` needs: spheres that were read and checked, and workers.
+template <int Dim, class Contact>
+class WallMeasurer {
+ public:
+  WallMeasurer(const ElementView& spheres, const ContactSpans<Contact>& contacts,
+               const Domain& domain, const Options& options)
+      : contacts_(contacts),
+        memory_(detect::memory_bound(options)),
+        context_(memory_, options.progress),
+        workers_(base::worker_count(options.threads, spheres.size())),
+        simd_(kernels::level_to_run(options.simd)),
+        spheres_(memory_) {
+    detect::validate(options, spheres, domain);
+    geometry::require_shifts(contacts.contacts.size(), "contacts", contacts.shifts, domain);
+    for (const Contact& contact : contacts.contacts) {
+      require_there(contact.sphere, spheres.size(), "sphere");
+    }
+    gather(spheres, spheres_);
+  }
+
+  /// Reads and checks elements.
+  void gather(const ElementView& elements, elements::GatheredElements<Dim>& gathered) {
+    context_.progress.begin("gather", elements.size());
+    elements::gather<Dim>(elements, {workers_, simd_}, gathered, context_);
+  }
+
+  /// Fills the arrays with what measure(sphere, contact, shift, wanted) returns.
+  template <class Measure>
+  void measure(const PairGeometrySpans& geometry, Measure&& measure_one) {
+    context_.progress.begin("measure", contacts_.contacts.size());
+    walls::measure_contacts(
+        contacts_.contacts.size(), geometry, workers_, context_.work,
+        [&](std::size_t k, Quantities wanted) {
+          const Contact& contact = contacts_.contacts[k];
+          const ImageShift shift = contacts_.shifts.empty() ? ImageShift{} : contacts_.shifts[k];
+          return measure_one(spheres_.spheres[contact.sphere], contact, shift, wanted);
+        });
+  }
+
+  [[nodiscard]] base::MemoryMeter& memory() noexcept { return memory_; }
+
+ private:
+  const ContactSpans<Contact>& contacts_;
+  base::MemoryMeter memory_;
+  base::DetectionContext context_;
+  std::size_t workers_;
+  Simd simd_;
+  elements::GatheredElements<Dim> spheres_;
+};
+
+template <int Dim>
+void measure_boxes(const ElementView& spheres, const ElementView& boxes,
+                   const ContactSpans<BoxContact>& contacts, const PairGeometrySpans& geometry,
+                   const Domain& domain, const Options& options) {
+  WallMeasurer<Dim, BoxContact> measurer(spheres, contacts, domain, options);
+  elements::GatheredElements<Dim> gathered(measurer.memory());
+  measurer.gather(boxes, gathered);
+  const exact::Lattice lattice = elements::lattice_of(domain);
+  measurer.measure(geometry, [&](const exact::Sphere<Dim>& sphere, const BoxContact& contact,
+                                 const ImageShift& shift, Quantities wanted) {
+    return exact::geometry_of(sphere, gathered.boxes[contact.box], shift, lattice, wanted);
+  });
+}
+
+template <class Body>
+void guarded(Body&& body) {
+  const base::FloatEnvironment environment;
+  base::reporting_lack_of_memory([&] { base::letting_through(body); });
+}
+
+}  // namespace
+
+void measure(const ElementView& spheres, const TriangleMesh& mesh,
+             const ContactSpans<MeshContact>& contacts, const PairGeometrySpans& geometry,
+             const Domain& domain, const Options& options) {
+  guarded([&] {
+    walls::require_spheres(spheres);
+    walls::require_its_domain(mesh, domain);
+    geometry::require_lengths(contacts.contacts.size(), "contacts", contacts.shifts, geometry);
+    for (const MeshContact& contact : contacts.contacts) require_there(mesh, contact.feature);
+    WallMeasurer<3, MeshContact> measurer(spheres, contacts, domain, options);
+    measurer.measure(geometry, walls::FeatureMeasurer(mesh, domain));
+  });
+}
+
+void measure(const ElementView& spheres, const ElementView& boxes,
+             const ContactSpans<BoxContact>& contacts, const PairGeometrySpans& geometry,
+             const Domain& domain, const Options& options) {
+  guarded([&] {
+    walls::require_spheres_and_boxes(spheres, boxes);
+    geometry::require_lengths(contacts.contacts.size(), "contacts", contacts.shifts, geometry);
+    for (const BoxContact& contact : contacts.contacts) {
+      require_there(contact.box, boxes.size(), "box");
+    }
+    spheres.dimensions() == 2
+        ? measure_boxes<2>(spheres, boxes, contacts, geometry, domain, options)
+        : measure_boxes<3>(spheres, boxes, contacts, geometry, domain, options);
+  });
+}
+
+PairGeometry measure(const ElementView& spheres, const TriangleMesh& mesh,
+                     const ContactSpans<MeshContact>& contacts, Quantities quantities,
+                     const Domain& domain, const Options& options) {
+  return base::reporting_lack_of_memory([&] {
+    PairGeometry geometry = geometry::arrays_for(contacts.contacts.size(), quantities);
+    measure(spheres, mesh, contacts, geometry.spans(), domain, options);
+    return geometry;
+  });
+}
+
+PairGeometry measure(const ElementView& spheres, const ElementView& boxes,
+                     const ContactSpans<BoxContact>& contacts, Quantities quantities,
+                     const Domain& domain, const Options& options) {
+  return base::reporting_lack_of_memory([&] {
+    PairGeometry geometry = geometry::arrays_for(contacts.contacts.size(), quantities);
+    measure(spheres, boxes, contacts, geometry.spans(), domain, options);
+    return geometry;
+  });
+}
+
+}  // namespace abut

@@ -137,4 +137,45 @@ std::optional<ExpectedContacts<testing::MovedContact>> expected_mesh_contacts(
       testing::oracle_mesh_contacts(balls, given.mesh, question), candidates->far};
 }
 
+testing::WallGeometry expected_geometry(const WallCase& given, const MovedBoxContact& moved) {
+  const auto& [contact, shift] = moved;
+  const std::int32_t numbers[] = {shift.x, shift.y, shift.z};
+  const auto dimensions = static_cast<std::size_t>(given.balls.dimensions);
+  testing::RationalPoint center, lower, upper;
+  for (std::size_t axis = 0; axis < dimensions; ++axis) {
+    mpq_class offset = 0;
+    for (int k = 0; k < 3; ++k) offset += numbers[k] * mpq_class(given.domain.vector(k)[axis]);
+    center[axis] = given.balls.lower[axis][contact.sphere];
+    lower[axis] = given.solids.lower[axis][contact.box] + offset;
+    upper[axis] = given.solids.upper[axis][contact.box] + offset;
+  }
+  return testing::geometry_of_box(center, lower, upper, dimensions);
+}
+
+testing::WallGeometry expected_geometry(const WallCase& given, const TriangleMesh& mesh,
+                                        const testing::MovedContact& moved) {
+  const MeshFeature feature = moved.contact.feature;
+  std::array<ElementIndex, 3> corners{feature.number, feature.number, feature.number};
+  if (feature.kind == FeatureKind::face) corners = mesh.triangles()[feature.number];
+  if (feature.kind == FeatureKind::edge) {
+    const TriangleMesh::Edge edge = mesh.edges()[feature.number];
+    corners = {edge[0], edge[1], edge[1]};
+  }
+  exact::Triangle triangle{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::ranges::copy(mesh.vertices()[corners[k]], triangle.corner[k]);
+  }
+  const auto& place = given.balls.lower;
+  const ElementIndex ball = moved.contact.sphere;
+  const double center[3] = {place[0][ball], place[1][ball], place[2][ball]};
+  exact::Lattice lattice;
+  for (int k = 0; k < 3; ++k) {
+    lattice.periodic[static_cast<std::size_t>(k)] = given.domain.is_periodic(k);
+    lattice.vectors[static_cast<std::size_t>(k)] = given.domain.vector(k);
+  }
+  const testing::NearestPart nearest = testing::nearest_part_by_rationals(
+      testing::moved_back(center, moved.shift, lattice), triangle);
+  return {testing::rational(center), nearest.vector, nearest.vector, nearest.distance_squared};
+}
+
 }  // namespace abut::fuzz

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exact/features/geometry_oracle.hpp"
 #include "fuzz/wall_case.hpp"
 
 #include <abut/box_contacts.hpp>
@@ -29,5 +30,12 @@ struct ExpectedContacts {
     const WallCase& given, std::uint64_t most_images);
 [[nodiscard]] std::optional<ExpectedContacts<testing::MovedContact>> expected_mesh_contacts(
     const WallCase& given, std::uint64_t most_images);
+
+/// The geometry of one contact.
+[[nodiscard]] testing::WallGeometry expected_geometry(const WallCase& given,
+                                                      const MovedBoxContact& moved);
+[[nodiscard]] testing::WallGeometry expected_geometry(const WallCase& given,
+                                                      const TriangleMesh& mesh,
+                                                      const testing::MovedContact& moved);
 
 }  // namespace abut::fuzz

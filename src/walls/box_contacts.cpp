@@ -4,7 +4,7 @@
 #include "base/lack_of_memory.hpp"
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
-#include "exact/box_feature.hpp"
+#include "exact/features/box_feature.hpp"
 #include "exact/features/solid_geometry.hpp"
 #include "walls/feature_search.hpp"
 #include "walls/require_walls.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exact/features/feature_geometry.hpp"
-#include "exact/triangle_predicate.hpp"
+#include "exact/features/triangle_predicate.hpp"
 
 #include <abut/image_shift.hpp>
 #include <abut/triangle_mesh.hpp>

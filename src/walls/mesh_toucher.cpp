@@ -1,6 +1,6 @@
 #include "walls/mesh_toucher.hpp"
 
-#include "exact/triangle_predicate.hpp"
+#include "exact/features/triangle_predicate.hpp"
 #include "walls/joined_vertices.hpp"
 #include "walls/mesh_features.hpp"
 

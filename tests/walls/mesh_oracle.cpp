@@ -1,6 +1,6 @@
 #include "walls/mesh_oracle.hpp"
 
-#include "exact/triangle_oracle.hpp"
+#include "exact/features/triangle_oracle.hpp"
 
 #include <abut/algorithm.hpp>
 

@@ -1,7 +1,7 @@
 #include "exact/features/exact_nearest.hpp"
 
 #include "exact/direction.hpp"
-#include "exact/nearest_part.hpp"
+#include "exact/features/nearest_part.hpp"
 #include "exact/numbers/bit_range.hpp"
 #include "exact/numbers/double_double.hpp"
 #include "exact/numbers/scaled_number.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "exact/features/triangle_predicate.hpp"
 #include "exact/integer_vector.hpp"
 #include "exact/lattice.hpp"
 #include "exact/numbers/big_integer.hpp"
 #include "exact/sphere.hpp"
-#include "exact/triangle_predicate.hpp"
 
 #include <array>
 

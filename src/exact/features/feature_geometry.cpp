@@ -5,7 +5,7 @@
 #include "exact/center_vector.hpp"
 #include "exact/direction.hpp"
 #include "exact/features/exact_nearest.hpp"
-#include "exact/nearest_part.hpp"
+#include "exact/features/nearest_part.hpp"
 #include "exact/numbers/double_double_arithmetic.hpp"
 
 #include <algorithm>

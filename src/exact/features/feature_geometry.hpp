@@ -1,8 +1,8 @@
 #pragma once
 
+#include "exact/features/triangle_predicate.hpp"
 #include "exact/lattice.hpp"
 #include "exact/sphere.hpp"
-#include "exact/triangle_predicate.hpp"
 
 #include <abut/quantity.hpp>
 

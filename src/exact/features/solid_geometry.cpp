@@ -1,7 +1,7 @@
 #include "exact/features/solid_geometry.hpp"
 
-#include "exact/box_feature.hpp"
 #include "exact/center_vector.hpp"
+#include "exact/features/box_feature.hpp"
 #include "exact/numbers/exact_accumulator.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "exact/features/feature_geometry.hpp"
 #include "exact/features/geometry_oracle.hpp"
+#include "exact/features/triangle_cases.hpp"
 #include "exact/periodic_pairs.hpp"
-#include "exact/triangle_cases.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exact/features/feature_geometry.hpp"
-#include "exact/triangle_oracle.hpp"
+#include "exact/features/triangle_oracle.hpp"
 
 #include <gmpxx.h>
 

@@ -1,4 +1,4 @@
-#include "exact/box_feature.hpp"
+#include "exact/features/box_feature.hpp"
 
 #include "exact/image_difference.hpp"
 #include "exact/numbers/exact_accumulator.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exact/triangle_predicate.hpp"
+#include "exact/features/triangle_predicate.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,8 +1,8 @@
 // The filter. docs/derivations/triangle_predicate.md proves its bands.
 
-#include "exact/triangle_predicate.hpp"
+#include "exact/features/triangle_predicate.hpp"
 
-#include "exact/nearest_part.hpp"
+#include "exact/features/nearest_part.hpp"
 #include "exact/periodic_predicate.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Spheres against boxes: the predicate beside rational numbers.
 
-#include "exact/box_feature.hpp"
+#include "exact/features/box_feature.hpp"
 
 #include "exact/periodic_pairs.hpp"
 

@@ -6,13 +6,13 @@
 // Short numbers, such as those of a grid, fit into 128 bits with all that is made of them, and are
 // decided several times as fast as others.
 
+#include "exact/features/nearest_part.hpp"
+#include "exact/features/triangle_predicate.hpp"
 #include "exact/image_difference.hpp"
 #include "exact/integer_vector.hpp"
-#include "exact/nearest_part.hpp"
 #include "exact/numbers/big_integer.hpp"
 #include "exact/numbers/bit_range.hpp"
 #include "exact/numbers/bits.hpp"
-#include "exact/triangle_predicate.hpp"
 
 #include <cmath>
 #include <cstddef>

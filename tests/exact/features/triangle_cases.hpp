@@ -1,7 +1,7 @@
 #pragma once
 
+#include "exact/features/triangle_oracle.hpp"
 #include "exact/hard_pairs.hpp"
-#include "exact/triangle_oracle.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Spheres against triangles: the predicate beside rational numbers.
 
-#include "exact/triangle_predicate.hpp"
+#include "exact/features/triangle_predicate.hpp"
 
-#include "exact/triangle_cases.hpp"
+#include "exact/features/triangle_cases.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Spheres against triangles that a lattice moves: the predicate beside rational numbers.
 
+#include "exact/features/triangle_cases.hpp"
 #include "exact/periodic_pairs.hpp"
-#include "exact/triangle_cases.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "detect/public_calls.hpp"
 
-#include "support/scene_view.hpp"
+#include "detect/given.hpp"
 
 #include <abut/abut.hpp>
 #include <abut/trace.hpp>
@@ -15,9 +15,6 @@
 namespace abut::testing {
 namespace {
 
-using Points = std::vector<std::array<double, 3>>;
-using Triangles = std::vector<std::array<int, 3>>;
-
 /// Looks at what an algorithm shows, and keeps nothing.
 class Onlooker final : public trace::Sink {
  public:
@@ -26,68 +23,6 @@ class Onlooker final : public trace::Sink {
   void search_step(const trace::SearchStep&) override {}
   void candidate_pair(ElementIndex, ElementIndex) override {}
 };
-
-/// What the calls are given; made before memory runs out.
-struct Given {
-  scenes::Scene scene = scenes::scene_named("dense").make(200, 1);
-  scenes::Scene others_scene = scenes::scene_named("dense").make(100, 2);
-  ElementView elements = view_of(scene);
-  ElementView others = view_of(others_scene);
-  ElementView flat = discs(scene.x, scene.y, scene.radius);
-  ElementView points = abut::points(scene.x, scene.y, scene.z);
-  Domain open = Domain::open();
-  Domain block = Domain::periodic({5.0, 5.0, 5.0});
-  Domain other_block = Domain::periodic({6.0, 6.0, 6.0});
-  std::vector<std::uint64_t> ids;
-  std::vector<std::uint64_t> large_ids;
-  std::vector<std::uint64_t> ids_twice = std::vector<std::uint64_t>(200, 7);
-  std::vector<std::uint32_t> groups = std::vector<std::uint32_t>(200, 1);
-  Points lower;
-  Points upper;
-  Points corners{{0, 0, 0}, {5, 0, 0}, {0, 5, 0}, {5, 5, 0}, {0, 0, 5}, {5, 0, 5}};
-  Triangles faces{{0, 1, 2}, {1, 2, 3}, {0, 1, 4}, {1, 4, 5}};
-  Triangles bad_faces{{0, 1, 77}};
-  TriangleMesh mesh{corners, faces};
-  TriangleMesh joined = TriangleMesh::joined(corners, faces, block);
-  ElementView boxes;
-  std::vector<ContactPair> excluded{{0, 1}, {3, 2}, {0, 1}};
-  std::vector<ContactPair> bad_excluded{{0, 1000}};
-  std::vector<std::int32_t> numbers{3, 1, 2, 9, 4, 4, 0};
-  trace::CellSystem cells;
-  Options shifted{.shifts = Shifts::stored};
-  Options measured{.shifts = Shifts::stored, .quantities = Quantity::distance | Quantity::vector};
-  Options bad_margin{.margin = -1.0};
-  Options few{.max_pairs = 3};
-  Options ruled{.rule = {.elements = {.groups = groups}}};
-  Options bad_rule{.rule = {.elements = {.groups = std::span(groups).first(7)}}};
-  PairList pairs = find_contact_pairs(elements);
-  PairList pairs_before = find_contact_pairs(elements, open, {.margin = 0.1});
-  PairList shifted_pairs = find_contact_pairs(elements, block, shifted);
-  PairBatchVisitor visit = [](std::span<const ContactPair>, WorkerNumber) {};
-  ShiftedBatchVisitor visit_shifted = [](std::span<const ContactPair>, std::span<const ImageShift>,
-                                         WorkerNumber) {};
-
-  Given() : boxes(boxes_around()), cells(trace::integerise(elements, {})) {
-    for (std::uint64_t k = 0; k < scene.size(); ++k) {
-      ids.push_back(scene.size() - k);
-      large_ids.push_back(k << 40);
-    }
-  }
-
-  ElementView boxes_around() {
-    for (std::size_t k = 0; k < scene.size(); ++k) {
-      const double r = scene.radius[k];
-      lower.push_back({scene.x[k] - r, scene.y[k] - r, scene.z[k] - r});
-      upper.push_back({scene.x[k] + r, scene.y[k] + r, scene.z[k] + r});
-    }
-    return abut::boxes(lower, upper);
-  }
-};
-
-const Given& given() {
-  static const Given made;
-  return made;
-}
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -153,6 +88,41 @@ void add_measures(Calls& calls) {
                    [&g] { measure(g.elements, g.elements, g.pairs, {.gaps = gaps}); }});
   calls.push_back({"abut::PairMeasurer::measure", "",
                    [&g] { PairMeasurer(g.elements).measure(g.pairs, {.gaps = gaps}); }});
+}
+
+void add_wall_measures(Calls& calls) {
+  const Given& g = given();
+  static const ContactList<MeshContact> touching = find_mesh_contacts(g.elements, g.mesh);
+  static const ContactList<BoxContact> near = find_box_contacts(g.elements, g.boxes);
+  static std::vector<double> mesh_gaps(touching.size());
+  static std::vector<double> box_gaps(near.size());
+  calls.push_back({"abut::measure", "a mesh",
+                   [&g] { (void)measure(g.elements, g.mesh, touching, Quantity::point); }});
+  calls.push_back({"abut::measure", "boxes as walls",
+                   [&g] { (void)measure(g.elements, g.boxes, near, Quantity::point); }});
+  calls.push_back({"abut::measure", "a mesh, into an array",
+                   [&g] { measure(g.elements, g.mesh, touching, {.gaps = mesh_gaps}); }});
+  calls.push_back({"abut::measure", "boxes as walls, into an array",
+                   [&g] { measure(g.elements, g.boxes, near, {.gaps = box_gaps}); }});
+}
+
+void add_candidates(Calls& calls) {
+  const Given& g = given();
+  const auto add = [&](const char* name, const std::function<void(CandidateList&)>& use) {
+    calls.push_back({name, "", [use] {
+                       CandidateList candidates(0.1);
+                       use(candidates);
+                     }});
+  };
+  add("abut::CandidateList::CandidateList", [](CandidateList&) {});
+  add("abut::CandidateList::rebuild", [&g](CandidateList& c) { c.rebuild(g.elements, g.block); });
+  add("abut::CandidateList::needs_rebuild", [&g](CandidateList& c) {
+    c.rebuild(g.elements);
+    (void)c.needs_rebuild(g.elements);
+  });
+  add("abut::CandidateList::rows", [](CandidateList& c) { (void)c.rows(); });
+  add("abut::CandidateList::skin", [](CandidateList& c) { (void)c.skin(); });
+  add("abut::CandidateList::rebuilds", [](CandidateList& c) { (void)c.rebuilds(); });
 }
 
 void add_refusals(Calls& calls) {
@@ -369,6 +339,8 @@ std::vector<PublicCall> public_calls() {
   Calls calls;
   add_free_functions(calls);
   add_measures(calls);
+  add_wall_measures(calls);
+  add_candidates(calls);
   add_refusals(calls);
   add_lists_and_tables(calls);
   add_walls(calls);

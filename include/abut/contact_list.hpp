@@ -12,6 +12,8 @@
 
 namespace abut {
 
+class Detector;
+
 /// Contacts that are more than pairs, each once, ascending by the contact and its image shift.
 template <class Contact>
 class ContactList {
@@ -79,6 +81,8 @@ class ContactList {
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
 
  private:
+  friend class Detector;
+
   std::vector<Contact> contacts_;
   std::vector<ImageShift> shifts_;
   PairGeometry geometry_;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <abut/box_contacts.hpp>
 #include <abut/detect.hpp>
 #include <abut/export.hpp>
+#include <abut/mesh_contacts.hpp>
 #include <abut/neighbor_list.hpp>
 #include <abut/skin.hpp>
+#include <abut/triangle_mesh.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -89,6 +92,21 @@ class ABUT_API Detector {
                                     const Domain& domain, const ShiftedBatchVisitor& visitor);
   /// Builds a neighbor list with one row for each element of `first` and indices of `second`.
   const NeighborList& build_neighbor_list(const ElementView& first, const ElementView& second,
+                                          const Domain& domain = Domain::open());
+
+  /// Finds the contacts of spheres and a mesh: those of the free function. The list is valid until
+  /// the next call that returns contacts with a mesh.
+  ///
+  /// In open space and without a rule, the detector keeps a grid of the triangles from call to
+  /// call, also when the mesh is moved (TriangleMesh::move), which costs no new one, and while it
+  /// is deformed by little. Elsewhere each call searches anew. One detector is meant for one mesh,
+  /// or for several that take turns rarely.
+  const MeshContactList& find_mesh_contacts(const ElementView& spheres, const TriangleMesh& mesh,
+                                            const Domain& domain = Domain::open());
+
+  /// Finds the contacts of spheres and boxes: those of the free function. Each call searches anew.
+  /// The list is valid until the next call that returns contacts with boxes.
+  const BoxContactList& find_box_contacts(const ElementView& spheres, const ElementView& boxes,
                                           const Domain& domain = Domain::open());
 
   /// Takes the last list of pairs out of the detector. Its arrays stay where they are; the next

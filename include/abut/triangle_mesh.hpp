@@ -29,6 +29,18 @@ struct MeshFeature {
   friend constexpr auto operator<=>(const MeshFeature&, const MeshFeature&) = default;
 };
 
+/// A motion that moves a vertex v to R v + t. It is rigid if R is a rotation, which nothing asks
+/// for: the rounding of a rotation, a mirror or a stretch are all moved as they are given.
+struct Motion {
+  /// Rows of R.
+  std::array<std::array<double, 3>, 3> rotation{
+      {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+  std::array<double, 3> translation{};  ///< t
+
+  /// Compares the numbers.
+  friend bool operator==(const Motion&, const Motion&) = default;
+};
+
 /// A surface of triangles, with its edges. It holds a copy of the vertices.
 ///
 /// Vertices are identified by their numbers: two triangles have a common edge if both name the same
@@ -88,6 +100,38 @@ class TriangleMesh {
     return joined(spheres(static_cast<Points&&>(vertices), 0.0), triangles, domain);
   }
 
+  /// Moves the mesh to where the motion takes it from its rest position, which is the one that it
+  /// was made or last deformed with. Each coordinate becomes
+  ///
+  ///     ((R_k0 * v_0 + R_k1 * v_1) + R_k2 * v_2) + t_k
+  ///
+  /// in double precision, each operation rounded once, in this order. These rounded numbers are the
+  /// vertices from then on: `vertices()` returns them, and contacts are exactly those with them.
+  /// Numbers of features stay. It allocates nothing after the first call.
+  ///
+  /// Throws Error{invalid_input} for a motion that is not finite or takes a vertex of a triangle
+  /// beyond the doubles, and Error{wrong_usage} for a mesh that was joined across the faces of a
+  /// domain; then nothing has changed.
+  ABUT_API void move(const Motion& motion);
+
+  /// Gives the mesh a new rest position: as many vertices as it has. Features keep their numbers.
+  /// It allocates nothing. Throws what the constructor throws for vertices, Error{wrong_usage} for
+  /// another number of them and as move does, and Error{invalid_input} if vertices that were joined
+  /// do not lie at one place; then nothing has changed.
+  ABUT_API void deform(const ElementView& vertices);
+
+  /// Gives the mesh a new rest position; `vertices` is an array of points of three numbers.
+  template <class Points>
+  requires detail::PointsOf<Points, 3>
+  void deform(Points&& vertices) { deform(spheres(static_cast<Points&&>(vertices), 0.0)); }
+
+  /// Positions of the vertices at rest.
+  [[nodiscard]] std::span<const Point> rest_vertices() const noexcept {
+    return rest_.empty() ? vertices_ : rest_;
+  }
+  /// Motion from the position at rest to that of `vertices()`.
+  [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
+
   /// Number of triangles.
   [[nodiscard]] std::size_t size() const noexcept { return triangles_.size(); }
 
@@ -135,9 +179,14 @@ class TriangleMesh {
   void number_faces(const Vertices& vertices);
   void count_triangles();
 
+  void require_movable() const;
+  void fit_boxes_again() noexcept;
+
   FittedBoxes boxes_;
   Domain domain_ = Domain::open();
+  Motion motion_;
   std::vector<Point> vertices_;
+  std::vector<Point> rest_;  ///< none while the mesh has never been moved
   std::vector<ElementIndex> vertex_features_;
   std::vector<Corners> triangles_;
   std::vector<Edge> edges_;

@@ -1,20 +1,11 @@
 #include <abut/detector.hpp>
 
 #include "base/lack_of_memory.hpp"
-#include "detect/detection_run.hpp"
+#include "detect/detector_state.hpp"
 
 #include <utility>
 
 namespace abut {
-
-struct Detector::State {
-  explicit State(Options given) : options(std::move(given)) {}
-
-  Options options;
-  detect::DetectionRun run;
-  PairList pairs;
-  NeighborList neighbors;
-};
 
 Detector::Detector(Options options)
     : state_(base::reporting_lack_of_memory(

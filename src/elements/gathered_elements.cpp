@@ -224,6 +224,32 @@ void gather(const ElementView& elements, const GatherSettings& settings,
   if (elements.shape() == Shape::box) gathered.bounds.count_largest_twice();
 }
 
+SphereReader::SphereReader(const ElementView& spheres, Simd simd)
+    : spheres_(spheres),
+      columns_(contiguous_columns(spheres)),
+      kernels_(kernels::element_kernels(simd)) {}
+
+double SphereReader::read(std::size_t first, std::span<exact::Sphere<3>> target) const {
+  std::size_t k = 0;
+  double largest_radius = 0.0;
+  if (columns_ && !target.empty()) {
+    kernels::ElementColumns columns = *columns_;
+    for (const double*& center : columns.center) center += first;
+    columns.radius += first;
+    grid::Bounds<3> bounds;
+    k = grid::widen(bounds, [&](kernels::ElementBounds& packed) {
+      return kernels_.pack(columns, target.size(), 3, target[0].center, packed);
+    });
+    if (k > 0) largest_radius = bounds.largest_radius;
+  }
+  for (; k < target.size(); ++k) {
+    target[k] = sphere_at<3>(spheres_, first + k);
+    if (!valid(target[k])) reject(first + k, target[k]);
+    largest_radius = std::max(largest_radius, target[k].radius);
+  }
+  return largest_radius;
+}
+
 template <int Dim>
 exact::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number) {
   return elements.precision() == Precision::float32 ? read_sphere<Dim, float>(elements, number)

@@ -3,12 +3,16 @@
 #include "base/array.hpp"
 #include "base/detection_context.hpp"
 #include "exact/elements.hpp"
+#include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
+#include "kernels/element_kernels.hpp"
 
 #include <abut/element_view.hpp>
 #include <abut/simd.hpp>
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace abut::elements {
@@ -39,6 +43,23 @@ struct GatheredElements {
 template <int Dim>
 void gather(const ElementView& elements, const GatherSettings& settings,
             GatheredElements<Dim>& gathered, base::DetectionContext& context);
+
+/// Reads the caller's spheres block by block, so that what looks at each only once need not write
+/// all of them to memory.
+class SphereReader {
+ public:
+  /// `spheres` must outlive it and be spheres in 3D; `simd` must be available.
+  SphereReader(const ElementView& spheres, Simd simd);
+
+  /// Reads as many spheres as `target` has, from number `first` on, and returns the largest radius.
+  /// Throws Error{invalid_input} at the first bad one, as gather does.
+  [[nodiscard]] double read(std::size_t first, std::span<exact::Sphere<3>> target) const;
+
+ private:
+  const ElementView& spheres_;
+  std::optional<kernels::ElementColumns> columns_;
+  kernels::ElementKernels kernels_;
+};
 
 /// One sphere, unchecked.
 template <int Dim>

@@ -1,0 +1,264 @@
+#include "walls/mesh_search.hpp"
+
+#include "base/asking_workers.hpp"
+#include "base/callers_exception.hpp"
+#include "base/lack_of_memory.hpp"
+#include "base/stopwatch.hpp"
+#include "base/workers.hpp"
+#include "detect/validate_options.hpp"
+#include "kernels/simd_level.hpp"
+#include "lists/result_buffer.hpp"
+#include "walls/feature_measurer.hpp"
+#include "walls/measure_contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+
+namespace abut::walls {
+namespace {
+
+/// Spheres that are read at a time.
+constexpr std::size_t block_size = 256;
+
+constexpr std::uint64_t steps_of_candidate = 64;
+
+/// How much longer the grid reaches than is needed: nothing to speak of as a rule, so that radii
+/// may grow a little; half where a mesh has been found to change its shape.
+constexpr double slack_of_grid = 1.0 / 64.0;
+constexpr double slack_of_deforming_mesh = 0.5;
+
+template <class T>
+bool are_same(std::span<const T> a, const base::Array<T>& b) noexcept {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+template <class T>
+void assign(std::span<const T> from, base::Array<T>& to) {
+  base::resize_for_overwrite(to, from.size());
+  std::copy(from.begin(), from.end(), to.begin());
+}
+
+/// No rotation is so far from one by rounding: of other motions the mesh is looked for where it is.
+bool is_usable(const RestFrame& frame, double reach) noexcept {
+  return frame.reach_at_rest(reach) <= 1.125 * reach;
+}
+
+}  // namespace
+
+Statistics MeshSearch::find(const ElementView& spheres, const TriangleMesh& mesh,
+                            const Options& options, const MeshContactArrays& arrays) {
+  base::reporting_lack_of_memory([&] { detect::validate(options, spheres, Domain::open()); });
+  memory_.start_anew(detect::memory_bound(options));
+  base::DetectionContext context(memory_, options.progress);
+  return base::letting_through([&] {
+    return base::reporting_lack_of_memory(memory_, [&] {
+      const Call call{spheres, mesh, options, context,
+                      base::worker_count(options.threads, spheres.size())};
+      while (scratch_.size() < call.workers) scratch_.emplace_back(memory_);
+      Statistics statistics;
+      base::Stopwatch stopwatch;
+      find_all(call);
+      statistics.search_seconds = stopwatch.lap();
+      write(call, arrays, statistics);
+      statistics.order_seconds = stopwatch.lap();
+      measure(call, arrays, statistics);
+      if (options.shifts == Shifts::none) arrays.shifts.clear();
+      statistics.peak_bytes = memory_.peak();
+      statistics.working_bytes = memory_.working_peak();
+      return statistics;
+    });
+  });
+}
+
+/// The radii are known only when the spheres have been read: it searches with a grid for those of
+/// the last call, and again if it was too small.
+void MeshSearch::find_all(const Call& call) {
+  if (!is_grid_of(call.mesh)) reach_of_grid_ = -1.0;
+  if (reach_of_grid_ < 0.0) {
+    last_radius_ = largest_radius(call);
+    build(call);
+  } else if (!reaches(frame_of(call.mesh), call)) {
+    build(call);
+  }
+  const RestFrame frame = frame_of(call.mesh);
+  last_radius_ = search(call, frame);
+  if (reaches(frame, call)) return;
+  build(call);
+  search(call, frame_of(call.mesh));
+}
+
+/// Whether the grid reaches far enough for spheres of the largest radius that is known.
+bool MeshSearch::reaches(const RestFrame& frame, const Call& call) const noexcept {
+  return frame.reach_at_rest(reach_of(call)) <= reach_of_grid_;
+}
+
+double MeshSearch::reach_of(const Call& call) const noexcept {
+  return std::min(last_radius_ + call.options.margin, std::numeric_limits<double>::max());
+}
+
+/// Vertices may have changed; `frame_of` tells how far.
+bool MeshSearch::is_grid_of(const TriangleMesh& mesh) const noexcept {
+  return are_same(mesh.triangles(), triangles_) && mesh.vertices().size() == anchor_.size();
+}
+
+RestFrame MeshSearch::frame_of(const TriangleMesh& mesh) const noexcept {
+  if (is_anchored_at_rest_) {
+    return RestFrame(mesh, largest_displacement(mesh.rest_vertices(), anchor_));
+  }
+  return RestFrame::of_place(largest_displacement(mesh.vertices(), anchor_));
+}
+
+void MeshSearch::build(const Call& call) {
+  const TriangleMesh& mesh = call.mesh;
+  const double reach = reach_of(call);
+  call.context.progress.begin("walls", mesh.size());
+  const bool is_changed_shape =
+      reach_of_grid_ >= 0.0 && is_grid_of(mesh) &&
+      !are_same(is_anchored_at_rest_ ? mesh.rest_vertices() : mesh.vertices(), anchor_);
+  reach_of_grid_ = -1.0;
+  const RestFrame at_rest(mesh, 0.0);
+  is_anchored_at_rest_ = is_usable(at_rest, reach);
+  const auto vertices = is_anchored_at_rest_ ? mesh.rest_vertices() : mesh.vertices();
+  assign(vertices, anchor_);
+  assign(mesh.triangles(), triangles_);
+  const double needed = frame_of(mesh).reach_at_rest(reach);
+  const double slack = is_changed_shape ? slack_of_deforming_mesh : slack_of_grid;
+  const double wide = std::min(needed * (1.0 + slack), std::numeric_limits<double>::max());
+  grid_.build(mesh.size(), wide, call.context.work,
+              [&](std::size_t k) { return box_around(triangles_[k]); });
+  reach_of_grid_ = wide;
+  ++builds_;
+}
+
+exact::Box<3> MeshSearch::box_around(const TriangleMesh::Corners& corners) const noexcept {
+  exact::Box<3> box{};
+  const auto& [a, b, c] = corners;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [lower, upper] = std::minmax({anchor_[a][axis], anchor_[b][axis], anchor_[c][axis]});
+    box.lower[axis] = lower;
+    box.upper[axis] = upper;
+  }
+  return box;
+}
+
+double MeshSearch::largest_radius(const Call& call) {
+  call.context.progress.begin("gather", call.spheres.size());
+  for_each_block(call, [](std::span<const exact::Sphere<3>>, std::size_t, SearchScratch&) {});
+  return largest_of_workers(call);
+}
+
+double MeshSearch::largest_of_workers(const Call& call) const noexcept {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < call.workers; ++k) {
+    largest = std::max(largest, scratch_[k].largest_radius);
+  }
+  return largest;
+}
+
+/// Calls act(block, number of its first sphere, scratch) for each block of a worker's share.
+template <class Act>
+void MeshSearch::for_each_block(const Call& call, Act&& act) {
+  const elements::SphereReader reader(call.spheres, kernels::level_to_run(call.options.simd));
+  for (SearchScratch& scratch : scratch_) scratch.start_anew();
+  base::for_each_share(
+      call.workers, call.context.work, [&](std::size_t worker, base::WorkCounter& work) {
+        std::array<exact::Sphere<3>, block_size> block;
+        const auto [first, last] = base::share_of(worker, call.workers, call.spheres.size());
+        SearchScratch& scratch = scratch_[worker];
+        for (std::size_t begin = first; begin < last; begin += block_size) {
+          const std::span<exact::Sphere<3>> some(block.data(), std::min(block_size, last - begin));
+          scratch.largest_radius = std::max(scratch.largest_radius, reader.read(begin, some));
+          const std::uint64_t tests = scratch.tests;
+          act(std::span<const exact::Sphere<3>>(some), begin, scratch);
+          call.context.progress.advance(some.size());
+          work.did(2 * some.size() + steps_of_candidate * (scratch.tests - tests));
+        }
+      });
+}
+
+/// Returns the largest radius. Of spheres for which the grid does not reach far enough it finds
+/// anything.
+double MeshSearch::search(const Call& call, const RestFrame& frame) {
+  call.context.progress.begin("features", call.spheres.size());
+  const MeshToucher toucher(call.mesh, Domain::open(), call.options);
+  for_each_block(call, [&](std::span<const exact::Sphere<3>> block, std::size_t first,
+                           SearchScratch& scratch) {
+    for (std::size_t k = 0; k < block.size(); ++k) {
+      double center[3];
+      frame.bring_back(block[k].center, center);
+      const std::span<const ElementIndex> near = grid_.near(center);
+      if (near.empty()) continue;
+      const auto number = static_cast<ElementIndex>(first + k);
+      scratch.choose(call, block[k], number, near);
+      if (scratch.candidates.empty()) continue;
+      scratch.tests += scratch.candidates.size();
+      toucher({number, block[k], scratch.candidates, {}}, scratch.found);
+    }
+  });
+  return largest_of_workers(call);
+}
+
+/// Keeps the parts whose box meets the box around the sphere, as the search of boxes does.
+void MeshSearch::SearchScratch::choose(const Call& call, const exact::Sphere<3>& sphere,
+                                       ElementIndex number, std::span<const ElementIndex> near) {
+  candidates.clear();
+  const exact::Box<3> around = walls::box_around(sphere, call.options.margin);
+  const FittedBoxes& boxes = call.mesh.boxes();
+  for (const ElementIndex part : near) {
+    bool meets = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      meets = meets && boxes.lower[axis][part] <= around.upper[axis] &&
+              boxes.upper[axis][part] >= around.lower[axis];
+    }
+    if (meets) candidates.push_back({number, part});
+  }
+}
+
+void MeshSearch::write(const Call& call, const MeshContactArrays& arrays, Statistics& statistics) {
+  statistics.algorithm = Algorithm::rows;
+  statistics.reason = "the grid of a mesh";
+  statistics.threads = static_cast<int>(call.workers);
+  statistics.simd = kernels::level_to_run(call.options.simd);
+  statistics.elements = call.spheres.size() + call.mesh.size();
+  statistics.dimensions = 3;
+  for (std::size_t k = 0; k < call.workers; ++k) {
+    statistics.candidate_tests += scratch_[k].tests;
+    statistics.exact_decisions += scratch_[k].found.exact_decisions;
+    statistics.contact_pairs += scratch_[k].found.contacts.size();
+  }
+  require_allowed(statistics.contact_pairs, call.options);
+  const std::uint64_t bytes = statistics.contact_pairs * (sizeof(MeshContact) + sizeof(ImageShift));
+  memory_.take_for_pairs(bytes);
+  memory_.give_back_pairs(bytes);
+  arrays.contacts.clear();
+  arrays.contacts.reserve(statistics.contact_pairs);
+  for (std::size_t k = 0; k < call.workers; ++k) {
+    for (const ImageContact<MeshContact>& one : scratch_[k].found.contacts) {
+      call.context.work.did(1);
+      arrays.contacts.push_back(one.contact);
+    }
+  }
+  arrays.shifts.assign(call.options.shifts == Shifts::stored ? arrays.contacts.size() : 0, {});
+}
+
+void MeshSearch::measure(const Call& call, const MeshContactArrays& arrays,
+                         Statistics& statistics) {
+  const Quantities wanted = call.options.quantities;
+  base::Stopwatch stopwatch;
+  const lists::SizedGeometry sized(arrays.geometry, wanted, arrays.contacts.size(), memory_);
+  if (wanted.empty()) return;
+  call.context.progress.begin("measure", arrays.contacts.size());
+  const FeatureMeasurer measurer(call.mesh, Domain::open());
+  measure_contacts(arrays.contacts.size(), arrays.geometry.spans(), call.workers, call.context.work,
+                   [&](std::size_t k, Quantities quantities) {
+                     const MeshContact& contact = arrays.contacts[k];
+                     return measurer(elements::sphere_at<3>(call.spheres, contact.sphere), contact,
+                                     {}, quantities);
+                   });
+  statistics.measure_seconds = stopwatch.lap();
+}
+
+}  // namespace abut::walls

@@ -1,0 +1,125 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "base/memory_meter.hpp"
+#include "base/progress_reporter.hpp"
+#include "exact/box.hpp"
+
+#include <abut/pair.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace abut::walls {
+
+/// A grid that knows, for each cell, the parts of a wall near it: a part is named by all cells that
+/// the box around it meets when it is made wider by `reach` on every side. So a point has each part
+/// within reach among those of its cell. It keeps its memory.
+///
+/// Nothing depends on rounding: the place of a point along an axis is one function that never
+/// decreases, for points and for the ends of boxes.
+class WallGrid {
+ public:
+  explicit WallGrid(base::MemoryMeter& memory);
+
+  /// Builds the grid of `count` parts with finite boxes; `box_of(k)` is the one of part k.
+  template <class BoxOf>
+  void build(std::size_t count, double reach, base::WorkCounter& work, BoxOf&& box_of);
+
+  /// Parts that may be within reach of a point, ascending.
+  [[nodiscard]] std::span<const ElementIndex> near(const double (&point)[3]) const noexcept {
+    double place[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      place[axis] = place_of(point[axis], axis);
+      if (!(place[axis] >= 0.0 && place[axis] < end_[axis])) return {};
+    }
+    const std::size_t cell = cell_of(place);
+    if ((occupied_[cell / 64] >> (cell % 64) & 1) == 0) return {};
+    return std::span<const ElementIndex>(parts_).subspan(begin_[cell],
+                                                         begin_[cell + 1] - begin_[cell]);
+  }
+
+ private:
+  /// Cells from the first to the last along each axis.
+  struct CellRange {
+    std::size_t first[3];
+    std::size_t last[3];
+
+    [[nodiscard]] std::uint64_t size() const noexcept {
+      return (last[0] - first[0] + 1) * (last[1] - first[1] + 1) * (last[2] - first[2] + 1);
+    }
+  };
+
+  /// Wider by `reach` and by more than rounding takes away.
+  [[nodiscard]] static exact::Box<3> wider(const exact::Box<3>& box, double reach) noexcept;
+  [[nodiscard]] static std::uint64_t most_entries(std::size_t count) noexcept;
+  [[nodiscard]] double shortest_cell(std::size_t count, double reach) const noexcept;
+  void lay_cells(double length) noexcept;
+  [[nodiscard]] CellRange cells_near(const exact::Box<3>& box) const noexcept;
+  void add_up();
+
+  [[nodiscard]] std::size_t cell_count() const noexcept { return size_[0] * size_[1] * size_[2]; }
+  [[nodiscard]] double place_of(double x, int axis) const noexcept {
+    return (x - origin_[axis]) * inverse_[axis];
+  }
+  [[nodiscard]] std::size_t cell_of(const double (&place)[3]) const noexcept {
+    return (static_cast<std::size_t>(place[2]) * size_[1] + static_cast<std::size_t>(place[1])) *
+               size_[0] +
+           static_cast<std::size_t>(place[0]);
+  }
+  /// Calls act(cell) for each cell of a range.
+  template <class Act>
+  void for_each_cell(const CellRange& range, base::WorkCounter& work, Act&& act) const {
+    for (std::size_t z = range.first[2]; z <= range.last[2]; ++z) {
+      for (std::size_t y = range.first[1]; y <= range.last[1]; ++y) {
+        const std::size_t row = (z * size_[1] + y) * size_[0];
+        for (std::size_t x = range.first[0]; x <= range.last[0]; ++x) act(row + x);
+        work.did(range.last[0] - range.first[0] + 1);
+      }
+    }
+  }
+
+  exact::Box<3> around_{};  ///< all that is within reach of a part
+  double origin_[3] = {};
+  double inverse_[3] = {};  ///< of the length of a cell
+  double end_[3] = {};      ///< number of cells
+  std::size_t size_[3] = {};
+  base::Array<std::uint64_t> occupied_;  ///< a bit for each cell
+  base::Array<std::uint64_t> begin_;     ///< places of the parts of each cell
+  base::Array<ElementIndex> parts_;
+};
+
+template <class BoxOf>
+void WallGrid::build(std::size_t count, double reach, base::WorkCounter& work, BoxOf&& box_of) {
+  exact::Box<3> around = count > 0 ? box_of(0) : exact::Box<3>{};
+  for (std::size_t k = 1; k < count; ++k) {
+    const exact::Box<3> box = box_of(k);
+    for (int axis = 0; axis < 3; ++axis) {
+      around.lower[axis] = std::min(around.lower[axis], box.lower[axis]);
+      around.upper[axis] = std::max(around.upper[axis], box.upper[axis]);
+    }
+  }
+  around_ = wider(around, reach);
+  for (double length = shortest_cell(count, reach);; length *= 1.5) {
+    lay_cells(length);
+    std::uint64_t entries = 0;
+    for (std::size_t k = 0; k < count; ++k) entries += cells_near(wider(box_of(k), reach)).size();
+    work.did(4 * count);
+    if (cell_count() == 1 || entries <= most_entries(count)) break;
+  }
+  begin_.assign(cell_count() + 2, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    for_each_cell(cells_near(wider(box_of(k), reach)), work,
+                  [&](std::size_t cell) { ++begin_[cell + 2]; });
+  }
+  add_up();
+  for (std::size_t k = 0; k < count; ++k) {
+    for_each_cell(cells_near(wider(box_of(k), reach)), work, [&](std::size_t cell) {
+      parts_[begin_[cell + 1]++] = static_cast<ElementIndex>(k);
+    });
+  }
+}
+
+}  // namespace abut::walls

@@ -1,4 +1,5 @@
-# What `cmake --install` leaves: headers, library, tool, CMake package, pkg-config file. Everything
+# What `cmake --install` leaves: headers, library, tool with its manual page and completions,
+# licence, CMake package, pkg-config file. Everything
 # finds its neighbours relative to itself, so an installed tree may be moved.
 include(CMakePackageConfigHelpers)
 
@@ -45,6 +46,11 @@ endif()
 configure_file("${CMAKE_CURRENT_LIST_DIR}/abut.pc.in" "${PROJECT_BINARY_DIR}/abut.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/abut.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
 if(ABUT_BUILD_TOOL AND TARGET abut_tool)
   install(TARGETS abut_tool RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()
+if(TARGET abut_told)
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/share/" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}")
 endif()

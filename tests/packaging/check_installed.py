@@ -90,6 +90,20 @@ def wrong_tool(prefix, version):
         yield f"the installed tool says '{said.strip()}', not version {version}"
 
 
+def wrong_documents(prefix, source, has_tool):
+    """The licence, and what the tool tells of itself."""
+    told = {"share/doc/abut/LICENSE": (source / "LICENSE").read_text()}
+    if has_tool:
+        for reader, path in (("bash", "bash-completion/completions/abut"),
+                             ("zsh", "zsh/site-functions/_abut"),
+                             ("fish", "fish/vendor_completions.d/abut.fish"),
+                             ("man", "man/man1/abut.1")):
+            told["share/" + path] = output(str(prefix / "bin/abut"), "completion", reader)
+    for name, text in told.items():
+        if not (prefix / name).is_file() or (prefix / name).read_text() != text or not text:
+            yield f"{prefix / name} is missing or not what it should be"
+
+
 def main():
     prefix, kind = Path(sys.argv[1]), sys.argv[2]
     source, build = Path(sys.argv[3]), Path(sys.argv[4])
@@ -98,6 +112,7 @@ def main():
     wrong = [*wrong_headers(prefix, source), *wrong_paths(prefix, (source, build)),
              *wrong_library(prefix, kind, version)]
     has_tool = "tool" in sys.argv[5:]
+    wrong += wrong_documents(prefix, source, has_tool)
     properties = [word for word in sys.argv[5:] if word != "tool"]
     linked = ["no_executable_stack", *(name for name in properties if name in ("relro", "now"))]
     compiled = [name for name in properties if name == "stack_protector"]

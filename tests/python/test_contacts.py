@@ -106,6 +106,22 @@ def test_boxes():
     assert tuples(abut.find_contact_pairs(flat, margin=2).gap[:, None]) == [(2.0,)]
 
 
+def test_elements_give_their_positions_and_radii(packing):
+    elements = abut.spheres(packing)
+    assert elements.positions.tolist() == [[*row] for row in packing[["x", "y", "z"]].tolist()]
+    assert elements.radii.tolist() == packing["radius"].tolist()
+    x = np.zeros((3, 2))
+    discs = abut.discs(x, 0.5)
+    assert np.shares_memory(discs.positions, x)
+    assert discs.radii.tolist() == [0.5, 0.5, 0.5]
+    with pytest.raises(ValueError, match="read-only"):
+        discs.positions[:] = 1
+    assert x.flags.writeable
+    flat = abut.rectangles(([0, 2], [0, 2]), [[1, 2], [3, 4]])
+    assert flat.positions.tolist() == [[0.5, 1.0], [2.5, 3.0]]
+    assert flat.radii.tolist() == [0.0, 0.0]
+
+
 def test_rules():
     x = [[0, 0], [1, 0], [2, 0]]
     assert tuples(abut.contacts(x, 0.5, groups=[0, 0, 1]).pairs) == [(1, 2)]

@@ -28,6 +28,7 @@ def test_there_are_pages():
 @pytest.mark.parametrize("page", SESSIONS)
 def test_page(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "Agg")
     (tmp_path / "examples").symlink_to(SOURCES / "examples")
     parser, runner, session = doctest.DocTestParser(), doctest.DocTestRunner(), {}
     for block in SESSIONS[page]:
@@ -37,3 +38,6 @@ def test_page(page, tmp_path, monkeypatch):
         runner.run(examples, out=report.append, clear_globs=False)
         session = examples.globs
         assert not report, "".join(report)
+    pictures = [picture.name for picture in tmp_path.glob("*.png")]
+    assert all((SOURCES / "docs" / "images" / name).is_file() for name in pictures)
+    assert all(f"images/{name}" in (SOURCES / page).read_text() for name in pictures)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _abut
 from ._arrays import Coordinates, Numbers, coordinates, number, of_one_type, radii, radius_column
@@ -44,6 +45,23 @@ class Elements:
         """'float32' or 'float64': the type of the arrays."""
         return self._native.precision
 
+    @property
+    def positions(self) -> npt.NDArray[np.floating[Any]]:
+        """Centers (N, dimensions), of boxes the middles between their corners. A read-only view of
+        the caller's array where that is a table."""
+        table = _table_of(self._first)
+        if self._kind == "boxes":
+            table = table + (_table_of(self._second) - table) / 2
+        view: npt.NDArray[np.floating[Any]] = table.view()
+        view.flags.writeable = False
+        return view
+
+    @property
+    def radii(self) -> npt.NDArray[np.floating[Any]]:
+        """Radius of each sphere or disc, (N,), read-only; 0 for boxes."""
+        second = 0.0 if self._kind == "boxes" else self._second
+        return np.broadcast_to(np.asarray(second), (len(self),))
+
     def __repr__(self) -> str:
         plural = {"box": "boxes"}.get(self.shape, self.shape + "s")
         return f"<abut.Elements: {len(self):,} {plural} in {self.precision}>"
@@ -54,6 +72,10 @@ class Elements:
 
 def _made(kind: str, first: Any, second: Any) -> Elements:
     return _spheres(first, second) if kind == "spheres" else _boxes(first, second)
+
+
+def _table_of(given: Coordinates) -> Numbers:
+    return np.stack(given, axis=1) if isinstance(given, tuple) else given
 
 
 def _size(given: Coordinates) -> int:

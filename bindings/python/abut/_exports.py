@@ -6,25 +6,13 @@ import html
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
-from ._elements import Elements, positions_of, radii_of
 from ._errors import UsageError
 
 if TYPE_CHECKING:
     import xarray
 
     from ._contacts import Contacts
-
-
-def positions(elements: Elements) -> npt.NDArray[np.floating[Any]]:
-    """Positions as a table (N, dimensions); of boxes the middles."""
-    lower = np.stack(positions_of(elements), axis=1)
-    if elements._kind == "spheres":
-        return lower
-    upper = elements._second
-    table = np.stack(upper, axis=1) if isinstance(upper, tuple) else upper
-    return np.asarray(lower + (table - lower) / 2)
 
 
 def _require_one_set(contacts: Contacts, form: str) -> None:
@@ -39,7 +27,7 @@ def to_networkx(contacts: Contacts) -> Any:
     _require_one_set(contacts, "a graph")
     is_periodic = contacts.domain.is_periodic
     graph = networkx.MultiGraph() if is_periodic else networkx.Graph()
-    places = positions(contacts.elements).tolist()
+    places = contacts.elements.positions.tolist()
     graph.add_nodes_from((k, {"pos": tuple(place)}) for k, place in enumerate(places))
     facts: list[dict[str, Any]] = [{"gap": gap} for gap in contacts.gap.tolist()]
     if is_periodic:
@@ -94,11 +82,11 @@ def to_ovito(contacts: Contacts) -> Any:
     _require_one_set(contacts, "a data collection")
     elements, dimensions = contacts.elements, contacts.elements.dimensions
     places = np.zeros((len(elements), 3))
-    places[:, :dimensions] = positions(elements)
+    places[:, :dimensions] = elements.positions
     data = DataCollection()
     particles = data.create_particles(count=len(elements))
     particles.create_property("Position", data=places)
-    particles.create_property("Radius", data=radii_of(elements).astype(float))
+    particles.create_property("Radius", data=elements.radii.astype(float))
     bonds = particles.create_bonds(count=len(contacts))
     bonds.create_property("Topology", data=contacts.pairs.astype(np.int64))
     bonds.create_property("Periodic Image", data=contacts.shift)

@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._elements import radii_of
-from ._exports import positions
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -30,7 +28,7 @@ def plot(contacts: Contacts, ax: matplotlib.axes.Axes | None) -> matplotlib.axes
 
 def _lines(contacts: Contacts) -> Any:
     """Both ends of each line: the center of i, and that of the image of j that it touches."""
-    begin = positions(contacts.elements)[contacts.i].astype(float)
+    begin = contacts.elements.positions[contacts.i].astype(float)
     return np.stack([begin, begin + contacts.vector], axis=1)
 
 
@@ -53,10 +51,9 @@ def _plot_plane(contacts: Contacts, ax: Any) -> None:
 def _outlines(elements: Any) -> list[Any]:
     from matplotlib.patches import Circle, Rectangle
 
-    middles = positions(elements)
+    middles = elements.positions
     if elements._kind == "spheres":
-        radii = radii_of(elements)
-        return [Circle(place, radius) for place, radius in zip(middles, radii, strict=True)]
+        return [Circle(*shape) for shape in zip(middles, elements.radii, strict=True)]
     second = elements._second
     upper = np.stack(second, axis=1) if isinstance(second, tuple) else second
     halves = upper - middles
@@ -73,4 +70,4 @@ def _plot_space(contacts: Contacts, ax: Any) -> None:
     ax.add_collection3d(lines)
     sets = [contacts.elements] if contacts.others is None else [contacts.elements, contacts.others]
     for elements in sets:
-        ax.scatter(*positions(elements).T, s=2, color="0.5")
+        ax.scatter(*elements.positions.T, s=2, color="0.5")

@@ -58,6 +58,15 @@ BookExample sorting_array_example() {
   return {"Figures 3.21 to 3.38", "", sorting_system(), {{4, 6, -1}}};
 }
 
+/// A cell with neighbors beside, behind and below it, two layers in all, and one far away.
+trace::CellSystem space_system() {
+  trace::CellSystem system;
+  system.dimensions = 3;
+  system.cell_count = {3, 3, 3};
+  system.cells = {{1, 1, 1}, {0, 1, 1}, {1, 0, 1}, {2, 2, 0}, {1, 1, 0}, {0, 0, 2}};
+  return system;
+}
+
 BookExample munjiza_nbs_example() {
   trace::CellSystem system = sorting_system();
   system.cell_count = {10, 10, 1};
@@ -68,7 +77,8 @@ BookExample munjiza_nbs_example() {
       "The book does not say in which column of row 6 element 9 lies; column 3 is inferred from "
       "its dot in Figure 3.40, left of element 3.",
       std::move(system),
-      {}};
+      {},
+      space_system()};
 }
 
 /// Figures 3.28 to 3.38.

@@ -19,6 +19,7 @@ struct BookExample {
   std::string note;     ///< what the book leaves open; empty if nothing
   trace::CellSystem system;
   std::optional<std::array<std::int32_t, 3>> searched_cell;  ///< sorting: Figures 3.25 to 3.27
+  std::optional<trace::CellSystem> in_space = {};  ///< where the book has 3D without an example
 };
 
 [[nodiscard]] BookExample book_example(Algorithm algorithm);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "progress_display.hpp"
+#include "ticker.hpp"
 
 #include <abut/progress.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace abut::cli {
@@ -28,6 +31,16 @@ class Console {
   void warn(std::string_view sentence);
 
   [[nodiscard]] ProgressHook progress() { return display_.hook(); }
+
+  /// Does work of so many steps that does not tell how far it is, showing that it goes on; few
+  /// steps are not worth a thread.
+  template <class Work>
+  auto while_shown(std::string_view phase, std::uint64_t steps, const Work& work) {
+    constexpr std::uint64_t few = 1'000'000;
+    std::optional<Ticker> ticker;
+    if (steps > few) ticker.emplace(display_, phase);
+    return work();
+  }
 
   /// The long work is over: the bar goes away.
   void finish() { display_.clear(); }

@@ -16,7 +16,10 @@ namespace abut::cli {
 
 io::Snapshot load_snapshot(const FileOrScene& source, Console& console) {
   const std::string& name = source.input.path;
-  if (source.count.has_value()) return make_scene(name, *source.count, source.seed);
+  if (source.count.has_value()) {
+    return console.while_shown("scene", *source.count,
+                               [&] { return make_scene(name, *source.count, source.seed); });
+  }
   const auto scenes = scenes::scenes();
   const bool is_scene = std::any_of(scenes.begin(), scenes.end(),
                                     [&name](const auto& scene) { return scene.name == name; });

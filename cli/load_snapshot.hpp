@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace abut::cli {
 
@@ -16,17 +17,23 @@ struct InputOptions {
   std::string format;  ///< empty: by suffix, then content
   std::optional<double> radius;
   std::optional<std::int64_t> frame;
-  std::string groups;  ///< name of the column of groups; empty: none
+  std::vector<std::string> columns;  ///< names of those of a CSV table; empty: its own
+  std::string groups;                ///< name of the column of groups; empty: none
   DomainOptions domain;
 
   /// Set by commands, not by the command line.
   io::RadiusUse radius_use = io::RadiusUse::in_place_of_own;
   io::LoneFrame lone_frame = io::LoneFrame::by_its_number;
   io::GroupColumns group_columns = io::GroupColumns::not_sought;
+  io::Purpose purpose = io::Purpose::detection;
 };
 
 /// Reads the elements; says which frame was taken where a file has several.
 [[nodiscard]] io::Snapshot load_snapshot(const InputOptions& input, Console& console);
+
+/// The options that choose what is read of the file as they were given, for commands that are
+/// proposed: " --frame 1 --radius 0.5".
+[[nodiscard]] std::string as_given(const InputOptions& input);
 
 /// "frame 1, the last of 2".
 [[nodiscard]] std::string frame_text(const io::Snapshot& snapshot);

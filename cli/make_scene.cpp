@@ -1,6 +1,7 @@
 #include "make_scene.hpp"
 
 #include "interrupt.hpp"
+#include "io/nearest_word.hpp"
 #include "scenes/scene.hpp"
 #include "text/human_text.hpp"
 
@@ -8,8 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -25,15 +28,27 @@ void require_memory(std::uint64_t count) {
   const double needed = bytes_per_element * static_cast<double>(count);
   if (needed <= available) return;
   throw Error(ErrorCode::limit_exceeded,
-              fmt::format("a scene of {} elements needs about {:.3g} bytes, more than the {:.3g} "
-                          "bytes of this machine; ask for fewer",
-                          count, needed, available));
+              fmt::format("a scene of {} needs about {} of memory, more than the {} "
+                          "of this machine; ask for fewer",
+                          counted(count, "element"),
+                          byte_size(static_cast<std::uint64_t>(std::min(needed, 1e18))),
+                          byte_size(static_cast<std::uint64_t>(available))));
+}
+
+const scenes::SceneInfo& scene_given(const std::string& name) {
+  try {
+    return scenes::scene_named(name);
+  } catch (const Error& error) {
+    std::vector<std::string> names;
+    for (const scenes::SceneInfo& info : scenes::scenes()) names.emplace_back(info.name);
+    throw Error(error.code(), error.what() + io::suggestion(name, names));
+  }
 }
 
 }  // namespace
 
 io::Snapshot make_scene(const std::string& name, std::uint64_t count, std::uint64_t seed) {
-  const scenes::SceneInfo& info = scenes::scene_named(name);
+  const scenes::SceneInfo& info = scene_given(name);
   require_memory(count);
   const InterruptsEndAtOnce at_once;
   scenes::Scene scene = info.make(static_cast<std::size_t>(count), seed);

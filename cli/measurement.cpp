@@ -77,7 +77,8 @@ Measurement measure(const Subject& subject, const ElementView& elements, const D
   }
   std::sort(measurement.steady.begin(), measurement.steady.end());
   measurement.statistics = detector.statistics();
-  measurement.digest = detector.digest();
+  measurement.digest = console.while_shown("digest", detector.statistics().contact_pairs,
+                                           [&] { return detector.digest(); });
   return measurement;
 }
 

@@ -26,13 +26,17 @@ class ProgressDisplay {
   /// To be handed to the work; valid as long as the display.
   [[nodiscard]] ProgressHook hook();
 
+  [[nodiscard]] bool is_shown() const noexcept { return mode_ != ProgressMode::none; }
+
+  /// Shows how far the work is, unless it was shown a short while ago.
+  void show(const Progress& progress);
+
   /// Removes the bar; called before anything else is written to the terminal.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void show(const Progress& progress);
   void draw(const std::string& line);
 
   ProgressMode mode_;

@@ -25,6 +25,16 @@ if(NOT ABUT_OPENMP STREQUAL OFF)
   endif()
 endif()
 
+# For --version --verbose.
+set(ABUT_HIGHWAY_VERSION "none: kernels in plain C++")
+if(ABUT_USE_HIGHWAY)
+  set(ABUT_HIGHWAY_VERSION "${HWY_VERSION}")
+endif()
+set(ABUT_OPENMP_VERSION "none: one thread unless more are asked for")
+if(ABUT_USE_OPENMP)
+  set(ABUT_OPENMP_VERSION "${OpenMP_CXX_VERSION}")
+endif()
+
 # By name and by flag, never by path: an installed tree may be moved to another machine.
 set(ABUT_CORE_LIBRARIES -pthread)
 if(ABUT_USE_HIGHWAY)

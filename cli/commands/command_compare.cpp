@@ -58,8 +58,10 @@ Run run_one(Algorithm algorithm, const CompareOptions& options, const Subject& s
     const PairList pairs =
         find_contact_pairs(subject.snapshot.elements(), subject.domain, detection);
     run.statistics = pairs.statistics();
-    const InterruptsEndAtOnce at_once;
-    run.digest = io::digest(pairs.pairs(), pairs.shifts());
+    run.digest = console.while_shown("digest", pairs.size(), [&] {
+      const InterruptsEndAtOnce at_once;
+      return io::digest(pairs.pairs(), pairs.shifts());
+    });
   } catch (const Error& error) {
     run.refusal = refusal(error);
   }

@@ -60,7 +60,7 @@ PairList detect(const ContactsOptions& options, const ElementSets& sets, const L
   const bool only_counted = options.report == Report::count && options.output.empty();
   if (sets.domain.is_periodic() && !only_counted) detection.shifts = Shifts::stored;
   const bool summarized = options.report == Report::summary && !console.is_quiet();
-  if (summarized || !options.output.empty()) detection.quantities = Quantity::gap;
+  if (summarized || !options.output.empty()) detection.quantities = options.with | Quantity::gap;
   const ElementView first = sets.first.elements();
   if (sets.are_two()) {
     const ElementView second = sets.second->elements();
@@ -74,9 +74,10 @@ PairList detect(const ContactsOptions& options, const ElementSets& sets, const L
 void write(const ContactsOptions& options, io::ContactFormat format, const ElementSets& sets,
            const PairList& pairs, Console& console) {
   const auto ids = options.ids ? io::IdColumns::with : io::IdColumns::without;
-  const io::Durability durability =
-      io::write_contacts({options.output, format, ids, console.progress()}, sets.elements(),
-                         pairs.pairs(), {pairs.shifts(), sets.domain, pairs.gaps()});
+  const io::Durability durability = io::write_contacts(
+      {options.output, format, ids, console.progress()}, sets.elements(), pairs.pairs(),
+      {pairs.shifts(), sets.domain},
+      {pairs.gaps(), pairs.normals(), pairs.points(), pairs.distances(), pairs.vectors()});
   warn_unless_synced(durability, options.output, console);
 }
 
@@ -133,6 +134,7 @@ std::string report_text(const ContactsOptions& options, const Contacts& contacts
 }  // namespace
 
 void run(const ContactsOptions& options) {
+  PhaseStopwatch whole;
   PhaseStopwatch stopwatch;
   PhaseSeconds seconds;
   Console console(options.console);
@@ -146,16 +148,18 @@ void run(const ContactsOptions& options) {
     write(options, format, sets, pairs, console);
     seconds.write = stopwatch.lap();
   }
-  console.finish();
-
   if (options.report == Report::summary && console.is_quiet()) return;
   Findings found;
   if (options.report == Report::summary) {
-    found = findings(sets, pairs);
+    found = console.while_shown("report", pairs.size(), [&] { return findings(sets, pairs); });
     seconds.summary = stopwatch.lap();
   }
-  seconds.total = seconds.read + seconds.search + seconds.write + seconds.summary;
-  report_beside(options.output, report_text(options, {sets, rule, pairs, found}, seconds));
+  seconds.total = whole.lap();
+  const std::string text = console.while_shown("report", pairs.size(), [&] {
+    return report_text(options, {sets, rule, pairs, found}, seconds);
+  });
+  console.finish();
+  report_beside(options.output, text);
 }
 
 }  // namespace abut::cli

@@ -5,6 +5,7 @@
 #include "options/rule_options.hpp"
 
 #include <abut/options.hpp>
+#include <abut/quantity.hpp>
 
 #include <string>
 
@@ -21,6 +22,7 @@ struct ContactsOptions {
   ConsoleOptions console;
   std::string output;         ///< empty: pairs are not written; "-" is standard output
   std::string output_format;  ///< empty: by suffix
+  Quantities with;            ///< what is written of a pair beside its gap
   bool ids = false;           ///< add the file's own ids to the output
   Report report = Report::summary;
 };

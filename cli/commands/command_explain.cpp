@@ -51,6 +51,20 @@ std::string walk(Algorithm algorithm, const trace::CellSystem& system,
   return text + '\n' + pairs_text("candidate pair", all_candidates(stages), numbering);
 }
 
+/// What the book describes in 3D and draws in 2D only.
+std::string walk_in_space(Algorithm algorithm, const BookExample& example) {
+  if (!example.in_space) return "";
+  const trace::CellSystem& system = *example.in_space;
+  const std::vector<RecordedStage> stages = recorded(algorithm, system);
+  return '\n' +
+         wrapped(fmt::format("The same in 3D, which the book describes without an example: {} of "
+                             "our own in {} x {} x {} cells.",
+                             counted(system.cells.size(), "element"), system.cell_count[0],
+                             system.cell_count[1], system.cell_count[2]),
+                 text_width) +
+         '\n' + walk(algorithm, system, stages, Numbering::from_one, {});
+}
+
 std::string explain_book(Algorithm algorithm) {
   const BookExample example = book_example(algorithm);
   const std::vector<RecordedStage> stages = recorded(algorithm, example.system);
@@ -68,14 +82,14 @@ std::string explain_book(Algorithm algorithm) {
   }
   return text +
          walk(algorithm, example.system, stages, Numbering::from_one, {example.searched_cell}) +
-         book_supplement(algorithm, stages);
+         book_supplement(algorithm, stages) + walk_in_space(algorithm, example);
 }
 
 std::string explain_file(const ExplainOptions& options, const io::Snapshot& snapshot) {
   if (snapshot.size() > most_elements) {
     throw Error(ErrorCode::limit_exceeded,
                 fmt::format("{}: {} are too many to read through; explain takes at most {}",
-                            snapshot.name(), elements_text(snapshot), most_elements));
+                            snapshot.name(), elements_text(snapshot), grouped(most_elements)));
   }
   Options detection;
   detection.algorithm = options.algorithm;

@@ -40,11 +40,15 @@ std::string json_of_all() {
 }  // namespace
 
 void run(const GenerateOptions& options) {
+  io::require_element_format(options.output, options.output_format);
   Console console(options.console);
-  const io::Snapshot snapshot = make_scene(options.scene, options.count, options.seed);
+  const io::Snapshot snapshot = console.while_shown("scene", options.count, [&] {
+    return make_scene(options.scene, options.count, options.seed);
+  });
   warn_unless_synced(
-      io::write_elements(options.output, options.output_format, snapshot, interrupted),
+      io::write_elements(options.output, options.output_format, snapshot, console.progress()),
       options.output, console);
+  console.finish();
   if (options.output == "-") return;
   console.note(fmt::format("{}: {} of {}; next: abut contacts {}", options.output,
                            elements_text(snapshot), snapshot.source, shell_quoted(options.output)));

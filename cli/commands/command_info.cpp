@@ -48,6 +48,7 @@ std::string ids_text(const io::Snapshot& snapshot) {
 }
 
 std::string radii_text(const io::Snapshot& snapshot) {
+  if (snapshot.radius.empty()) return "none; give one to all with --radius R";
   const Range radii = range_of(snapshot.radius);
   if (radii.least == radii.most) return fmt::format("all {}", measure(radii.least));
   std::string text = fmt::format("{} to {}, mean {}", measure(radii.least), measure(radii.most),
@@ -89,13 +90,58 @@ std::string groups_text(const io::Snapshot& snapshot) {
   return text;
 }
 
-std::string next_command(const InfoOptions& options) {
+std::string next_command(const InfoOptions& options, const io::Snapshot& snapshot) {
   std::string command = "abut contacts " + shell_quoted(options.input.path);
-  if (options.input.frame.has_value()) command += fmt::format(" --frame {}", *options.input.frame);
-  if (options.input.radius.has_value()) {
-    command += fmt::format(" --radius {}", *options.input.radius);
+  command += as_given(options.input);
+  return snapshot.size() > 0 && snapshot.radius.empty() ? command + " --radius R" : command;
+}
+
+/// Names to begin with for columns that have none: the first four are often these.
+std::string names_to_try(std::size_t columns) {
+  std::string names = columns == 3 ? "x,y,radius" : "x,y,z,radius";
+  for (std::size_t k = 4; k < columns; ++k) names += ",-";
+  return names;
+}
+
+std::string numbers_text(const io::ColumnDescription& column, std::uint64_t rows) {
+  if (column.numbers == 0) return "no numbers";
+  const std::string range = fmt::format("{} to {}", measure(column.least), measure(column.most));
+  return column.numbers == rows
+             ? range
+             : fmt::format("{} in {} of {}", range, grouped(column.numbers), counted(rows, "row"));
+}
+
+/// Of a table that a detection would refuse.
+std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot,
+                    const io::TableDescription& described) {
+  constexpr std::size_t most = 40;
+  const std::size_t columns = described.columns.size();
+  TextTable table({Align::left, Align::left});
+  table.add_row({"format", snapshot.format});
+  table.add_row({"rows", grouped(described.rows)});
+  for (std::size_t k = 0; k < std::min(columns, most); ++k) {
+    const io::ColumnDescription& column = described.columns[k];
+    table.add_row({"column " + io::visible(column.name, 40), numbers_text(column, described.rows)});
   }
-  return command;
+  if (columns > most) table.add_row({"", fmt::format("and {} columns more", columns - most)});
+  table.add_row({"next", fmt::format("abut contacts {} --columns {}",
+                                     shell_quoted(options.input.path), names_to_try(columns))});
+  return snapshot.name() + '\n' + table.text("  ") + io::visible(described.problem, 1000) + '\n';
+}
+
+std::string json_of(const io::Snapshot& snapshot, const io::TableDescription& described) {
+  std::string columns;
+  for (const io::ColumnDescription& column : described.columns) {
+    const bool any = column.numbers > 0;
+    columns += fmt::format("{}{{\"name\": {}, \"numbers\": {}, \"min\": {}, \"max\": {}}}",
+                           columns.empty() ? "" : ", ", json_string(column.name), column.numbers,
+                           any ? json_number(column.least) : "null",
+                           any ? json_number(column.most) : "null");
+  }
+  return fmt::format(
+      "{{\"file\": {}, \"format\": {}, \"rows\": {}, \"columns\": [{}], \"problem\": {}}}\n",
+      json_string(snapshot.source), json_string(snapshot.format), described.rows, columns,
+      json_string(described.problem));
 }
 
 std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot) {
@@ -124,7 +170,7 @@ std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot) {
   if (!snapshot.group_columns.empty() && snapshot.size() > 0) {
     table.add_row({"groups", "can be " + groups_text(snapshot)});
   }
-  table.add_row({"next", next_command(options)});
+  table.add_row({"next", next_command(options, snapshot)});
   return snapshot.name() + '\n' + table.text("  ");
 }
 
@@ -137,6 +183,8 @@ std::string json_of(const io::Snapshot& snapshot) {
       least += (least.empty() ? "" : ", ") + json_number(range.least);
       most += (most.empty() ? "" : ", ") + json_number(range.most);
     }
+  }
+  if (!snapshot.radius.empty()) {
     const Range range = range_of(snapshot.radius);
     radii = fmt::format("{{\"min\": {}, \"mean\": {}, \"max\": {}}}", json_number(range.least),
                         json_number(mean_radius(snapshot)), json_number(range.most));
@@ -170,9 +218,16 @@ void run(const InfoOptions& options) {
   Console console(options.console);
   InputOptions input = options.input;
   input.group_columns = io::GroupColumns::sought;
+  input.purpose = io::Purpose::description;
   const io::Snapshot snapshot = load_snapshot(input, console);
   console.finish();
-  write_out(options.listing == Listing::json ? json_of(snapshot) : text_of(options, snapshot));
+  const bool json = options.listing == Listing::json;
+  if (snapshot.table) {
+    write_out(json ? json_of(snapshot, *snapshot.table)
+                   : text_of(options, snapshot, *snapshot.table));
+    return;
+  }
+  write_out(json ? json_of(snapshot) : text_of(options, snapshot));
 }
 
 }  // namespace abut::cli

@@ -2,6 +2,8 @@
 
 #include "element_sets.hpp"
 #include "interrupt.hpp"
+#include "io/quoted_text.hpp"
+#include "io/suffix.hpp"
 #include "io/write/output_file.hpp"
 #include "io/write/text_output.hpp"
 #include "options/output_option.hpp"
@@ -29,16 +31,34 @@ ElementView centers_of(const io::Snapshot& snapshot) {
                                   : points(snapshot.x, snapshot.y, snapshot.z);
 }
 
+/// Neighbors have one form; a file of another name would not hold what it says. Pairs of points
+/// within the cutoff are contacts of radius 0 within a margin, which have every form.
+void require_csv(const NeighborsOptions& options) {
+  const std::string suffix = options.output == "-" ? "" : io::suffix_of(options.output);
+  if (suffix.empty() || suffix == ".csv") return;
+  std::string sentence = fmt::format("-o {}: neighbors are written as CSV; name a file .csv",
+                                     io::visible(options.output, 60));
+  if (suffix == ".json" || suffix == ".vtp") {
+    sentence +=
+        fmt::format(", or list the pairs with abut contacts FILE --radius 0 --margin {} -o {}",
+                    options.cutoff, io::visible(options.output, 60));
+  }
+  throw Error(ErrorCode::wrong_usage, sentence);
+}
+
 /// One line a neighbor, by element, as i,j[,nx,ny,nz],distance.
-io::Durability write(const NeighborList& list, const Domain& domain, const std::string& path) {
+io::Durability write(const NeighborList& list, const Domain& domain, const std::string& path,
+                     const ProgressHook& progress) {
   constexpr std::size_t much = std::size_t{64} << 10;
-  io::OutputFile file(path, interrupted);
+  Progress now{"write", 0, list.size()};
+  io::OutputFile file(path, [&] { return progress(now) == ProgressAction::cancel; });
   std::string text = domain.is_periodic() ? "i,j,nx,ny,nz,distance\n" : "i,j,distance\n";
   const auto append = [&text](auto value) {
     io::append_integer(value, text);
     text += ',';
   };
   for (std::size_t i = 0; i < list.size(); ++i) {
+    now.done = i;
     for (std::size_t k = 0; k < list[i].size(); ++k) {
       append(i);
       append(list[i][k]);
@@ -76,14 +96,14 @@ std::string summary(const NeighborsOptions& options, const ElementSets& sets,
     kind = "";
   }
   const double size = static_cast<double>(std::max<std::size_t>(list.size(), 1));
-  text += fmt::format("  neighbors        {} in a {}list of {} pairs\n", list.neighbors().size(),
-                      kind, list.statistics().contact_pairs);
+  text += fmt::format("  neighbors        {} in a {}list of {}\n", grouped(list.neighbors().size()),
+                      kind, counted(list.statistics().contact_pairs, "pair"));
   if (!rule.text().empty()) text += fmt::format("  left out         {}\n", rule.text());
   return text + fmt::format(
                     "  of an element    mean {:.4g}, at most {}; {} of {} have none\n"
                     "  algorithm        {}\n",
-                    static_cast<double>(list.neighbors().size()) / size, most, alone, list.size(),
-                    name_of(list.statistics().algorithm));
+                    static_cast<double>(list.neighbors().size()) / size, grouped(most),
+                    grouped(alone), grouped(list.size()), name_of(list.statistics().algorithm));
 }
 
 ElementSets read(const NeighborsOptions& options, Console& console) {
@@ -116,12 +136,14 @@ NeighborList detect(const NeighborsOptions& options, const ElementSets& sets,
 }  // namespace
 
 void run(const NeighborsOptions& options) {
+  require_csv(options);
   Console console(options.console);
   const ElementSets sets = read(options, console);
   const LoadedRule rule(options.input, options.rule, sets, console);
   const NeighborList list = detect(options, sets, rule, console);
   if (!options.output.empty()) {
-    warn_unless_synced(write(list, sets.domain, options.output), options.output, console);
+    warn_unless_synced(write(list, sets.domain, options.output, console.progress()), options.output,
+                       console);
   }
   console.finish();
   if (console.is_quiet()) return;

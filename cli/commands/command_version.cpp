@@ -1,15 +1,41 @@
 #include "commands/command_version.hpp"
 
 #include "talk.hpp"
+#include "text/text_table.hpp"
 
+#include <abut/simd.hpp>
 #include <abut/version.hpp>
 
 #include <fmt/format.h>
 
+#include <string>
+
 namespace abut::cli {
 
+namespace {
+
+/// The instruction sets that can be asked for here.
+std::string levels_text() {
+  std::string text;
+  for (const Simd level : simd_levels()) {
+    if (!available(level)) continue;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", name_of(level));
+  }
+  return text;
+}
+
+std::string build_text() {
+  TextTable table({Align::left, Align::left});
+  table.add_row({"Highway", ABUT_HIGHWAY_VERSION});
+  table.add_row({"OpenMP", ABUT_OPENMP_VERSION});
+  table.add_row({"SIMD levels here", levels_text()});
+  return build_description() + '\n' + table.text("  ");
+}
+
+}  // namespace
+
 void run(const VersionOptions& options) {
-  write_out(options.detail == VersionDetail::build ? build_description() + '\n'
+  write_out(options.detail == VersionDetail::build ? build_text()
                                                    : fmt::format("abut {}\n", version()));
 }
 

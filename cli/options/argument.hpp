@@ -1,8 +1,12 @@
 #pragma once
 
+#include "io/nearest_word.hpp"
 #include "io/quoted_text.hpp"
 
+#include <abut/algorithm.hpp>
 #include <abut/error.hpp>
+#include <abut/quantity.hpp>
+#include <abut/simd.hpp>
 
 #include <fmt/format.h>
 
@@ -13,6 +17,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 /// The values of options, read strictly and in no locale; wrong ones throw Error{wrong_usage}
 /// naming the option, the value and what is wanted.
@@ -34,13 +39,14 @@ template <class Number>
   return value;
 }
 
-template <class Number>
-[[nodiscard]] Number positive(std::string_view option, std::string_view text) {
-  static constexpr std::string_view wanted = "a whole number, at least 1";
-  const auto value = number<Number>(option, text, wanted);
-  if (value < 1) reject(option, text, wanted);
-  return value;
-}
+/// A number of things: whole, in digits or as 1e6.
+[[nodiscard]] std::uint64_t count(std::string_view option, std::string_view text);
+
+/// The same, at least 1.
+[[nodiscard]] std::uint64_t positive(std::string_view option, std::string_view text);
+
+/// A number of threads; 0 leaves it to the library.
+[[nodiscard]] int thread_count(std::string_view option, std::string_view text);
 
 /// A finite length that is not negative.
 [[nodiscard]] double length(std::string_view option, std::string_view text);
@@ -48,18 +54,30 @@ template <class Number>
 /// Bytes, with an optional K, M or G for powers of 1024.
 [[nodiscard]] std::uint64_t bytes(std::string_view option, std::string_view text);
 
+/// Quantities of pairs with commas between them.
+[[nodiscard]] Quantities quantities_named(std::string_view option, std::string_view text);
+
+/// By name, as the library does it, with the name that was probably meant.
+[[nodiscard]] Algorithm algorithm_given(const std::string& text);
+[[nodiscard]] Simd simd_given(const std::string& text);
+
+/// Names of columns with commas between them, which name coordinates.
+[[nodiscard]] std::vector<std::string> column_names(std::string_view option, std::string_view text);
+
 template <class Value>
 using Choices = std::initializer_list<std::pair<std::string_view, Value>>;
 
 template <class Value>
 [[nodiscard]] Value choice(std::string_view option, std::string_view text, Choices<Value> choices) {
-  std::string names;
+  std::string all;
+  std::vector<std::string> names;
   for (const auto& [name, value] : choices) {
     if (text == name) return value;
-    if (!names.empty()) names += name == (choices.end() - 1)->first ? " or " : ", ";
-    names += name;
+    if (!all.empty()) all += name == (choices.end() - 1)->first ? " or " : ", ";
+    all += name;
+    names.emplace_back(name);
   }
-  reject(option, text, names);
+  reject(option, text, all + io::suggestion(text, names));
 }
 
 }  // namespace abut::cli

@@ -118,7 +118,15 @@ inline void add_rule(CLI::App& app, InputOptions& input, RuleOptions& rule) {
            "a CSV file with columns i and j, as -o writes them: these do not pair", rule.exclude);
 }
 
+inline void add_columns(CLI::App& app, InputOptions& input) {
+  add_value(app, "--columns", "NAMES",
+            "names of the columns of a CSV table, such as x,y,z,radius, in place of a header line; "
+            "others are ignored",
+            [&input](const std::string& text) { input.columns = column_names("--columns", text); });
+}
+
 inline void add_frame_and_radius(CLI::App& app, InputOptions& input) {
+  add_columns(app, input);
   add_value(app, "--frame", "K", "frame of FILE, from 0, negative from the end; default the last",
             [&input](const std::string& text) {
               input.frame = number<std::int64_t>("--frame", text, "a whole number");
@@ -148,6 +156,16 @@ inline void add_domain(CLI::App& app, DomainOptions& domain) {
   box->excludes(lattice);
 }
 
+/// For commands that take open space only, of files that may say otherwise.
+inline void add_open_space(CLI::App& app, DomainOptions& domain) {
+  add_value(app, "--periodic", "none", "take the box of FILE as open space, which it must be here",
+            [&domain](const std::string& text) {
+              if (text != "none") reject("--periodic", text, "none: this is for open space only");
+              domain.periodic = axes_named(text);
+              domain.as_given += " --periodic none";
+            });
+}
+
 inline void add_input_format(CLI::App& app, InputOptions& input) {
   add_name(
       app, "--format", "NAME",
@@ -166,9 +184,7 @@ inline void add_file_or_scene(CLI::App& app, FileOrScene& source) {
   add_file(app, "FILE|SCENE", "elements to read; with --count a scene", source.input.path)
       ->required();
   add_value(app, "--count", "N", "number of elements of the scene",
-            [&source](const std::string& text) {
-              source.count = number<std::uint64_t>("--count", text, "a whole number");
-            });
+            [&source](const std::string& text) { source.count = count("--count", text); });
   add_value(app, "--seed", "S", "seed of the scene; default 1", [&source](const std::string& text) {
     source.seed = number<std::uint64_t>("--seed", text, "a whole number");
   });
@@ -178,7 +194,7 @@ inline void add_algorithm_list(CLI::App& app, std::vector<Algorithm>& list,
                                const std::string& description) {
   add_value(app, "--algorithms", "A,B", description, [&list](const std::string& text) {
     for (const std::string& name : CLI::detail::split(text, ',')) {
-      list.push_back(info(algorithm_named(name)).algorithm);
+      list.push_back(info(algorithm_given(name)).algorithm);
     }
   });
 }

@@ -7,6 +7,8 @@
 #include "io/read/read_snapshot.hpp"
 #include "options/argument.hpp"
 #include "options/common_options.hpp"
+#include "options/read_command_table.hpp"
+#include "options/reject_unknown_words.hpp"
 #include "text/help_text.hpp"
 
 #include <CLI/CLI.hpp>
@@ -38,22 +40,22 @@ bool is_contact_format(std::string_view name) {
 
 /// How to search, whatever for.
 void add_search(CLI::App& app, Options& detection) {
-  add_value(app, "--algorithm", "NAME", "one of 'abut algorithms', or auto, the default",
-            [&detection](const std::string& text) { detection.algorithm = algorithm_named(text); });
-  add_value(app, "--threads", "N", "number of threads; the algorithms of the book use one",
+  add_value(app, "--algorithm", "ALGORITHM", "one of 'abut algorithms', or auto, the default",
+            [&detection](const std::string& text) { detection.algorithm = algorithm_given(text); });
+  add_value(app, "--threads", "N",
+            "number of threads; 0, the default, as many as pay; the algorithms of the book use one",
             [&detection](const std::string& text) {
-              detection.threads = positive<int>("--threads", text);
+              detection.threads = thread_count("--threads", text);
             });
-  add_value(app, "--simd", "LEVEL",
-            "instruction set of rows: auto, the default, scalar, sse4, avx2, avx512 or neon",
-            [&detection](const std::string& text) { detection.simd = simd_named(text); });
+  add_value(app, "--simd", "auto|scalar|sse4|avx2|avx512|neon",
+            "instruction set of rows; auto, the default, is the widest that this processor runs",
+            [&detection](const std::string& text) { detection.simd = simd_given(text); });
 }
 
 void add_limits(CLI::App& app, Options& detection) {
-  add_value(app, "--max-pairs", "M", "fail if there are more than M contact pairs",
-            [&detection](const std::string& text) {
-              detection.max_pairs = number<PairCount>("--max-pairs", text, "a whole number");
-            });
+  add_value(
+      app, "--max-pairs", "M", "fail if there are more than M contact pairs",
+      [&detection](const std::string& text) { detection.max_pairs = count("--max-pairs", text); });
   add_max_memory(app, detection.max_bytes);
 }
 
@@ -103,6 +105,11 @@ void add_contacts(CLI::App& app, Command& command) {
            *format);
   CLI::Option* ids = add_switch(sub, "--ids", "add the file's own ids to OUT", options->ids, true);
   ids->needs(sub.get_option("--output"));
+  add_value(
+      sub, "--with", "NAMES",
+      "add these to the gap in OUT, with commas between them: normal, point, distance, vector",
+      [options](const std::string& text) { options->with = quantities_named("--with", text); })
+      ->needs(sub.get_option("--output"));
   add_report(sub, options->report);
   add_detection(sub, options->detection);
   add_rule(sub, options->input, options->rule);
@@ -135,7 +142,9 @@ void add_neighbors(CLI::App& app, Command& command) {
       ->excludes(full)
       ->excludes(against);
   full->excludes(against);
-  add_output(sub, "OUT", "write the neighbors as CSV; - is standard output", options->output);
+  add_output(sub, "OUT",
+             "write the neighbors as CSV, to a file .csv or without a suffix; - is standard output",
+             options->output);
   add_search(sub, options->detection);
   add_limits(sub, options->detection);
   add_rule(sub, options->input, options->rule);
@@ -161,12 +170,12 @@ void add_generate(CLI::App& app, Command& command) {
       "abut generate dense --count 100000 -o dense.csv");
   auto options = std::make_shared<GenerateOptions>();
   auto list = std::make_shared<SceneListOptions>();
-  CLI::Option* scene = sub.add_option("SCENE", options->scene, "one of 'abut generate --list'");
+  CLI::Option* scene = add_value(sub, "SCENE", "", "one of 'abut generate --list'",
+                                 [options](const std::string& text) { options->scene = text; });
   CLI::Option* all = add_mark(sub, "--list", "list the scenes");
-  CLI::Option* count =
-      add_value(sub, "--count", "N", "number of elements", [options](const std::string& text) {
-        options->count = number<std::uint64_t>("--count", text, "a whole number");
-      });
+  CLI::Option* number_of_elements =
+      add_value(sub, "--count", "N", "number of elements",
+                [options](const std::string& text) { options->count = count("--count", text); });
   add_value(sub, "--seed", "S", "seed of the random numbers; default 1",
             [options](const std::string& text) {
               options->seed = number<std::uint64_t>("--seed", text, "a whole number");
@@ -175,13 +184,13 @@ void add_generate(CLI::App& app, Command& command) {
   add_name(sub, "--format", "NAME", "csv, lammps_dump or xyz; default by suffix",
            options->output_format);
   add_switch(sub, "--json", "with --list: one JSON object", list->listing, Listing::json);
-  add_quiet(sub, options->console);
-  sub.callback([&command, options, list, scene, all, count] {
+  add_console(sub, options->console);
+  sub.callback([&command, options, list, scene, all, number_of_elements] {
     if (all->count() > 0) {
       command = *list;
       return;
     }
-    if (scene->count() == 0 || count->count() == 0) {
+    if (scene->count() == 0 || number_of_elements->count() == 0) {
       throw Error(ErrorCode::wrong_usage,
                   "generate: name a scene and say how many elements with --count; "
                   "'abut generate --list' shows the scenes");
@@ -217,15 +226,15 @@ void add_bench(CLI::App& app, Command& command) {
   add_algorithm_list(sub, options->algorithms,
                      "only these; default rows, and the others unless their first call takes "
                      "longer than 0.5 s");
-  add_value(sub, "--threads", "N,M", "numbers of threads; default 1 and what OpenMP takes",
+  add_value(sub, "--threads", "N,M", "numbers of threads, 0 for as many as pay; default 1,0",
             [options](const std::string& text) {
               for (const std::string& one : CLI::detail::split(text, ',')) {
-                options->threads.push_back(positive<int>("--threads", one));
+                options->threads.push_back(thread_count("--threads", one));
               }
             });
   add_value(sub, "--repetitions", "R", "calls after the first; default as many as 4 s in all allow",
             [options](const std::string& text) {
-              options->repetitions = positive<std::size_t>("--repetitions", text);
+              options->repetitions = positive("--repetitions", text);
             });
   add_json(sub, options->listing);
   add_margin(sub, options->margin);
@@ -241,16 +250,18 @@ void add_explain(CLI::App& app, Command& command) {
       "abut explain munjiza_nbs --book\n"
       "abut explain sorting_array few_elements.csv");
   auto options = std::make_shared<ExplainOptions>();
-  add_value(sub, "ALGORITHM", "NAME", "one of 'abut algorithms'",
+  add_value(sub, "ALGORITHM", "NAME", "one of 'abut algorithms' with pages of the book",
             [options](const std::string& text) {
-              options->algorithm = info(algorithm_named(text)).algorithm;
+              options->algorithm = info(algorithm_given(text)).algorithm;
             })
       ->required();
   CLI::Option* file =
       add_file(sub, "FILE", "a small file; - is standard input", options->input.path);
   CLI::Option* book = add_mark(sub, "--book", "the book's own example, numbered as in the book");
   add_margin(sub, options->margin);
-  add_input(sub, options->input);
+  add_input_format(sub, options->input);
+  add_frame_and_radius(sub, options->input);
+  add_open_space(sub, options->input.domain);
   add_console(sub, options->console);
   sub.callback([&command, options, file, book] {
     if ((file->count() > 0) == (book->count() > 0)) {
@@ -268,6 +279,25 @@ void add_algorithms(CLI::App& app, Command& command) {
   add_json(sub, options->listing);
 }
 
+void add_completion(CLI::App& app, Command& command) {
+  CLI::App& sub = *app.add_subcommand(
+      "completion", "prints what completes the command line in a shell, or the manual page");
+  sub.footer(
+      "abut completion bash > ~/.local/share/bash-completion/completions/abut\n"
+      "abut completion man | man -l -");
+  auto reader = std::make_shared<Reader>();
+  add_value(sub, "bash|zsh|fish|man", "", "who reads it", [reader](const std::string& text) {
+    *reader = choice<Reader>("completion", text,
+                             {{"bash", Reader::bash},
+                              {"zsh", Reader::zsh},
+                              {"fish", Reader::fish},
+                              {"man", Reader::man}});
+  })->required();
+  sub.callback([&app, &command, reader] {
+    command = CompletionOptions{*reader, command_table(app)};
+  });
+}
+
 void add_version(CLI::App& app, Command& command) {
   CLI::Option* version = add_mark(app, "--version", "print the version");
   CLI::Option* verbose = add_mark(app, "--verbose", "with --version: how abut was built");
@@ -280,11 +310,6 @@ void add_version(CLI::App& app, Command& command) {
     const auto detail = verbose->count() > 0 ? VersionDetail::build : VersionDetail::number;
     command = VersionOptions{detail};
   });
-}
-
-std::string name_of_help(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return chosen.empty() ? "abut --help" : "abut " + chosen.front()->get_name() + " --help";
 }
 
 }  // namespace
@@ -306,17 +331,20 @@ Command parse(int argc, const char* const* argv) {
   add_bench(app, command);
   add_explain(app, command);
   add_algorithms(app, command);
+  add_completion(app, command);
   add_version(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const std::vector<std::string> unknown = app.remaining();
-    if (unknown.empty()) return HelpText{app.help()};
-    throw Error(ErrorCode::wrong_usage,
-                fmt::format("{} is no command; see 'abut --help'", io::quoted(unknown.front())));
+    // Who asks for help need not know the options.
+    if (app.remaining().empty()) return HelpText{app.help()};
+    reject_unknown_words(app);
+    throw;
   } catch (const CLI::ParseError& error) {
-    throw Error(ErrorCode::wrong_usage,
-                fmt::format("{}; see '{}'", io::visible(error.what()), name_of_help(app)));
+    reject_unknown_words(app);
+    throw Error(
+        ErrorCode::wrong_usage,
+        fmt::format("{}; see '{} --help'", io::visible(error.what()), full_name(chosen_app(app))));
   }
   return command;
 }

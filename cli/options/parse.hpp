@@ -3,6 +3,7 @@
 #include "commands/command_algorithms.hpp"
 #include "commands/command_bench.hpp"
 #include "commands/command_compare.hpp"
+#include "commands/command_completion.hpp"
 #include "commands/command_contacts.hpp"
 #include "commands/command_explain.hpp"
 #include "commands/command_generate.hpp"
@@ -21,8 +22,8 @@ struct HelpText {
 };
 
 using Command = std::variant<HelpText, AlgorithmsOptions, BenchOptions, CompareOptions,
-                             ContactsOptions, ExplainOptions, GenerateOptions, InfoOptions,
-                             NeighborsOptions, SceneListOptions, VersionOptions>;
+                             CompletionOptions, ContactsOptions, ExplainOptions, GenerateOptions,
+                             InfoOptions, NeighborsOptions, SceneListOptions, VersionOptions>;
 
 /// What the command line asks for. Throws Error{wrong_usage}.
 [[nodiscard]] Command parse(int argc, const char* const* argv);

@@ -135,8 +135,10 @@ void LoadedRule::load_exclusions(const RuleOptions& options, const ElementSets& 
   const std::size_t second = sets.partners().size();
   const std::vector<ContactPair> pairs =
       io::read_pairs(options.exclude, {first, second}, console.progress());
-  const InterruptsEndAtOnce at_once;
-  exclusions_ = sets.are_two() ? ExclusionList(pairs, first, second) : ExclusionList(pairs, first);
+  exclusions_ = console.while_shown("exclude", pairs.size(), [&] {
+    const InterruptsEndAtOnce at_once;
+    return sets.are_two() ? ExclusionList(pairs, first, second) : ExclusionList(pairs, first);
+  });
   const std::string source =
       options.exclude == "-" ? "standard input" : io::visible(options.exclude);
   add_to_text(fmt::format("{} of {}", counted(exclusions_->size(), "pair"), source));

@@ -2,6 +2,7 @@
 
 #include "contact_findings.hpp"
 #include "io/quoted_text.hpp"
+#include "io/suffix.hpp"
 #include "text/human_text.hpp"
 #include "text/text_table.hpp"
 
@@ -60,7 +61,7 @@ std::string coordination_text(const ElementSets& sets, const PairList& pairs,
   return of_each_set(sets, [&](const io::Snapshot& snapshot, std::size_t set) {
     const double mean =
         ends * static_cast<double>(pairs.size()) / static_cast<double>(snapshot.size());
-    return fmt::format("mean {:.3f}, at most {}", mean, found.coordination[set].highest);
+    return fmt::format("mean {:.3f}, at most {}", mean, grouped(found.coordination[set].highest));
   });
 }
 
@@ -112,18 +113,16 @@ std::string time_text(const ContactsOptions& options, const PairList& pairs,
 }
 
 bool is_vtp(const ContactsOptions& options) {
-  return options.output_format == "vtp" || options.output.ends_with(".vtp");
+  return options.output_format == "vtp" ||
+         (options.output_format.empty() && io::suffix_of(options.output) == ".vtp");
 }
 
 std::string next_command(const ContactsOptions& options) {
   if (is_vtp(options) && options.output != "-") return "paraview " + shell_quoted(options.output);
   std::string command = "abut contacts " + shell_quoted(options.input.path);
   if (!options.against.empty()) command += " --against " + shell_quoted(options.against);
-  if (options.input.frame.has_value()) command += fmt::format(" --frame {}", *options.input.frame);
-  if (options.input.radius.has_value()) {
-    command += fmt::format(" --radius {}", *options.input.radius);
-  }
-  command += options.input.domain.as_given + as_given(options.input, options.rule);
+  command += as_given(options.input) + options.input.domain.as_given +
+             as_given(options.input, options.rule);
   if (options.detection.margin > 0.0) {
     command += fmt::format(" --margin {}", options.detection.margin);
   }

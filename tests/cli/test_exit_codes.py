@@ -2,6 +2,7 @@
 
 import array
 import fcntl
+import json
 import os
 import signal
 import subprocess
@@ -35,11 +36,24 @@ def test_0_empty_input(abut, text):
 @pytest.mark.parametrize("arguments, told", [
     ([], "name a command"),
     (["--verbose"], "--version"),
-    (["contact", YADE], "contact"),
+    (["contact", YADE], "did you mean contacts?"),
+    (["contacts", "--cout", YADE], "did you mean --count?"),
+    (["neighbors", YADE, "--cutof", "1"], "did you mean --cutoff?"),
+    (["contacts", YADE, "--digest=1", "--maxpairs=1"], "did you mean --max-pairs?"),
+    (["contacts", YADE, "--algorithm", "muniza_nbs"], "did you mean munjiza_nbs?"),
+    (["contacts", YADE, "--simd", "avx22"], "did you mean avx2?"),
+    (["contacts", YADE, "--order", "canonicl"], "did you mean canonical?"),
+    (["contacts", YADE, "--format", "lammps-dump"], "did you mean lammps_dump?"),
+    (["generate", "dence", "--count", "5"], "did you mean dense?"),
+    (["completion", "bahs"], "did you mean bash?"),
+    (["contacts", YADE, "--with", "normal"], "--output"),
+    (["contacts", YADE, "-o", "x.csv", "--with", "nromal"], "did you mean normal?"),
+    (["contacts", YADE, "--columns", "x,z,radius"], "x and y among them"),
+    (["contacts", str(DATA / "lammps_pour.dump"), "--columns", "x,y"], "leave out --columns"),
     (["contacts"], "FILE"),
     (["contacts", YADE, "--cube", "1,1,1"], "--cube"),
     (["contacts", YADE, "--algorithm", "grid"], "munjiza_nbs"),
-    (["contacts", YADE, "--threads", "0"], "--threads 0"),
+    (["contacts", YADE, "--threads", "-1"], "--threads -1"),
     (["contacts", YADE, "--threads", "two"], "--threads two"),
     (["contacts", YADE, "--simd", "sse5"], "avx512"),
     (["contacts", YADE, "--order", "random"], "canonical or as_found"),
@@ -61,6 +75,11 @@ def test_0_empty_input(abut, text):
     (["contacts", YADE, "--ids"], "--output"),
     (["contacts", YADE, "--format", "pdf"], "pdf"),
     (["contacts", YADE, "-o", "x.pdf"], "pdf"),
+    (["contacts", YADE, "-o", "x.csv.gz"], "csv, json and vtp"),
+    (["neighbors", YADE, "--cutoff", "2.5", "-o", "n.vtp"], "--radius 0 --margin 2.5 -o n.vtp"),
+    (["neighbors", YADE, "--cutoff", "2.5", "-o", "n.JSON"], "--radius 0 --margin 2.5 -o n.JSON"),
+    (["neighbors", YADE, "--cutoff", "2.5", "-o", "n.csv.gz"], "name a file .csv"),
+    (["generate", "gas", "--count", "1000000000000", "-o", "x.vtp"], "'vtp'"),
     (["contacts", YADE, "-o", YADE], "is read"),
     (["contacts", YADE, "-o", ""], "-o ''"),
     (["neighbors", YADE, "--cutoff", "1", "--output", ""], "-o ''"),
@@ -88,19 +107,27 @@ def test_0_empty_input(abut, text):
     (["contacts", YADE, "--lattice", "1,0,0,0,1,0,1,1,0"], "dependent"),
     (["contacts", YADE, "--box", "1,1,1", "--lattice", "1,0,0,0,1,0,0,0,1"], "excludes"),
     (["contacts", YADE, "--box", "1,1,1", "--algorithm", "munjiza_nbs"], "direct_check"),
-    (["explain", "munjiza_nbs", YADE, "--box", "1,1,1"], "--periodic none"),
+    (["explain", "munjiza_nbs", YADE, "--box", "1,1,1"], "'--box' is no option"),
+    (["explain", "munjiza_nbs", YADE, "--periodic", "x"], "--periodic x"),
+    (["explain", "munjiza_nbs", str(DATA / "lammps_pour.dump")], "--periodic none"),
     (["contacts", YADE, "--progress", "loud"], "auto, bar, log or none"),
     (["generate"], "--list"),
     (["generate", "gas"], "--count"),
     (["generate", "nothing", "--count", "5"], "dense"),
     (["generate", "gas", "--count", "-5"], "--count -5"),
+    (["generate", "gas", "--count", "1.5"], "whole number such as 5000 or 1e6"),
+    (["generate", "gas", "--count", "1e-1"], "--count 1e-1"),
+    (["generate", "gas", "--count", "2e19"], "--count 2e19"),
+    (["generate", "gas", "--count", "1e99999999999"], "--count 1e99"),
+    (["generate", "gas", "--count", "e3"], "--count e3"),
+    (["generate", "gas", "--count", "."], "--count ."),
     (["generate", "gas", "--count", "5", "--format", "pdf"], "pdf"),
     (["compare", "gas"], "--count"),
     (["compare", YADE, "--algorithms", "munjiza_nbs,fast"], "fast"),
     (["compare", YADE, "--algorithms", "auto"], "auto"),
     (["bench", "gas"], "--count"),
     (["bench", YADE, "--algorithms", "auto"], "auto"),
-    (["bench", YADE, "--threads", "1,0"], "--threads 0"),
+    (["bench", YADE, "--threads", "1,-2"], "--threads -2"),
     (["bench", YADE, "--threads", "1,,2"], "--threads"),
     (["bench", YADE, "--repetitions", "0"], "--repetitions 0"),
     (["explain", "munjiza_nbs"], "--book"),
@@ -174,6 +201,33 @@ def test_0_an_input_without_a_line_is_warned_of(abut, tmp_path):
         assert (done.returncode, done.stdout, done.stderr) == (0, "0\n", "")
 
 
+@pytest.mark.parametrize("count", ["20", "2e1", "2E+1", "0.2e2", "200e-1", "20.", "020"])
+def test_0_counts_are_whole_numbers_in_any_form(abut, count):
+    assert len(abut("generate", "gas", "--count", count).stdout.splitlines()) == 21
+
+
+def test_0_no_threads_are_as_many_as_pay(abut):
+    assert abut("contacts", YADE, "--threads", "0", "--count").stdout == "10658\n"
+
+
+def test_0_info_describes_what_a_detection_refuses(abut, fails):
+    for text, told in (("1 2 3\n4 5 x\n", ["rows      2", "column 3  3 to 3 in 1 of 2 rows",
+                                            "--columns x,y,radius"]),
+                       ("a,y\n1,2\n", ["column a  1 to 1", "column x is missing"]),
+                       ("x,y\n1,2\n", ["elements  1 disc", "radii     none", "--radius R"]),
+                       ("2\n\nX 1 2 3\nX 1 2 3\n", ["2 spheres", "radii     none"])):
+        fails(3, "contacts", "-", stdin=text)
+        done = abut("info", "-", stdin=text)
+        assert (done.returncode, done.stderr) == (0, "")
+        assert all(word in done.stdout for word in told), done.stdout
+        json.loads(abut("info", "-", "--json", stdin=text).stdout)
+
+
+def test_0_next_command_names_the_columns(abut):
+    done = abut("contacts", "-", "--columns", "x,y,radius", stdin="0 0 1\n1 1 1\n")
+    assert "next             abut contacts - --columns x,y,radius -o contacts.vtp" in done.stdout
+
+
 def test_3_unreadable(fails, tmp_path):
     assert "nowhere.csv" in fails(3, "contacts", tmp_path / "nowhere.csv")
     fails(3, "contacts", tmp_path)
@@ -188,7 +242,7 @@ def test_4_limits(fails, abut, tmp_path):
     sparse = abut("generate", "sparse", "--count", "1000").stdout
     sentence = fails(4, "contacts", "-", "--algorithm", "screening_array", stdin=sparse)
     assert "screening_array" in sentence and "bytes" in sentence and "rows" in sentence
-    assert "1000000000000" in fails(4, "generate", "gas", "--count", "1000000000000")
+    assert "1,000,000,000,000" in fails(4, "generate", "gas", "--count", "1000000000000")
     fails(4, "explain", "munjiza_nbs", YADE)
     done = abut("bench", YADE, "--max-memory", "10K")
     assert done.returncode == 4 and "no algorithm ran" in done.stderr

@@ -23,7 +23,8 @@ def test_explain_file(abut, golden, algorithm):
 
 
 @pytest.mark.parametrize(
-    "command", ["", "contacts", "neighbors", "info", "generate", "compare", "bench", "explain", "algorithms"])
+    "command", ["", "contacts", "neighbors", "info", "generate", "compare", "bench", "explain", "algorithms",
+                "completion"])
 def test_help(abut, golden, command):
     done = abut(*command.split(), "--help")
     assert (done.returncode, done.stderr) == (0, "")
@@ -63,7 +64,7 @@ def test_neighbors_of_points(abut, arguments, expected):
 def test_neighbors_summary_and_errors(abut):
     done = abut("neighbors", "-", "--cutoff", "5", stdin="x,y\n0,0\n3,4\n9,9\n")
     assert (done.returncode, done.stderr) == (0, "")
-    assert "1 in a half list of 1 pairs" in done.stdout and "2 of 3 have none" in done.stdout
+    assert "1 in a half list of 1 pair" in done.stdout and "2 of 3 have none" in done.stdout
     assert abut("neighbors", "-", stdin="x,y\n").returncode == 2
     bad = abut("neighbors", "-", "--cutoff", "-1", stdin="x,y\n")
     assert bad.returncode == 2 and "--cutoff" in bad.stderr
@@ -126,8 +127,19 @@ def test_bench(abut, golden):
     golden("bench_discs", re.sub(r"(?<=\S) {2,}", "  ", text))
 
 
+@pytest.mark.parametrize("name, quantities", [
+    ("csv", "point,normal,gap,distance,vector"), ("json", "normal")])
+def test_pairs_with_quantities(abut, golden, name, quantities):
+    done = abut("contacts", "-", "-o", "-", "-q", "--with", quantities, "--format", name,
+                stdin=DISCS)
+    assert (done.returncode, done.stderr) == (0, "")
+    golden(f"discs_with_{name}", done.stdout)
+
+
 def test_version(abut):
     header = (DATA.parents[1] / "include" / "abut" / "version.hpp").read_text()
     numbers = re.findall(r"#define ABUT_VERSION_\w+ (\d+)", header)
     assert abut("--version").stdout == f"abut {'.'.join(numbers)}\n"
-    assert abut("--version", "--verbose").stdout.startswith(f"abut {'.'.join(numbers)} (")
+    verbose = abut("--version", "--verbose").stdout
+    assert verbose.startswith(f"abut {'.'.join(numbers)} (")
+    assert re.search(r"^  Highway  .*\n  OpenMP  .*\n  SIMD levels here  scalar", verbose, re.M)

@@ -68,6 +68,23 @@ def check(path, points, radii, ids, expected_lines=None):
     return len(lines)
 
 
+def check_quantities(data, points, radii):
+    """Those of a line to an image are those to the point that the line ends in."""
+    arrays = data.GetCellData()
+    names = [arrays.GetArrayName(k) for k in range(arrays.GetNumberOfArrays())]
+    assert names == ["gap", "normal", "point", "distance", "vector", "shift"], names
+    tuples = {name: [arrays.GetArray(name).GetTuple(k) for k in range(data.GetNumberOfLines())]
+              for name in names}
+    for k, (i, j) in enumerate(lines_of(data)):
+        distance = math.dist(points[i], points[j])
+        vector = [b - a for a, b in zip(points[i], points[j])]
+        middle = (radii[i] + distance - radii[j]) / 2
+        point = [a + v / distance * middle for a, v in zip(points[i], vector)]
+        for name, expected in (("distance", [distance]), ("vector", vector), ("point", point),
+                               ("normal", [v / distance for v in vector])):
+            assert math.dist(tuples[name][k], expected) < 1e-14, (name, k, tuples[name][k])
+
+
 def check_periodic(path):
     """Discs in the cell (3, 0), (1, 9): lines to images end in points of their own."""
     data = read(path)
@@ -75,6 +92,7 @@ def check_periodic(path):
     radii = values(data.GetPointData().GetArray("radius"))
     images = values(data.GetPointData().GetArray("image"))
     assert images == [0] * 4 + [1] * (len(points) - 4), images
+    check_quantities(data, points, radii)
     lines = lines_of(data)
     gaps = values(data.GetCellData().GetArray("gap"))
     shifts = values(data.GetCellData().GetArray("shift"))

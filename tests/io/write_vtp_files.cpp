@@ -18,9 +18,16 @@ void write(const std::string& path, const Snapshot& snapshot,
            const abut::Domain& domain = abut::Domain::open()) {
   abut::Options options;
   options.shifts = abut::Shifts::stored;
+  if (domain.is_periodic()) {
+    using abut::Quantity;
+    options.quantities =
+        Quantity::gap | Quantity::normal | Quantity::point | Quantity::distance | Quantity::vector;
+  }
   const abut::PairList pairs = abut::find_contact_pairs(snapshot.elements(), domain, options);
-  abut::io::write_contacts({path, abut::io::ContactFormat::vtp, abut::io::IdColumns::without, {}},
-                           snapshot, pairs.pairs(), {pairs.shifts(), domain});
+  abut::io::write_contacts(
+      {path, abut::io::ContactFormat::vtp, abut::io::IdColumns::without, {}}, snapshot,
+      pairs.pairs(), {pairs.shifts(), domain},
+      {pairs.gaps(), pairs.normals(), pairs.points(), pairs.distances(), pairs.vectors()});
 }
 
 /// Two discs with ids against those of another file, in the cell (3, 0), (0, 9).

@@ -7,6 +7,7 @@
 #include <abut/pair.hpp>
 #include <abut/pair_geometry.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -15,11 +16,25 @@
 
 namespace abut::io {
 
+/// A quantity of all pairs: one number each, or the three of a vector one by one.
+struct QuantityColumns {
+  std::string_view name;                    ///< "normal"
+  std::span<const std::string_view> names;  ///< of its columns: "normal_x", "normal_y", "normal_z"
+  const double* first = nullptr;
+
+  [[nodiscard]] std::size_t components() const noexcept { return names.size(); }
+  /// The numbers of pair k.
+  [[nodiscard]] std::span<const double> of(std::uint64_t k) const noexcept {
+    return {first + k * names.size(), names.size()};
+  }
+};
+
 /// What every format of contacts writes from, and the way out.
 class ContactWriter {
  public:
   ContactWriter(const ContactOutput& output, const ContactElements& elements,
-                std::span<const ContactPair> pairs, const ContactImages& images);
+                std::span<const ContactPair> pairs, const ContactImages& images,
+                const ContactQuantities& quantities);
   ContactWriter(const ContactWriter&) = delete;
   ContactWriter& operator=(const ContactWriter&) = delete;
 
@@ -32,7 +47,8 @@ class ContactWriter {
   [[nodiscard]] ImageShift shift(std::uint64_t k) const {
     return is_periodic() ? images_.shifts[k] : ImageShift{};
   }
-  [[nodiscard]] double gap(std::uint64_t k) const noexcept { return gaps_[k]; }
+  /// Gaps first, then the other quantities that are written.
+  [[nodiscard]] std::span<const QuantityColumns> quantities() const noexcept { return quantities_; }
 
   /// The files' own numbers of the elements of pair k.
   [[nodiscard]] std::int64_t first_id(std::uint64_t k) const {
@@ -45,15 +61,18 @@ class ContactWriter {
   /// Names of the columns of a table of the pairs.
   [[nodiscard]] std::vector<std::string_view> column_names() const;
 
-  /// The text written next; `wrote`, `hand_on` and `finish` pass it on to the file.
+  /// The text written next; `wrote`, `write_bytes` and `finish` pass it on to the file.
   [[nodiscard]] std::string& text() noexcept { return text_; }
 
-  /// Hands on what is in `text` if it is much.
-  void hand_on();
+  /// Writes bytes behind the text.
+  void write_bytes(std::span<const std::byte> bytes);
   void finish();
 
-  /// Tells the progress hook, now and then, how many pairs are written.
-  void wrote(std::uint64_t pairs);
+  /// How many steps there are for `wrote`; as many as pairs if nothing is said.
+  void expect(std::uint64_t steps) noexcept { now_.total = steps; }
+
+  /// Hands on what is in `text` if it is much, and tells the progress hook now and then.
+  void wrote(std::uint64_t steps);
 
   /// The file appears.
   Durability commit() { return file_.commit(); }
@@ -63,14 +82,13 @@ class ContactWriter {
 
   const ProgressHook& progress_;
   Progress now_;
+  std::uint64_t told_ = 0;  ///< steps
   OutputFile file_;
   const ContactElements& elements_;
-  ElementView first_;
-  ElementView second_;  ///< what j is one of
   std::span<const ContactPair> pairs_;
   const ContactImages& images_;
   NumberArray own_gaps_;  ///< where none were given
-  std::span<const double> gaps_;
+  std::vector<QuantityColumns> quantities_;
   bool with_ids_;
   std::string text_;
 };

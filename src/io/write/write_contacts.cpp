@@ -52,6 +52,17 @@ void validate(const ContactOutput& output, const ContactElements& elements,
   }
 }
 
+void require_one_each(const ContactQuantities& quantities, std::size_t pairs) {
+  for (const std::size_t size :
+       {quantities.gaps.size(), quantities.normals.size(), quantities.points.size(),
+        quantities.distances.size(), quantities.vectors.size()}) {
+    if (size == 0 || size == pairs) continue;
+    throw Error(
+        ErrorCode::wrong_usage,
+        fmt::format("{} numbers of a quantity for {} contact pairs; give one each", size, pairs));
+  }
+}
+
 }  // namespace
 
 ContactFormat contact_format(std::string_view name, std::string_view path) {
@@ -66,9 +77,11 @@ ContactFormat contact_format(std::string_view name, std::string_view path) {
 }
 
 Durability write_contacts(const ContactOutput& output, const ContactElements& elements,
-                          std::span<const ContactPair> pairs, const ContactImages& images) {
+                          std::span<const ContactPair> pairs, const ContactImages& images,
+                          const ContactQuantities& quantities) {
   validate(output, elements, pairs, images);
-  ContactWriter writer(output, elements, pairs, images);
+  require_one_each(quantities, pairs.size());
+  ContactWriter writer(output, elements, pairs, images, quantities);
   switch (output.format) {
     case ContactFormat::csv:
       write_contacts_csv(writer);

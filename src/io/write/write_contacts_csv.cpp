@@ -35,9 +35,14 @@ void write_contacts_csv(ContactWriter& writer) {
       append_field(shift.y, text);
       append_field(shift.z, text);
     }
-    append_17_digits(writer.gap(k), text);
-    text += '\n';
-    writer.wrote(k + 1);
+    for (const QuantityColumns& quantity : writer.quantities()) {
+      for (const double value : quantity.of(k)) {
+        append_17_digits(value, text);
+        text += ',';
+      }
+    }
+    text.back() = '\n';
+    writer.wrote(1);
   }
   writer.finish();
 }

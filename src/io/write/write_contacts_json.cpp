@@ -43,9 +43,15 @@ void write_contacts_json(ContactWriter& writer) {
       append_entry(shift.y, text);
       append_entry(shift.z, text);
     }
-    append_shortest(writer.gap(k), text);
+    for (const QuantityColumns& quantity : writer.quantities()) {
+      for (const double value : quantity.of(k)) {
+        append_shortest(value, text);
+        text += ", ";
+      }
+    }
+    text.resize(text.size() - 2);
     text += ']';
-    writer.wrote(k + 1);
+    writer.wrote(1);
   }
   text += writer.pairs().empty() ? "]\n}\n" : "\n]\n}\n";
   writer.finish();

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -29,13 +32,16 @@ class VtpHeader {
         "offset=\"{}\"/>\n",
         type, name, components, offset_);
     offset_ += size_bytes + value_bytes * values;
+    numbers_ += values;
   }
+  [[nodiscard]] std::uint64_t numbers() const { return numbers_; }
   void open(std::string_view tag) { text_ += fmt::format("      <{}>\n", tag); }
   void close(std::string_view tag) { text_ += fmt::format("      </{}>\n", tag); }
 
  private:
   std::string& text_;
   std::uint64_t offset_ = 0;
+  std::uint64_t numbers_ = 0;  ///< of all arrays
 };
 
 void write_header(ContactWriter& writer, const ContactPoints& points) {
@@ -65,19 +71,58 @@ void write_header(ContactWriter& writer, const ContactPoints& points) {
   header.array("Int64", "offsets", 1, lines);
   header.close("Lines");
   header.open(R"(CellData Scalars="gap")");
-  header.array("Float64", "gap", 1, lines);
+  for (const QuantityColumns& quantity : writer.quantities()) {
+    const std::size_t components = quantity.components();
+    header.array("Float64", quantity.name, static_cast<int>(components), components * lines);
+  }
   if (writer.is_periodic()) header.array("Int32", "shift", 3, 3 * lines);
   header.close("CellData");
+  writer.expect(header.numbers());
   writer.text() += "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n   _";
 }
 
-/// One appended array: its size in bytes, then `value(k)` for each k below `count`.
+/// Numbers as they lie in memory.
+template <class Number>
+void write_numbers(ContactWriter& writer, std::span<const Number> numbers) {
+  if constexpr (std::endian::native == std::endian::little) {
+    writer.write_bytes(std::as_bytes(numbers));
+  } else {
+    for (const Number number : numbers) append_little_endian(number, writer.text());
+  }
+  writer.wrote(numbers.size());
+}
+
+/// One appended array: its size in bytes, then `tuple(k)`, an array of numbers, for each k below
+/// `count`.
+template <class Tuple>
+void write_tuples(ContactWriter& writer, std::uint64_t count, const Tuple& tuple) {
+  using Numbers = decltype(tuple(std::uint64_t{0}));
+  using Number = typename Numbers::value_type;
+  constexpr std::uint64_t in_a_block = 4096;
+  append_little_endian(count * sizeof(Numbers), writer.text());
+  std::vector<Number> block;
+  for (std::uint64_t k = 0; k < count;) {
+    block.clear();
+    for (const std::uint64_t end = std::min(count, k + in_a_block); k < end; ++k) {
+      const Numbers numbers = tuple(k);
+      block.insert(block.end(), numbers.begin(), numbers.end());
+    }
+    write_numbers(writer, std::span<const Number>(block));
+  }
+}
+
+/// The same with one number for each k.
 template <class Value>
 void write_array(ContactWriter& writer, std::uint64_t count, const Value& value) {
-  append_little_endian(count * sizeof(value(0)), writer.text());
-  for (std::uint64_t k = 0; k < count; ++k) {
-    append_little_endian(value(k), writer.text());
-    writer.hand_on();
+  write_tuples(writer, count, [&](std::uint64_t k) { return std::array{value(k)}; });
+}
+
+/// One appended array of numbers that lie in memory.
+void write_column(ContactWriter& writer, std::span<const double> numbers) {
+  constexpr std::size_t in_a_block = std::size_t{64} << 10;
+  append_little_endian(std::uint64_t{numbers.size_bytes()}, writer.text());
+  for (std::size_t k = 0; k < numbers.size(); k += in_a_block) {
+    write_numbers(writer, numbers.subspan(k, std::min(in_a_block, numbers.size() - k)));
   }
 }
 
@@ -93,7 +138,7 @@ std::vector<std::int32_t> coordination_numbers(const ContactWriter& writer,
 
 void write_point_arrays(ContactWriter& writer, const ContactPoints& points) {
   const std::uint64_t size = points.size();
-  write_array(writer, 3 * size, [&](std::uint64_t k) { return points.position(k / 3)[k % 3]; });
+  write_tuples(writer, size, [&](std::uint64_t k) { return points.position(k); });
   write_array(writer, size, [&](std::uint64_t k) {
     const auto [snapshot, number] = points.element(k);
     return snapshot.radius[number];
@@ -119,22 +164,20 @@ void write_line_arrays(ContactWriter& writer, const ContactPoints& points) {
   const std::span<const ContactPair> pairs = writer.pairs();
   const std::uint64_t lines = pairs.size();
   std::uint64_t next_image = points.first_image();
-  write_array(writer, 2 * lines, [&](std::uint64_t k) {
-    const ContactPair& pair = pairs[k / 2];
-    if (k % 2 == 0) return static_cast<std::int64_t>(pair.first);
-    const bool to_image = writer.shift(k / 2) != ImageShift{};
-    return static_cast<std::int64_t>(to_image ? next_image++ : points.of_partner(pair.second));
+  write_tuples(writer, lines, [&](std::uint64_t k) {
+    const bool to_image = writer.shift(k) != ImageShift{};
+    const std::uint64_t end = to_image ? next_image++ : points.of_partner(pairs[k].second);
+    return std::array{std::int64_t{pairs[k].first}, static_cast<std::int64_t>(end)};
   });
   write_array(writer, lines,
               [&](std::uint64_t k) { return static_cast<std::int64_t>(2 * (k + 1)); });
-  write_array(writer, lines, [&](std::uint64_t k) {
-    writer.wrote(k + 1);
-    return writer.gap(k);
-  });
+  for (const QuantityColumns& quantity : writer.quantities()) {
+    write_column(writer, {quantity.first, quantity.components() * lines});
+  }
   if (!writer.is_periodic()) return;
-  write_array(writer, 3 * lines, [&](std::uint64_t k) {
-    const ImageShift shift = writer.shift(k / 3);
-    return k % 3 == 0 ? shift.x : k % 3 == 1 ? shift.y : shift.z;
+  write_tuples(writer, lines, [&](std::uint64_t k) {
+    const ImageShift shift = writer.shift(k);
+    return std::array{shift.x, shift.y, shift.z};
   });
 }
 

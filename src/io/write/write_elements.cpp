@@ -49,12 +49,34 @@ void require_finite(const Snapshot& snapshot) {
   }
 }
 
-void write_rows(OutputFile& file, const Snapshot& snapshot, std::string_view first_field,
+/// The file and who is told how much of it is written.
+class ElementWriter {
+ public:
+  ElementWriter(const std::string& path, std::size_t elements, const ProgressHook& progress)
+      : progress_(progress), now_{"write", 0, elements}, file_(path, [this] {
+          return progress_ && progress_(now_) == ProgressAction::cancel;
+        }) {}
+
+  void write(std::string_view text) { file_.write(text); }
+  void write_row(std::string_view row) {
+    file_.write(row);
+    ++now_.done;
+  }
+  Durability commit() { return file_.commit(); }
+
+ private:
+  const ProgressHook& progress_;
+  Progress now_;
+  OutputFile file_;
+};
+
+void write_rows(ElementWriter& file, const Snapshot& snapshot, std::string_view first_field,
                 char separator) {
+  const std::vector<const std::vector<double>*> columns = columns_of(snapshot);
   std::string row;
   for (std::size_t k = 0; k < snapshot.size(); ++k) {
     row = first_field;
-    for (const std::vector<double>* column : columns_of(snapshot)) {
+    for (const std::vector<double>* column : columns) {
       if (!row.empty()) row += separator;
       append_shortest((*column)[k], row);
     }
@@ -63,11 +85,11 @@ void write_rows(OutputFile& file, const Snapshot& snapshot, std::string_view fir
       append_integer(snapshot.ids[k], row);
     }
     row += '\n';
-    file.write(row);
+    file.write_row(row);
   }
 }
 
-void write_csv(OutputFile& file, const Snapshot& snapshot) {
+void write_csv(ElementWriter& file, const Snapshot& snapshot) {
   file.write(snapshot.dimensions == 2 ? "x,y,radius" : "x,y,z,radius");
   file.write(snapshot.ids.empty() ? "\n" : ",id\n");
   write_rows(file, snapshot, "", ',');
@@ -89,7 +111,7 @@ std::string box_line(const std::vector<double>& column) {
   return line + '\n';
 }
 
-void write_dump(OutputFile& file, const Snapshot& snapshot) {
+void write_dump(ElementWriter& file, const Snapshot& snapshot) {
   file.write(fmt::format("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n{}\n", snapshot.size()));
   file.write("ITEM: BOX BOUNDS ff ff ff\n");
   for (const std::vector<double>* column : {&snapshot.x, &snapshot.y, &snapshot.z}) {
@@ -100,7 +122,7 @@ void write_dump(OutputFile& file, const Snapshot& snapshot) {
   write_rows(file, snapshot, "", ' ');
 }
 
-void write_xyz(OutputFile& file, const Snapshot& snapshot) {
+void write_xyz(ElementWriter& file, const Snapshot& snapshot) {
   file.write(fmt::format("{}\nProperties=species:S:1:pos:R:{}:radius:R:1{} pbc=\"F F F\"\n",
                          snapshot.size(), snapshot.dimensions,
                          snapshot.ids.empty() ? "" : ":id:I:1"));
@@ -109,11 +131,15 @@ void write_xyz(OutputFile& file, const Snapshot& snapshot) {
 
 }  // namespace
 
+void require_element_format(const std::string& path, std::string_view format) {
+  static_cast<void>(element_format(format, path));
+}
+
 Durability write_elements(const std::string& path, std::string_view format,
-                          const Snapshot& snapshot, const GiveUp& give_up) {
+                          const Snapshot& snapshot, const ProgressHook& progress) {
   const ElementFormat chosen = element_format(format, path);
   require_finite(snapshot);
-  OutputFile file(path, give_up);
+  ElementWriter file(path, snapshot.size(), progress);
   switch (chosen) {
     case ElementFormat::csv:
       write_csv(file, snapshot);

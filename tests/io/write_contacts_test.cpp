@@ -250,9 +250,8 @@ TEST(WriteContacts, ProgressCountsPairsAndCancelLeavesNoFile) {
     EXPECT_EQ(scratch.file_count(), 0u);
     done.clear();
     write_contacts(output(ProgressAction::proceed), snapshot, many);
-    if (!is_vtp) {
-      EXPECT_EQ(done, (std::vector<std::uint64_t>{65536, 131072, 196608}));
-    }
+    const std::vector<std::uint64_t> each{65536, 131072, 196608};
+    EXPECT_TRUE(is_vtp || done == each);
     EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
     EXPECT_GT(done.size(), 2u);
     EXPECT_EQ(scratch.file_count(), 1u);

@@ -49,25 +49,25 @@ std::vector<std::string> read_comments(LineReader& reader) {
 
 }  // namespace
 
-std::optional<CsvHeader> read_csv_header(LineReader& reader, const ReadOptions& options) {
+std::optional<TableHeader> read_csv_header(LineReader& reader, const ReadOptions& options) {
   std::vector<std::string> names_above = read_comments(reader);
   const std::optional<std::string_view> line = reader.peek();
   if (!line) {
-    if (!options.columns.empty()) return CsvHeader{options.columns, Separator::blanks};
-    if (!names_above.empty()) return CsvHeader{std::move(names_above), Separator::blanks};
+    if (!options.columns.empty()) return TableHeader{options.columns, Separator::blanks};
+    if (!names_above.empty()) return TableHeader{std::move(names_above), Separator::blanks};
     reader.fail("is empty; a header line such as x,y,z,radius is needed even without elements");
   }
   const Separator separator = separator_of(*line);
   std::vector<std::string> fields = split(*line, separator);
   if (!options.columns.empty()) {
     if (std::none_of(fields.begin(), fields.end(), is_number)) reader.skip(1);
-    return CsvHeader{options.columns, separator};
+    return TableHeader{options.columns, separator};
   }
   if (fields.empty() || !is_number(fields[0])) {
     const std::string_view header = *reader.next();
-    return CsvHeader{column_names(reader, header, separator), separator};
+    return TableHeader{column_names(reader, header, separator), separator};
   }
-  if (names_above.size() == fields.size()) return CsvHeader{std::move(names_above), separator};
+  if (names_above.size() == fields.size()) return TableHeader{std::move(names_above), separator};
   return std::nullopt;
 }
 

@@ -12,7 +12,7 @@
 namespace abut::io {
 
 /// What the columns of a CSV table are called and how its fields are set apart.
-struct CsvHeader {
+struct TableHeader {
   std::vector<std::string> names;
   Separator separator = Separator::blanks;
 };
@@ -21,7 +21,7 @@ struct CsvHeader {
 /// is no comment; else, where that line begins with a number, those of the last comment above it
 /// that names coordinates and has a name for each field, as numpy.savetxt and YADE write it.
 /// Nothing where a table of numbers has no names. Throws Error{invalid_input}.
-[[nodiscard]] std::optional<CsvHeader> read_csv_header(LineReader& reader,
+[[nodiscard]] std::optional<TableHeader> read_csv_header(LineReader& reader,
                                                        const ReadOptions& options);
 
 /// Throws Error{invalid_input} for a table of numbers whose first row comes next.

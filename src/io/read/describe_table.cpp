@@ -24,7 +24,7 @@ void look_at(std::string_view field, ColumnDescription& column) {
 
 }  // namespace
 
-TableDescription describe_table(LineReader& reader, const std::optional<CsvHeader>& header,
+TableDescription describe_table(LineReader& reader, const std::optional<TableHeader>& header,
                                 std::string problem) {
   TableDescription table;
   table.problem = std::move(problem);

@@ -25,7 +25,7 @@ namespace {
 constexpr AxisNames axis_names[] = {
     {"x", "y", "z"}, {"Points:0", "Points:1", "Points:2"}, {"Points_0", "Points_1", "Points_2"}};
 
-TableColumns find_roles(LineReader& reader, const std::optional<CsvHeader>& header,
+TableColumns find_roles(LineReader& reader, const std::optional<TableHeader>& header,
                         const ReadOptions& options) {
   if (!header) fail_without_header(reader);
   const WantedColumns wanted = wanted_columns(options);
@@ -42,7 +42,7 @@ TableColumns find_roles(LineReader& reader, const std::optional<CsvHeader>& head
 }  // namespace
 
 Snapshot read_csv(LineReader& reader, const ReadOptions& options) {
-  const std::optional<CsvHeader> header = read_csv_header(reader, options);
+  const std::optional<TableHeader> header = read_csv_header(reader, options);
   TableColumns columns;
   try {
     columns = find_roles(reader, header, options);

@@ -92,11 +92,11 @@ void write_numbers(ContactWriter& writer, std::span<const Number> numbers) {
   writer.wrote(numbers.size());
 }
 
-/// One appended array: its size in bytes, then `tuple(k)`, an array of numbers, for each k below
+/// One appended array: its size in bytes, then `value(k)`, an array of numbers, for each k below
 /// `count`.
-template <class Tuple>
-void write_tuples(ContactWriter& writer, std::uint64_t count, const Tuple& tuple) {
-  using Numbers = decltype(tuple(std::uint64_t{0}));
+template <class Value>
+void write_tuples(ContactWriter& writer, std::uint64_t count, const Value& value) {
+  using Numbers = decltype(value(std::uint64_t{0}));
   using Number = typename Numbers::value_type;
   constexpr std::uint64_t in_a_block = 4096;
   append_little_endian(count * sizeof(Numbers), writer.text());
@@ -104,7 +104,7 @@ void write_tuples(ContactWriter& writer, std::uint64_t count, const Tuple& tuple
   for (std::uint64_t k = 0; k < count;) {
     block.clear();
     for (const std::uint64_t end = std::min(count, k + in_a_block); k < end; ++k) {
-      const Numbers numbers = tuple(k);
+      const Numbers numbers = value(k);
       block.insert(block.end(), numbers.begin(), numbers.end());
     }
     write_numbers(writer, std::span<const Number>(block));

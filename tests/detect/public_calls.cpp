@@ -234,16 +234,6 @@ void add_walls(Calls& calls) {
                    [&g] { (void)fit_boxes_3d(g.corners, g.bad_faces); }, ErrorCode::invalid_input});
 }
 
-void add_views_of_boxes(Calls& calls) {
-  static const FittedBoxes uneven = [] {
-    FittedBoxes boxes = given().mesh.boxes();
-    boxes.upper[1].pop_back();
-    return boxes;
-  }();
-  calls.push_back({"abut::FittedBoxes::view", "refused", [] { (void)uneven.view(); },
-                   ErrorCode::invalid_input});
-}
-
 /// Adds one use of a Detector twice, without a skin and with one.
 class DetectorCalls {
  public:
@@ -264,6 +254,40 @@ class DetectorCalls {
  private:
   Calls& calls_;
 };
+
+void add_moving_meshes(Calls& calls) {
+  const Given& g = given();
+  const DetectorCalls add(calls);
+  for (const Domain* domain : {&g.open, &g.block}) {
+    const std::string where = domain->is_periodic() ? "in a cell" : "in open space";
+    add("abut::Detector::find_mesh_contacts", where,
+        [&g, domain](Detector& d) { d.find_mesh_contacts(g.elements, g.mesh, *domain); });
+    add("abut::Detector::find_box_contacts", where,
+        [&g, domain](Detector& d) { d.find_box_contacts(g.elements, g.boxes, *domain); });
+  }
+  add("abut::TriangleMesh::move", "between two calls", [&g](Detector& d) {
+    TriangleMesh mesh(g.corners, g.faces);
+    d.find_mesh_contacts(g.elements, mesh);
+    mesh.move({.translation = {0.5, 0.0, 0.0}});
+    d.find_mesh_contacts(g.elements, mesh);
+  });
+  add("abut::TriangleMesh::deform", "between two calls", [&g](Detector& d) {
+    TriangleMesh mesh(g.corners, g.faces);
+    d.find_mesh_contacts(g.elements, mesh);
+    mesh.deform(g.corners);
+    d.find_mesh_contacts(g.elements, mesh);
+  });
+}
+
+void add_views_of_boxes(Calls& calls) {
+  static const FittedBoxes uneven = [] {
+    FittedBoxes boxes = given().mesh.boxes();
+    boxes.upper[1].pop_back();
+    return boxes;
+  }();
+  calls.push_back({"abut::FittedBoxes::view", "refused", [] { (void)uneven.view(); },
+                   ErrorCode::invalid_input});
+}
 
 void add_detector_settings(Calls& calls) {
   const Given& g = given();
@@ -344,6 +368,7 @@ std::vector<PublicCall> public_calls() {
   add_refusals(calls);
   add_lists_and_tables(calls);
   add_walls(calls);
+  add_moving_meshes(calls);
   add_views_of_boxes(calls);
   add_detector_settings(calls);
   add_detector(calls);

@@ -82,6 +82,12 @@ NOT_NEEDED = {
     "simd_named": "simd= takes the name",
     "simd_variable": "ABUT_SIMD works in Python, too",
     "version": "__version__",
+    "CandidateList": "loops over candidates are for compiled code: Detector with a skin",
+}
+# What Python does not have yet.
+NOT_YET = {
+    "ContactSpans": "gaps, normals and points of contacts with walls",
+    "Motion": "meshes that move",
 }
 
 
@@ -124,9 +130,10 @@ def has(path):
 def test_every_name_of_the_headers_is_accounted_for():
     names = public_names()
     assert {"Domain", "find_contact_pairs", "Detector", "spheres", "unbounded"} <= names
-    known = set(abut.__all__) | set(ELSEWHERE) | set(ARGUMENTS) | set(NOT_NEEDED)
+    listed = set(ELSEWHERE) | set(ARGUMENTS) | set(NOT_NEEDED) | set(NOT_YET)
+    known = set(abut.__all__) | listed
     assert names - known == set(), "give them a place in Python, or in a table above"
-    assert (set(ELSEWHERE) | set(ARGUMENTS) | set(NOT_NEEDED)) - names == set(), "no longer there"
+    assert listed - names == set(), "no longer there"
 
 
 def test_the_tables_are_true():
@@ -165,5 +172,6 @@ def test_a_detector_has_the_same_calls():
     calls = set(re.findall(declared, text, re.MULTILINE))
     other = {"for_each_batch", "for_each_shifted_batch", "options", "set_options", "set_skin"}
     other |= {"Detector", "take_pairs", "take_neighbors"}
+    other |= {"find_mesh_contacts", "find_box_contacts"}  # not yet: a grid that is kept
     assert {"find_contact_pairs", "set_ids"} <= calls
     assert [name for name in calls - other if not hasattr(abut.Detector, name)] == []

@@ -247,4 +247,62 @@ requires detail::PointsOf<Lower, 2> && detail::PointsOf<Upper, 2>
                      detail::columns<2>(static_cast<Upper&&>(upper)));
 }
 
+namespace detail {
+
+namespace mistake {
+struct raw_pointers_tell_no_size_pass_std_span {};
+struct float_and_double_are_mixed_convert_one {};
+}  // namespace mistake
+
+template <class... Args>
+concept raw_pointers_tell_no_size_pass_std_span = (std::is_pointer_v<std::remove_cvref_t<Args>> ||
+                                                   ...);
+
+/// Whether a type is an array of T, or of points of T.
+template <class X, class T>
+inline constexpr bool holds = false;
+template <ColumnLike X, class T>
+inline constexpr bool holds<X, T> = std::same_as<ColumnScalar<X>, T>;
+template <class X, class T>
+requires PointsOf<X, 2>
+inline constexpr bool holds<X, T> = std::same_as<PointScalar<std::ranges::range_value_t<X>>, T>;
+
+template <class... Args>
+concept float_and_double_are_mixed_convert_one =
+    !raw_pointers_tell_no_size_pass_std_span<Args...> && (holds<Args, float> || ...) &&
+    (holds<Args, double> || ...);
+
+}  // namespace detail
+
+// Mistakes that are made often end in one sentence instead of a list of all functions: clang shows
+// the text of the attribute, g++ the name of the type. Neither counts as a function that fits.
+#if defined(__clang__)
+#define ABUT_MISTAKE(Kind, text, function) \
+  template <class... Args>                 \
+  requires detail::Kind<Args...>           \
+  __attribute__((unavailable(text))) ElementView function(Args&&...);
+#else
+#define ABUT_MISTAKE(Kind, text, function)                                 \
+  template <class... Args>                                                 \
+  requires detail::Kind<Args...> detail::mistake::Kind function(Args&&...) \
+  = delete;
+#endif
+ABUT_MISTAKE(raw_pointers_tell_no_size_pass_std_span,
+             "raw pointers tell no size: pass std::span(pointer, size)", spheres)
+ABUT_MISTAKE(float_and_double_are_mixed_convert_one,
+             "float and double are mixed: convert one of them", spheres)
+ABUT_MISTAKE(raw_pointers_tell_no_size_pass_std_span,
+             "raw pointers tell no size: pass std::span(pointer, size)", discs)
+ABUT_MISTAKE(float_and_double_are_mixed_convert_one,
+             "float and double are mixed: convert one of them", discs)
+ABUT_MISTAKE(raw_pointers_tell_no_size_pass_std_span,
+             "raw pointers tell no size: pass std::span(pointer, size)", boxes)
+ABUT_MISTAKE(float_and_double_are_mixed_convert_one,
+             "float and double are mixed: convert one of them", boxes)
+ABUT_MISTAKE(raw_pointers_tell_no_size_pass_std_span,
+             "raw pointers tell no size: pass std::span(pointer, size)", rectangles)
+ABUT_MISTAKE(float_and_double_are_mixed_convert_one,
+             "float and double are mixed: convert one of them", rectangles)
+#undef ABUT_MISTAKE
+
 }  // namespace abut

@@ -1,8 +1,8 @@
 #pragma once
 
-#if defined(__FAST_MATH__)
-#error \
-    "abut decides contacts exactly; compile without -ffast-math (its headers refuse __FAST_MATH__)"
+#if __cplusplus < 202002L
+// A file that is not there ends the compilation; whatever followed would only hide the reason.
+#include "abut needs C++20: compile with -std=c++20"
 #endif
 
 /// Marks what the shared library exports.

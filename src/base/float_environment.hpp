@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/refuse_fast_math.hpp"
+
 #include <cstdint>
 
 #if defined(__x86_64__)

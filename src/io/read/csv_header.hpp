@@ -22,7 +22,7 @@ struct TableHeader {
 /// that names coordinates and has a name for each field, as numpy.savetxt and YADE write it.
 /// Nothing where a table of numbers has no names. Throws Error{invalid_input}.
 [[nodiscard]] std::optional<TableHeader> read_csv_header(LineReader& reader,
-                                                       const ReadOptions& options);
+                                                         const ReadOptions& options);
 
 /// Throws Error{invalid_input} for a table of numbers whose first row comes next.
 [[noreturn]] void fail_without_header(LineReader& reader);

@@ -120,6 +120,10 @@ def test_elements_give_their_positions_and_radii(packing):
     flat = abut.rectangles(([0, 2], [0, 2]), [[1, 2], [3, 4]])
     assert flat.positions.tolist() == [[0.5, 1.0], [2.5, 3.0]]
     assert flat.radii.tolist() == [0.0, 0.0]
+    assert flat.lower.tolist() == [[0, 0], [2, 2]]
+    assert flat.upper.tolist() == [[1, 2], [3, 4]]
+    with pytest.raises(abut.UsageError, match="discs have positions and radii"):
+        discs.lower  # noqa: B018
 
 
 def test_rules():

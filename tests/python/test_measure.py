@@ -75,7 +75,8 @@ def test_all_ways_give_the_same_bytes(name):
     stored = abut.find_contact_pairs(c.elements, c.others, domain=domain, quantities=NAMES)
     together = abut.find_contact_pairs(c.elements, c.others, domain=domain, threads=2)
     rows = abut.build_neighbor_list(c.elements, c.others, domain=domain, quantities=NAMES)
-    one = abut.measure(c.elements, c.pairs, NAMES, c.others, shifts=shifts, domain=domain, threads=1)
+    given = {"shifts": shifts, "domain": domain, "threads": 1}
+    one = abut.measure(c.elements, c.pairs, NAMES, c.others, **given)
     measurer = abut.PairMeasurer(c.elements, c.others, domain=domain)
     again = measurer.measure(c.pairs, NAMES, shifts)
     for quantity, array in zip(NAMES, together.measure(*NAMES), strict=True):
@@ -142,7 +143,7 @@ def test_nothing_to_measure():
 def test_wrong_requests():
     discs = abut.discs([[0, 0], [1, 0]], 0.5)
     cell = abut.Domain.periodic((4, None))
-    with pytest.raises(abut.UsageError, match="quantity 'gaps' is not there; there are gap, normal"):
+    with pytest.raises(abut.UsageError, match="'gaps' is not there; there are gap, normal, point"):
         abut.measure(discs, [[0, 1]], "gaps")
     with pytest.raises(abut.InputTypeError, match="quantities are names"):
         abut.contacts([[0, 0]], 1, quantities=(1, 2))

@@ -82,3 +82,16 @@ def test_wrong_walls():
         abut.find_mesh_contacts(abut.points([[0, 0, 0]]), FLOOR)
     with pytest.raises(ValueError):
         abut.find_box_contacts(abut.points([[0, 0, 0]]), abut.points([[0, 0, 0]]))
+
+
+def test_a_mesh_joined_across_a_face_knows_its_domain_and_shifts():
+    cell = abut.Domain.periodic((1, None, None))
+    x = [[0, 0, 0], [0.5, 0, 0], [1, 0, 0], [0, 1, 0], [0.5, 1, 0], [1, 1, 0]]
+    triangles = [[0, 1, 3], [1, 3, 4], [1, 2, 4], [2, 4, 5]]
+    mesh = abut.TriangleMesh.joined(x, triangles, cell)
+    assert mesh.domain == cell
+    assert mesh.feature_shifts.shape == (4, 7, 3)
+    assert {tuple(n) for n in mesh.feature_shifts.reshape(-1, 3).tolist()} == {(0, 0, 0), (1, 0, 0)}
+    plain = abut.TriangleMesh(x, triangles)
+    assert not plain.domain.is_periodic
+    assert plain.feature_shifts.shape == (0, 7, 3)

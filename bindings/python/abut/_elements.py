@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from . import _abut
 from ._arrays import Coordinates, Numbers, coordinates, number, of_one_type, radii, radius_column
-from ._errors import InputError, InputTypeError
+from ._errors import InputError, InputTypeError, UsageError
 
 
 class Elements:
@@ -52,9 +52,22 @@ class Elements:
         table = _table_of(self._first)
         if self._kind == "boxes":
             table = table + (_table_of(self._second) - table) / 2
-        view: npt.NDArray[np.floating[Any]] = table.view()
-        view.flags.writeable = False
-        return view
+        return _read_only(table)
+
+    @property
+    def lower(self) -> npt.NDArray[np.floating[Any]]:
+        """Lower corners of boxes, (N, dimensions), read-only."""
+        return self._corners(self._first)
+
+    @property
+    def upper(self) -> npt.NDArray[np.floating[Any]]:
+        """Upper corners of boxes, (N, dimensions), read-only."""
+        return self._corners(self._second)
+
+    def _corners(self, corners: Any) -> npt.NDArray[np.floating[Any]]:
+        if self._kind != "boxes":
+            raise UsageError(f"{self.shape}s have positions and radii, not corners")
+        return _read_only(_table_of(corners))
 
     @property
     def radii(self) -> npt.NDArray[np.floating[Any]]:
@@ -76,6 +89,12 @@ def _made(kind: str, first: Any, second: Any) -> Elements:
 
 def _table_of(given: Coordinates) -> Numbers:
     return np.stack(given, axis=1) if isinstance(given, tuple) else given
+
+
+def _read_only(table: Numbers) -> Numbers:
+    view = table.view()
+    view.flags.writeable = False
+    return view
 
 
 def _size(given: Coordinates) -> int:

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _abut
 from ._arrays import number, whole_numbers
 from ._detect import prepared
-from ._domain import Domain, native_domain
+from ._domain import OPEN, Domain, native_domain
 from ._elements import Elements, boxes, points, rectangles, require_elements
 from ._errors import InputError, InputTypeError, UsageError
 from ._options import Options, call_options
@@ -179,6 +179,7 @@ class TriangleMesh:
 
     def __init__(self, vertices: Any, triangles: npt.ArrayLike) -> None:
         self._native = _abut.triangle_mesh(points(vertices)._native, _cells(triangles))
+        self._domain = OPEN
 
     @staticmethod
     def joined(
@@ -190,6 +191,7 @@ class TriangleMesh:
         mesh._native = _abut.joined_mesh(
             points(vertices)._native, _cells(triangles), native_domain(domain)
         )
+        mesh._domain = OPEN if domain is None else domain
         return mesh
 
     def __len__(self) -> int:
@@ -224,6 +226,18 @@ class TriangleMesh:
     def faces(self) -> npt.NDArray[np.uint32]:
         """Face of each triangle: the smallest number of the triangles that are the same face."""
         return self._native.faces
+
+    @property
+    def feature_shifts(self) -> npt.NDArray[np.int32]:
+        """Lattice vectors (N, 7, 3) by which the parts of each triangle lie apart from their
+        features: vertices a, b, c, edges ab, ac, bc, face; (0, 7, 3) unless vertices were joined
+        across the faces of a domain."""
+        return self._native.feature_shifts.reshape(-1, 7, 3)
+
+    @property
+    def domain(self) -> Domain:
+        """Domain across whose faces vertices were joined."""
+        return self._domain
 
     def __repr__(self) -> str:
         return (

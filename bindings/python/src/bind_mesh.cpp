@@ -50,6 +50,9 @@ void bind_mesh(nb::module_& module) {
       .def_prop_ro(
           "edges_of_triangles",
           [](Self self) { return table_of<std::uint32_t>(self.p->edges_of_triangles(), self.h); })
+      .def_prop_ro(
+          "feature_shifts",
+          [](Self self) { return table_of<std::int32_t>(self.p->feature_shifts(), self.h); })
       .def_prop_ro("faces", [](Self self) { return array_of(self.p->faces(), self.h); });
   module.def("triangle_mesh", &mesh_of, nb::arg("vertices"), nb::arg("triangles"));
   module.def("joined_mesh", &joined, nb::arg("vertices"), nb::arg("triangles"), nb::arg("domain"));

@@ -16,7 +16,7 @@ def test_contacts(abut):
     assert (found["algorithm"], found["threads"]) == ("sorting_array", 1)
     assert found["candidate_tests"] >= 10658 and found["peak_bytes"] >= 5000 * 4
     seconds = found["seconds"]
-    assert seconds["write"] == 0 and seconds["total"] == seconds["read"] + seconds["search"]
+    assert seconds["write"] == 0 and seconds["total"] >= seconds["read"] + seconds["search"]
 
 
 def test_direct_check_tests_every_pair(abut):

@@ -239,7 +239,7 @@ TEST(WriteContacts, ProgressCountsPairsAndCancelLeavesNoFile) {
                            [&done, second, is_vtp](const Progress& progress) {
                              EXPECT_EQ(progress.phase, "write");
                              EXPECT_EQ(progress.total, is_vtp ? 800'018u : 200'000u);
-                             // Before each system call it is asked with the same number again.
+                             // Before each system call it is asked once more.
                              const std::uint64_t last = done.empty() ? 0 : done.back();
                              if (progress.done != last) done.push_back(progress.done);
                              return done.size() == 2 ? second : ProgressAction::proceed;
@@ -251,8 +251,8 @@ TEST(WriteContacts, ProgressCountsPairsAndCancelLeavesNoFile) {
     done.clear();
     write_contacts(output(ProgressAction::proceed), snapshot, many);
     const std::vector<std::uint64_t> each{65536, 131072, 196608};
-    EXPECT_TRUE(is_vtp || done == each);
-    EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+    ASSERT_TRUE(std::ranges::is_sorted(done));
+    EXPECT_TRUE(is_vtp || std::ranges::includes(done, each));
     EXPECT_GT(done.size(), 2u);
     EXPECT_EQ(scratch.file_count(), 1u);
   }

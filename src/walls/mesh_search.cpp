@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -129,7 +130,8 @@ void MeshSearch::build(const Call& call) {
   const double wide = std::min(needed * (1.0 + slack), std::numeric_limits<double>::max());
   grid_.build(mesh.size(), wide, call.context.work,
               [&](std::size_t k) { return box_around(triangles_[k]); });
-  reach_of_grid_ = wide;
+  lay_planes(wide);
+  reach_of_grid_ = wide;  // last: whatever failed before leaves no grid
   ++builds_;
 }
 
@@ -192,7 +194,7 @@ double MeshSearch::search(const Call& call, const RestFrame& frame) {
       const std::span<const ElementIndex> near = grid_.near(center);
       if (near.empty()) continue;
       const auto number = static_cast<ElementIndex>(first + k);
-      scratch.choose(call, block[k], number, near);
+      choose(call, frame, block[k], center, near, scratch.candidates);
       if (scratch.candidates.empty()) continue;
       scratch.tests += scratch.candidates.size();
       toucher({number, block[k], scratch.candidates, {}}, scratch.found);
@@ -201,20 +203,60 @@ double MeshSearch::search(const Call& call, const RestFrame& frame) {
   return largest_of_workers(call);
 }
 
-/// Keeps the parts whose box meets the box around the sphere, as the search of boxes does.
-void MeshSearch::SearchScratch::choose(const Call& call, const exact::Sphere<3>& sphere,
-                                       ElementIndex number, std::span<const ElementIndex> near) {
+/// Keeps the triangles near whose plane the center lies, and whose box meets the box around the
+/// sphere, as the search of boxes does.
+void MeshSearch::choose(const Call& call, const RestFrame& frame, const exact::Sphere<3>& sphere,
+                        const double (&center)[3], std::span<const ElementIndex> near,
+                        base::Array<ContactPair>& candidates) const {
   candidates.clear();
   const exact::Box<3> around = walls::box_around(sphere, call.options.margin);
+  const double reach = frame.reach_at_rest(sphere.radius + call.options.margin) + error_of_planes_;
   const FittedBoxes& boxes = call.mesh.boxes();
   for (const ElementIndex part : near) {
+    const auto& [normal, offset] = planes_[part];
+    const double height =
+        normal[0] * center[0] + normal[1] * center[1] + normal[2] * center[2] - offset;
+    if (std::fabs(height) > reach) continue;
     bool meets = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       meets = meets && boxes.lower[axis][part] <= around.upper[axis] &&
               boxes.upper[axis][part] >= around.lower[axis];
     }
-    if (meets) candidates.push_back({number, part});
+    if (meets) candidates.push_back({0, part});  // whose they are is known
   }
+}
+
+/// The normal of a triangle in which products cancel too much errs too much, and is left out; so is
+/// all beyond ordinary numbers. Of the others each component errs by less than 2^-30.
+void MeshSearch::lay_planes(double reach) {
+  base::resize_for_overwrite(planes_, triangles_.size());
+  double farthest = reach;
+  for (std::size_t k = 0; k < triangles_.size(); ++k) {
+    const auto& [a, b, c] = triangles_[k];
+    const auto& p = anchor_[a];
+    double e[3], f[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      e[axis] = anchor_[b][axis] - p[axis];
+      f[axis] = anchor_[c][axis] - p[axis];
+      farthest = std::max(
+          {farthest, std::fabs(p[axis]), std::fabs(anchor_[b][axis]), std::fabs(anchor_[c][axis])});
+    }
+    const double x = e[1] * f[2] - e[2] * f[1];
+    const double y = e[2] * f[0] - e[0] * f[2];
+    const double z = e[0] * f[1] - e[1] * f[0];
+    const double length = std::sqrt(x * x + y * y + z * z);
+    const double sizes = std::sqrt((e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) *
+                                   (f[0] * f[0] + f[1] * f[1] + f[2] * f[2]));
+    planes_[k] = {};
+    const bool is_certain = length > 0x1p-16 * sizes && length < 2.0 * sizes;
+    if (!(is_certain && length > 0x1p-200 && sizes < 0x1p200)) continue;
+    const double inverse = 1.0 / length;
+    planes_[k] = {{x * inverse, y * inverse, z * inverse}, 0.0};
+    const auto& normal = planes_[k].normal;
+    planes_[k].offset = normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2];
+  }
+  error_of_planes_ =
+      farthest < 0x1p1000 ? 0x1p-26 * farthest : std::numeric_limits<double>::infinity();
 }
 
 void MeshSearch::write(const Call& call, const MeshContactArrays& arrays, Statistics& statistics) {

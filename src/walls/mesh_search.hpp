@@ -62,6 +62,12 @@ class MeshSearch {
     std::size_t workers;
   };
 
+  /// Plane of a triangle at rest, for a test that is cheaper than the exact one.
+  struct Plane {
+    double normal[3];  ///< of length one; 0 where rounding would spoil it
+    double offset;     ///< normal times a point of the plane
+  };
+
   /// What each worker needs.
   struct alignas(128) SearchScratch {
     explicit SearchScratch(base::MemoryMeter& memory)
@@ -73,9 +79,6 @@ class MeshSearch {
       tests = 0;
       largest_radius = 0.0;
     }
-    void choose(const Call& call, const exact::Sphere<3>& sphere, ElementIndex number,
-                std::span<const ElementIndex> near);
-
     FoundContacts<MeshContact> found;
     base::Array<ContactPair> candidates;  ///< of one sphere
     std::uint64_t tests = 0;
@@ -88,6 +91,10 @@ class MeshSearch {
   [[nodiscard]] bool reaches(const RestFrame& frame, const Call& call) const noexcept;
   [[nodiscard]] double reach_of(const Call& call) const noexcept;
   void build(const Call& call);
+  void lay_planes(double reach);
+  void choose(const Call& call, const RestFrame& frame, const exact::Sphere<3>& sphere,
+              const double (&center)[3], std::span<const ElementIndex> near,
+              base::Array<ContactPair>& candidates) const;
   [[nodiscard]] exact::Box<3> box_around(const TriangleMesh::Corners& corners) const noexcept;
   double search(const Call& call, const RestFrame& frame);
   template <class Act>
@@ -106,6 +113,8 @@ class MeshSearch {
       base::make_array_for_overwrite<TriangleMesh::Point>(memory_, 0);
   base::Array<TriangleMesh::Corners> triangles_ =
       base::make_array_for_overwrite<TriangleMesh::Corners>(memory_, 0);
+  base::Array<Plane> planes_ = base::make_array_for_overwrite<Plane>(memory_, 0);
+  double error_of_planes_ = 0.0;
   std::vector<SearchScratch> scratch_;
   std::uint64_t builds_ = 0;
 };

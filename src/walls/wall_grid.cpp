@@ -9,7 +9,7 @@ namespace abut::walls {
 namespace {
 
 /// Cells per part, and at least: so few that the bits of a wall fit into the caches.
-constexpr double cells_of_part = 16.0;
+constexpr double cells_of_part = 32.0;
 constexpr double fewest_cells = 0x1p15;
 
 /// Entries per part, and at least: large parts that lie across each other get large cells.
@@ -70,7 +70,6 @@ void WallGrid::lay_cells(double length) noexcept {
     const bool is_ordinary = inverse > 0.0 && last < 0x1p31;
     if (!is_ordinary) origin_[axis] = inverse_[axis] = 0.0;
     size_[axis] = is_ordinary ? static_cast<std::size_t>(last) + 1 : 1;
-    end_[axis] = static_cast<double>(size_[axis]);
   }
 }
 

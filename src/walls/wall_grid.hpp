@@ -30,12 +30,13 @@ class WallGrid {
 
   /// Parts that may be within reach of a point, ascending.
   [[nodiscard]] std::span<const ElementIndex> near(const double (&point)[3]) const noexcept {
-    double place[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      place[axis] = place_of(point[axis], axis);
-      if (!(place[axis] >= 0.0 && place[axis] < end_[axis])) return {};
-    }
-    const std::size_t cell = cell_of(place);
+    // What lies before the first cell by less than a cell is looked for in it, at no harm. Numbers
+    // that no integer holds, and those that are none, become one that no cell has.
+    const std::uint32_t x = whole_part(place_of(point[0], 0));
+    const std::uint32_t y = whole_part(place_of(point[1], 1));
+    const std::uint32_t z = whole_part(place_of(point[2], 2));
+    if (!((x < size_[0]) & (y < size_[1]) & (z < size_[2]))) return {};
+    const std::size_t cell = (std::size_t{z} * size_[1] + y) * size_[0] + x;
     if ((occupied_[cell / 64] >> (cell % 64) & 1) == 0) return {};
     return std::span<const ElementIndex>(parts_).subspan(begin_[cell],
                                                          begin_[cell + 1] - begin_[cell]);
@@ -64,10 +65,10 @@ class WallGrid {
   [[nodiscard]] double place_of(double x, int axis) const noexcept {
     return (x - origin_[axis]) * inverse_[axis];
   }
-  [[nodiscard]] std::size_t cell_of(const double (&place)[3]) const noexcept {
-    return (static_cast<std::size_t>(place[2]) * size_[1] + static_cast<std::size_t>(place[1])) *
-               size_[0] +
-           static_cast<std::size_t>(place[0]);
+  [[nodiscard]] static std::uint32_t whole_part(double place) noexcept {
+    constexpr double most = 0x1p31;
+    if (!(place > -1.0 && place < most)) return 0xFFFFFFFF;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(place));
   }
   /// Calls act(cell) for each cell of a range.
   template <class Act>

@@ -81,5 +81,45 @@ TEST_F(FeatureMemory, TheBoundIsKept) {
   }
 }
 
+Motion step_of(int step) {
+  const double up = 0.05 * step;
+  return {{{{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}}, {4.0, 0.0, up}};
+}
+
+TEST_F(FeatureMemory, ADetectorAllocatesNothingInASecondCall) {
+  TriangleMesh mesh = mesh_;
+  Detector detector(Options{
+      .shifts = Shifts::stored, .quantities = Quantity::gap | Quantity::point, .threads = 1});
+  mesh.move(step_of(0));
+  const PairCount most = detector.find_mesh_contacts(spheres_, mesh).size();
+  ASSERT_GT(most, 20U);
+  static_cast<void>(detector.find_mesh_contacts(spheres_, mesh));
+  const AllocationFault watched;
+  mesh.move(step_of(0));
+  EXPECT_EQ(detector.find_mesh_contacts(spheres_, mesh).size(), most);
+  EXPECT_EQ(watched.requests(), 0U);
+}
+
+TEST_F(FeatureMemory, ADetectorRecoversFromEveryAllocationThatFails) {
+  const PairCount expected = find_mesh_contacts(spheres_, mesh_).size();
+  std::uint64_t refused = 0;
+  for (bool done = false; !done; ++refused) {
+    ASSERT_LT(refused, 1000U) << "never went through";
+    Detector detector(Options{.quantities = Quantity::gap, .threads = 2});
+    AllocationFault fault(refused);
+    try {
+      const MeshContactList& list = detector.find_mesh_contacts(spheres_, mesh_);
+      fault.disarm();
+      done = true;
+      EXPECT_EQ(list.size(), expected);
+    } catch (const Error& error) {
+      fault.disarm();
+      EXPECT_EQ(error.code(), ErrorCode::limit_exceeded);
+      EXPECT_EQ(detector.find_mesh_contacts(spheres_, mesh_).size(), expected);
+    }
+  }
+  EXPECT_GT(refused, 5U);
+}
+
 }  // namespace
 }  // namespace abut::testing

@@ -1,0 +1,146 @@
+// A drum of triangles that turns around a dense packing: what its contacts take of processor time
+// beside those of the spheres, in the same steps. Lists are compared with the free function's.
+
+#include "benchmarks/common/program.hpp"
+#include "benchmarks/common/timing.hpp"
+#include "scenes/random.hpp"
+
+#include <abut/abut.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <numbers>
+#include <vector>
+
+namespace abut::benchmarks {
+namespace {
+
+struct Settings {
+  std::size_t count = 1000000;
+  std::size_t triangles = 10000;
+  int steps = 10;
+  int threads = 1;
+  bool with_quantities = false;
+};
+
+struct Packing {
+  std::vector<double> x, y, z, r;
+};
+
+/// Spheres of diameter 1.04 on a cubic lattice of unit cells, shaken, in a drum as long as it is
+/// wide around the axis x.
+Packing packing_in(double radius, scenes::Random& random) {
+  Packing packing;
+  const int half = static_cast<int>(radius);
+  const auto shaken = [&](int cell) { return cell + 0.5 + random.uniform(-0.05, 0.05); };
+  for (int i = -half; i < half; ++i) {
+    for (int j = -half; j < half; ++j) {
+      for (int k = -half; k < half; ++k) {
+        const double y = shaken(j), z = shaken(k);
+        if (std::hypot(y, z) > radius - 0.5) continue;
+        packing.x.push_back(shaken(i));
+        packing.y.push_back(y);
+        packing.z.push_back(z);
+        packing.r.push_back(0.52);
+      }
+    }
+  }
+  return packing;
+}
+
+/// A closed cylinder: quads of the side and of the rings of both ends, each cut into two triangles.
+TriangleMesh drum_of(double radius, std::size_t triangles) {
+  const int around = std::max(8, static_cast<int>(std::sqrt(static_cast<double>(triangles))));
+  const int rings = std::max(1, around / 16);
+  const int rows = std::max(1, around / 2 - 2 * rings);
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::array<int, 3>> faces;
+  const auto add_circle = [&](double x, double width) {
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / around;
+      vertices.push_back({x, width * std::cos(angle), width * std::sin(angle)});
+    }
+  };
+  for (int k = 0; k <= rings; ++k) add_circle(-radius, radius * (k + 0.01) / (rings + 0.01));
+  for (int k = 1; k <= rows; ++k) add_circle(-radius + 2.0 * radius * k / rows, radius);
+  for (int k = rings - 1; k >= 0; --k) add_circle(radius, radius * (k + 0.01) / (rings + 0.01));
+  const int circles = static_cast<int>(vertices.size()) / around;
+  for (int circle = 0; circle + 1 < circles; ++circle) {
+    for (int k = 0; k < around; ++k) {
+      const int a = circle * around + k, b = circle * around + (k + 1) % around;
+      faces.push_back({a, b, b + around});
+      faces.push_back({a, b + around, a + around});
+    }
+  }
+  return TriangleMesh(vertices, faces);
+}
+
+Motion turn_of(int step) {
+  const double c = std::cos(0.02 * step), s = std::sin(0.02 * step);
+  return {{{{1.0, 0.0, 0.0}, {0.0, c, -s}, {0.0, s, c}}}, {}};
+}
+
+bool are_same(const MeshContactList& a, const MeshContactList& b) {
+  return std::ranges::equal(a.contacts(), b.contacts()) && std::ranges::equal(a.gaps(), b.gaps());
+}
+
+int run(const Settings& settings) {
+  scenes::Random random(1);
+  const double radius =
+      std::cbrt(static_cast<double>(settings.count) / (2.0 * std::numbers::pi)) + 0.5;
+  Packing packing = packing_in(radius, random);
+  const ElementView elements = spheres(packing.x, packing.y, packing.z, packing.r);
+  TriangleMesh drum = drum_of(radius, settings.triangles);
+  Options options{.threads = settings.threads};
+  if (settings.with_quantities) options.quantities = Quantity::gap | Quantity::normal;
+  Detector detector(options);
+  std::vector<double> of_pairs, of_walls, of_motion;
+  std::size_t pairs = 0, contacts = 0;
+  for (int step = 0; step <= settings.steps; ++step) {
+    for (double& x : packing.x) x += random.uniform(-1e-3, 1e-3);
+    const double motion = processor_seconds([&] { drum.move(turn_of(step)); });
+    const double sphere =
+        processor_seconds([&] { pairs = detector.find_contact_pairs(elements).size(); });
+    const double wall =
+        processor_seconds([&] { contacts = detector.find_mesh_contacts(elements, drum).size(); });
+    if (step == 0 || step == settings.steps) {
+      const bool same = are_same(detector.find_mesh_contacts(elements, drum),
+                                 find_mesh_contacts(elements, drum, options));
+      if (!same) return different_answers;
+    }
+    if (step == 0) continue;  // builds the grid
+    of_motion.push_back(motion);
+    of_pairs.push_back(sphere);
+    of_walls.push_back(wall);
+  }
+  const double in_pairs = median(of_pairs), in_walls = median(of_walls);
+  std::printf("%zu spheres, %zu pairs: %.2f ms\n", packing.x.size(), pairs, 1e3 * in_pairs);
+  std::printf("%zu triangles, %zu contacts: %.2f ms, moving %.2f ms\n", drum.size(), contacts,
+              1e3 * in_walls, 1e3 * median(of_motion));
+  std::printf("walls / pairs: %.3f\n", in_walls / in_pairs);
+  return 0;
+}
+
+int body(int argc, char** argv) {
+  Settings settings;
+  CLI::App app("Contacts of a drum that turns beside those of the spheres in it");
+  app.add_option("--count", settings.count, "spheres, about");
+  app.add_option("--triangles", settings.triangles, "triangles, about");
+  app.add_option("--steps", settings.steps, "steps that are timed")->check(CLI::PositiveNumber);
+  app.add_option("--threads", settings.threads, "threads");
+  app.add_flag("--quantities", settings.with_quantities, "measure gaps and normals, too");
+  CLI11_PARSE(app, argc, argv);
+  return run(settings);
+}
+
+}  // namespace
+}  // namespace abut::benchmarks
+
+int main(int argc, char** argv) {
+  return abut::benchmarks::run_program("moving_walls", abut::benchmarks::body, argc, argv);
+}

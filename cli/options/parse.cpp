@@ -5,6 +5,7 @@
 
 #include "io/quoted_text.hpp"
 #include "io/read/read_snapshot.hpp"
+#include "io/suffix.hpp"
 #include "options/argument.hpp"
 #include "options/common_options.hpp"
 #include "options/read_command_table.hpp"
@@ -36,6 +37,21 @@ std::shared_ptr<Options> hand_over(CLI::App& app, Command& command) {
 
 bool is_contact_format(std::string_view name) {
   return name == "csv" || name == "json" || name == "vtp";
+}
+
+/// Whether --format is that of the output. A file must hold what its name says: beside a name of
+/// another format "csv" is that of the input, and the others are refused.
+bool is_format_of_output(std::string_view format, const std::string& output) {
+  if (output.empty() || !is_contact_format(format)) return false;
+  const std::string suffix = output == "-" ? "" : io::suffix_of(output);
+  if (suffix.empty() || !is_contact_format(suffix.substr(1)) || suffix.substr(1) == format) {
+    return true;
+  }
+  if (format == "csv") return false;
+  throw Error(
+      ErrorCode::wrong_usage,
+      fmt::format("--format {}: OUT is named {}; give it another name, or leave out --format",
+                  format, suffix));
 }
 
 /// How to search, whatever for.
@@ -117,7 +133,7 @@ void add_contacts(CLI::App& app, Command& command) {
   add_domain(sub, options->input.domain);
   add_console(sub, options->console);
   sub.callback([&command, options, format] {
-    const bool of_output = !options->output.empty() && is_contact_format(*format);
+    const bool of_output = is_format_of_output(*format, options->output);
     (of_output ? options->output_format : options->input.format) = *format;
     command = *options;
   });

@@ -76,6 +76,8 @@ def test_0_empty_input(abut, text):
     (["contacts", YADE, "--format", "pdf"], "pdf"),
     (["contacts", YADE, "-o", "x.pdf"], "pdf"),
     (["contacts", YADE, "-o", "x.csv.gz"], "csv, json and vtp"),
+    (["contacts", YADE, "-o", "x.vtp", "--format", "json"], "OUT is named .vtp"),
+    (["contacts", YADE, "-o", "x.csv", "--format", "vtp"], "OUT is named .csv"),
     (["neighbors", YADE, "--cutoff", "2.5", "-o", "n.vtp"], "--radius 0 --margin 2.5 -o n.vtp"),
     (["neighbors", YADE, "--cutoff", "2.5", "-o", "n.JSON"], "--radius 0 --margin 2.5 -o n.JSON"),
     (["neighbors", YADE, "--cutoff", "2.5", "-o", "n.csv.gz"], "name a file .csv"),
@@ -204,6 +206,18 @@ def test_0_an_input_without_a_line_is_warned_of(abut, tmp_path):
 @pytest.mark.parametrize("count", ["20", "2e1", "2E+1", "0.2e2", "200e-1", "20.", "020"])
 def test_0_counts_are_whole_numbers_in_any_form(abut, count):
     assert len(abut("generate", "gas", "--count", count).stdout.splitlines()) == 21
+
+
+def test_0_a_file_holds_what_its_name_says(abut, tmp_path):
+    """csv is then the format of what is read."""
+    (tmp_path / "discs.xyz").write_text(DISCS)
+    for output, begin in (("o.vtp", "<?xml"), ("o.json", "{"), ("o.csv", "i,j,gap"),
+                          ("o", "i,j,gap")):
+        source = "discs.xyz" if output in ("o.vtp", "o.json") else "-"
+        done = abut("contacts", source, "--format", "csv", "-o", output, "-q", cwd=tmp_path,
+                    stdin=DISCS)
+        assert (done.returncode, done.stderr) == (0, "")
+        assert (tmp_path / output).read_text(errors="replace").startswith(begin)
 
 
 def test_0_no_threads_are_as_many_as_pay(abut):

@@ -11,6 +11,7 @@ from benchmarks.common.pages import contents, generated_lines, results_of, secti
 from benchmarks.common.tables import ROOT
 from benchmarks.matrix import report as matrix
 from benchmarks.packs import report as packs
+from benchmarks.python import report as python
 from benchmarks.systems import report as systems
 
 MOST_GENERATED_LINES = 60  # of a page; more of them belong into the report
@@ -27,6 +28,8 @@ def expected():
     yield f"benchmarks.packs.report {results}", packs.texts(results, packs.PAGE)
     results = results_of(section_of(contents(systems.PAGE), "machine"), "systems")
     yield f"benchmarks.systems.report {results}", systems.texts(results, systems.PAGE)
+    results = results_of(section_of(contents(python.PAGE), "machine"), "python")
+    yield f"benchmarks.python.report {results}", python.texts(results, python.PAGE)
 
 
 def faults():
@@ -35,7 +38,7 @@ def faults():
             if not os.path.exists(path) or contents(path) != text:
                 yield (f"{os.path.relpath(path, ROOT)} is not what the committed tables give: run "
                        f"python3 -m {command.replace(ROOT + os.sep, '')}")
-    for page in (matrix.PAGE, packs.PAGE, systems.PAGE):
+    for page in (matrix.PAGE, packs.PAGE, systems.PAGE, python.PAGE):
         lines = generated_lines(contents(page))
         if lines > MOST_GENERATED_LINES:
             yield (f"{os.path.relpath(page, ROOT)} has {lines} generated lines, more than "

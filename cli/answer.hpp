@@ -8,17 +8,18 @@
 #include <string>
 #include <string_view>
 
-/// What commands that run several algorithms make of their answers: the same pairs, or a fault.
+/// The judgement of commands that run several algorithms on their answers: the same pairs, or a
+/// fault.
 namespace abut::cli {
 
-/// What somebody found.
+/// The answer of one algorithm.
 struct Answer {
   std::string who;
   PairCount contact_pairs = 0;
   std::string digest;  ///< of the pairs in canonical order; empty if they were only counted
 };
 
-/// Whether there are answers and all are those of the first, which has a digest.
+/// Tells whether there are answers and all are those of the first, which has a digest.
 [[nodiscard]] bool all_equal(std::span<const Answer> answers);
 
 /// Throws Error{check_failed} naming the first two that differ, Error{limit_exceeded} if there is

@@ -24,7 +24,7 @@ struct BookExample {
 
 [[nodiscard]] BookExample book_example(Algorithm algorithm);
 
-/// What the book shows beside the arrays of the run; empty for most.
+/// The parts of the book's example beside the arrays of the run; empty for most.
 [[nodiscard]] std::string book_supplement(Algorithm algorithm,
                                           const std::vector<RecordedStage>& stages);
 

@@ -16,7 +16,7 @@ struct ConsoleOptions {
   ProgressMode progress = ProgressMode::automatic;
 };
 
-/// What a command says beside its results: notes, warnings and progress, on standard error.
+/// The voice of a command beside its results: notes, warnings and progress, on standard error.
 class Console {
  public:
   explicit Console(const ConsoleOptions& options)

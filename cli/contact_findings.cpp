@@ -33,7 +33,7 @@ Findings findings(const ElementSets& sets, const PairList& pairs) {
     ++of_first[pair.first];
     ++of_partners[pair.second];
     const double gap_here = pairs.gaps()[k];
-    // Of equal gaps the first in canonical order, whatever the order of the list.
+    // Among equal gaps the first in canonical order, whatever the order of the list.
     if (gap_here < found.smallest_gap ||
         (gap_here == found.smallest_gap &&
          std::tie(pair, shift) < std::tie(found.closest, found.shift))) {

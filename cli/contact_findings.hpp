@@ -16,7 +16,7 @@ struct Coordination {
   std::uint32_t highest = 0;
 };
 
-/// What one pass over the pairs tells.
+/// The results of one pass over the pairs.
 struct Findings {
   std::array<Coordination, 2> coordination;  ///< by set; of a single set the first
   double smallest_gap = std::numeric_limits<double>::infinity();

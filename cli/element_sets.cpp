@@ -34,7 +34,7 @@ void require_alike(const io::Snapshot& first, const io::Snapshot& second) {
                           first.name(), held_by(first), second.name(), held_by(second)));
 }
 
-/// Where a radius goes only to files without, one of them must be there.
+/// Requires that a file without radii is there where a radius goes only to such files.
 void require_use_of_radius(const InputOptions& input, const ElementSets& sets) {
   const bool is_used = sets.first.radius_is_common || sets.second->radius_is_common;
   const bool is_empty = sets.first.size() == 0 || sets.second->size() == 0;

@@ -7,7 +7,7 @@
 
 namespace abut::cli {
 
-/// Where the elements of a command come from that takes `FILE|SCENE`.
+/// The source of the elements of a command that takes a file or a scene.
 struct FileOrScene {
   InputOptions input;                  ///< a file, or with a count the name of a scene
   std::optional<std::uint64_t> count;  ///< elements of the scene

@@ -10,14 +10,14 @@
 
 namespace abut::cli {
 
-/// What is measured.
+/// The detection that is measured.
 struct Subject {
   Algorithm algorithm = Algorithm::rows;
   int threads = 0;  ///< asked for; 0: what OpenMP takes
   Form form = Form::canonical;
 };
 
-/// How much time a measurement may take.
+/// The time that a measurement may take.
 struct Effort {
   std::optional<std::size_t> repetitions;    ///< of the detection, after the first
   double seconds = 0.0;                      ///< for them, where their number is not given
@@ -25,7 +25,7 @@ struct Effort {
   std::vector<int> measured_threads;         ///< numbers of threads that need no measurement more
 };
 
-/// How one algorithm did in one form, or why it did not run. Seconds of one detection each.
+/// The result of one algorithm in one form, or why it did not run. Seconds of one detection each.
 struct Measurement {
   Subject subject;
   std::string refusal;                ///< empty if it ran

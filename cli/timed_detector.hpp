@@ -8,7 +8,7 @@
 
 namespace abut::cli {
 
-/// What a detection is asked for.
+/// The forms of results that a detection is asked for.
 enum class Form { canonical, as_found, count, half_list, full_list };
 [[nodiscard]] std::string_view name_of(Form form);
 
@@ -24,11 +24,11 @@ class TimedDetector {
   /// For the calls that follow.
   void set_progress(ProgressHook hook);
 
-  /// Of the last call.
+  /// Statistics of the last call.
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
 
-  /// Of the pairs of the last call in canonical order, without image shifts; empty if they were
-  /// only counted.
+  /// Digest of the pairs of the last call in canonical order, without image shifts; empty if they
+  /// were only counted.
   [[nodiscard]] std::string digest() const;
 
  private:

@@ -19,7 +19,7 @@ struct RecordedArray {
   std::vector<std::int32_t> values;
 };
 
-/// What an algorithm showed between one stage and the next.
+/// The arrays that an algorithm showed between one stage and the next.
 struct RecordedStage {
   std::string title;
   std::array<std::int32_t, 3> cell{};  ///< what it treats, -1 on axes without a number
@@ -27,7 +27,7 @@ struct RecordedStage {
   std::vector<trace::SearchStep> search_steps;
   std::vector<ContactPair> candidates;
 
-  /// Whether it treats one cell, row or layer.
+  /// Tells whether it treats one cell, row or layer.
   [[nodiscard]] bool is_of_a_place() const { return cell[0] >= 0 || cell[1] >= 0 || cell[2] >= 0; }
 };
 

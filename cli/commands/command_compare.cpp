@@ -38,7 +38,7 @@ struct Run {
   }
 };
 
-/// What all are compared on.
+/// The detection that all are compared on.
 struct Subject {
   const io::Snapshot& snapshot;
   const Domain& domain;

@@ -11,7 +11,7 @@
 
 namespace abut::cli {
 
-/// What `abut contacts` says about the pairs, beside writing them.
+/// The report of `abut contacts` about the pairs, beside writing them.
 enum class Report { summary, count, digest, json };
 
 struct ContactsOptions {

@@ -21,12 +21,12 @@ namespace {
 constexpr std::size_t text_width = 100;
 constexpr std::size_t most_elements = 1000;
 
-/// Where the arrays say the same, or no cell is looked at, the mapping is not shown beside them.
+/// Tells whether the mapping is shown: not where the arrays say the same, or no cell is looked at.
 bool shows_mapping(Algorithm algorithm) {
   return algorithm != Algorithm::direct_check && algorithm != Algorithm::sorting_array;
 }
 
-/// What the arrays alone do not say.
+/// A note on what the arrays alone do not say.
 std::string reading_note(Algorithm algorithm) {
   if (algorithm != Algorithm::binary_tree) return "";
   return "Nodes are numbered as they are made; the children at the last level are positions of "

@@ -100,7 +100,7 @@ inline CLI::Option* add_against(CLI::App& app, std::string& against) {
       against);
 }
 
-/// Who may pair.
+/// Adds the options of the rule that says who may pair.
 inline void add_rule(CLI::App& app, InputOptions& input, RuleOptions& rule) {
   CLI::Option* groups = add_name(
       app, "--groups", "NAME",

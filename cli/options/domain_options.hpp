@@ -10,7 +10,7 @@
 
 namespace abut::cli {
 
-/// What the command line says about the domain; the rest is the file's.
+/// The options of the command line about the domain; the rest is the file's.
 struct DomainOptions {
   std::optional<Axes> periodic;
   std::vector<double> box;      ///< lengths

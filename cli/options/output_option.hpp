@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-/// What -o asks of every command that writes a result.
+/// The option -o of every command that writes a result.
 namespace abut::cli {
 
 /// Throws Error{wrong_usage} if `output` is the file that is read, by whatever name, "-" included.

@@ -54,7 +54,7 @@ bool is_format_of_output(std::string_view format, const std::string& output) {
                   format, suffix));
 }
 
-/// How to search, whatever for.
+/// Adds the options of a search, whatever for.
 void add_search(CLI::App& app, Options& detection) {
   add_value(app, "--algorithm", "ALGORITHM", "one of 'abut algorithms', or auto, the default",
             [&detection](const std::string& text) { detection.algorithm = algorithm_given(text); });

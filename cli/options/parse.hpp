@@ -25,7 +25,7 @@ using Command = std::variant<HelpText, AlgorithmsOptions, BenchOptions, CompareO
                              CompletionOptions, ContactsOptions, ExplainOptions, GenerateOptions,
                              InfoOptions, NeighborsOptions, SceneListOptions, VersionOptions>;
 
-/// What the command line asks for. Throws Error{wrong_usage}.
+/// Returns the command that the command line asks for. Throws Error{wrong_usage}.
 [[nodiscard]] Command parse(int argc, const char* const* argv);
 
 }  // namespace abut::cli

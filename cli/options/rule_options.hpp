@@ -16,8 +16,8 @@
 
 namespace abut::cli {
 
-/// What the command line says about who may pair. The column of groups is one of the files' own:
-/// `InputOptions::groups`.
+/// The options of the command line about who may pair. The column of groups is one of the files'
+/// own: `InputOptions::groups`.
 struct RuleOptions {
   std::vector<std::array<std::uint32_t, 2>> denied;  ///< groups; none: each group with itself
   std::string exclude;                               ///< a file of pairs; empty: none

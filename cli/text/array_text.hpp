@@ -11,13 +11,13 @@
 
 namespace abut::cli {
 
-/// Where elements, cells and positions are counted from.
+/// The number from which elements, cells and positions are counted.
 enum class Numbering : std::int32_t {
   from_zero = 0,
   from_one = 1,  ///< as the book does
 };
 
-/// As written in the numbering; -1 stays, it means none.
+/// The value in the numbering; -1 stays, it means none.
 [[nodiscard]] std::int32_t numbered(std::int32_t value, Numbering numbering);
 
 /// A labelled row of numbers.

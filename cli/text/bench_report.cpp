@@ -79,7 +79,7 @@ std::string refusals_of(const std::vector<Measurement>& measurements) {
   return lines.empty() ? "" : "not run\n" + lines;
 }
 
-/// How often, and with what.
+/// The legend: how often was measured, and with what.
 std::string legend_of(const std::vector<Measurement>& measurements) {
   std::size_t least = 0;
   std::size_t most = 0;

@@ -47,7 +47,7 @@ std::string files_text(const ElementSets& sets) {
   return text;
 }
 
-/// Of both sets what `text_of(set, its number)` says of one.
+/// The texts that `text_of(set, its number)` gives of both sets.
 template <class Text>
 std::string of_each_set(const ElementSets& sets, const Text& text_of) {
   std::string text = text_of(sets.first, std::size_t{0});

@@ -20,7 +20,7 @@ struct Contacts {
   const Findings& found;
 };
 
-/// What people want to know about a packing at first sight.
+/// The summary that people want of a packing at first sight.
 [[nodiscard]] std::string contact_summary(const ContactsOptions& options, const Contacts& contacts,
                                           const PhaseSeconds& seconds);
 

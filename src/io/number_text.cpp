@@ -16,8 +16,8 @@ std::string_view without_plus(std::string_view text) noexcept {
   return plus ? text.substr(1) : text;
 }
 
-/// Whether a decimal text that no double holds is below the smallest one: its power of ten tells,
-/// since it is either far below -300 or far above 300.
+/// Tells whether a decimal text that no double holds is below the smallest one: its power of ten
+/// tells, since it is either far below -300 or far above 300.
 bool is_tiny(std::string_view text) noexcept {
   const std::size_t e = text.find_first_of("eE");
   const std::string_view mantissa = text.substr(0, e);

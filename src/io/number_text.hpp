@@ -21,7 +21,8 @@ struct ParsedNumber {
 /// A decimal integer of 64 bits; the whole text must be the number.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text) noexcept;
 
-/// What is wrong with a text that should be a number, and what to do: "'abc' is not a number; ...".
+/// A sentence on what is wrong with a text that should be a number, and what to do: "'abc' is not a
+/// number; ...".
 [[nodiscard]] std::string number_complaint(std::string_view text, NumberFault fault);
 
 }  // namespace abut::io

@@ -34,7 +34,7 @@ bool is_hidden(char32_t code) noexcept {
   });
 }
 
-/// Of the UTF-8 sequence that begins with this byte; 0 if none does.
+/// Length of the UTF-8 sequence that begins with this byte; 0 if none does.
 std::size_t sequence_length(unsigned char first) noexcept {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first <= 0xDF) return 2;

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-/// How text that is not the project's own (names of files and columns, values, arguments) is shown:
-/// a terminal must neither obey it nor take it for another message.
+/// The form in which text that is not the project's own (names of files and columns, values,
+/// arguments) is shown: a terminal must neither obey it nor take it for another message.
 namespace abut::io {
 
 /// The character that a text begins with.

@@ -85,7 +85,6 @@ class WallGrid {
   exact::Box<3> around_{};  ///< all that is within reach of a part
   double origin_[3] = {};
   double inverse_[3] = {};  ///< of the length of a cell
-  double end_[3] = {};      ///< number of cells
   std::size_t size_[3] = {};
   base::Array<std::uint64_t> occupied_;  ///< a bit for each cell
   base::Array<std::uint64_t> begin_;     ///< places of the parts of each cell

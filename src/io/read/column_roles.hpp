@@ -11,7 +11,7 @@
 
 namespace abut::io {
 
-/// What a column of a table of elements holds.
+/// The roles that a column of a table of elements may have.
 enum class ColumnRole : std::uint8_t {
   other,
   x,
@@ -47,10 +47,10 @@ struct TableColumns {
 /// Names of the columns of the coordinates, x first.
 using AxisNames = std::array<std::string_view, 3>;
 
-/// Whether radii are looked for; where one radius is given for all they need not be there.
+/// The use of a column of radii; where one radius is given for all it need not be there.
 enum class RadiusColumn { required, optional, ignored };
 
-/// What is wanted of a table beside coordinates and ids.
+/// Columns that are wanted of a table beside coordinates and ids.
 struct WantedColumns {
   RadiusColumn radius = RadiusColumn::required;
   std::string_view groups;  ///< name of the column of groups; empty: none
@@ -68,7 +68,7 @@ struct WantedColumns {
 /// Whether these are names of columns of elements: `x` and `y`, or ends of boxes.
 [[nodiscard]] bool names_coordinates(std::span<const std::string> names);
 
-/// Whether a table without `x` and `y` names ends of boxes.
+/// Tells whether a table without `x` and `y` names ends of boxes.
 [[nodiscard]] bool names_boxes(std::span<const std::string> names);
 
 /// Finds the corners of boxes, `xmin`, `ymin`, `xmax`, `ymax`, in 3D also `zmin` and `zmax`, `id`

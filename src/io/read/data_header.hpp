@@ -10,7 +10,7 @@
 
 namespace abut::io {
 
-/// What a LAMMPS data file says before its atoms.
+/// The header of a LAMMPS data file, before its atoms.
 struct DataHeader {
   std::optional<std::uint64_t> count;            ///< of atoms; there once the header has been read
   bool has_atoms = false;                        ///< whether there is a section Atoms
@@ -26,7 +26,7 @@ struct DataHeader {
 /// or a second section Atoms follow.
 void require_no_more_atoms(LineReader& reader, std::uint64_t count);
 
-/// Whether a text that is not empty begins as a number does.
+/// Tells whether a text that is not empty begins as a number does.
 [[nodiscard]] bool begins_with_number(std::string_view text);
 
 /// A line without its comment and the blanks around it.

@@ -32,7 +32,7 @@ BoxLine read_box_line(LineReader& reader, std::size_t fields) {
   return numbers;
 }
 
-/// What stands between "ITEM: BOX BOUNDS" and the boundaries.
+/// The words between "ITEM: BOX BOUNDS" and the boundaries.
 std::vector<std::string> words_of(DumpBox::Cell cell) {
   if (cell == DumpBox::Cell::triclinic) return {"xy", "xz", "yz"};
   if (cell == DumpBox::Cell::general) return {"abc", "origin"};

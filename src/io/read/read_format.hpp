@@ -7,7 +7,7 @@
 
 namespace abut::io {
 
-/// What the options want of a table.
+/// The columns that the options want of a table.
 [[nodiscard]] inline WantedColumns wanted_columns(const ReadOptions& options) {
   RadiusColumn radius = RadiusColumn::required;
   if (options.radius) {

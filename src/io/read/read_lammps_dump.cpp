@@ -31,7 +31,7 @@ constexpr std::string_view units = "ITEM: UNITS";
 constexpr std::string_view number_of_atoms = "ITEM: NUMBER OF ATOMS";
 constexpr std::string_view box_bounds = "ITEM: BOX BOUNDS";
 
-/// What stands above the atoms of a frame.
+/// The header above the atoms of a frame.
 struct FrameHeader {
   std::optional<std::uint64_t> count;
   std::optional<DumpBox> box;
@@ -53,7 +53,7 @@ std::string one_field(LineReader& reader, std::string_view line) {
   return fields[0];
 }
 
-/// If the line is the section of that name, the rest of the line.
+/// The rest of the line, if it is the section of that name.
 std::optional<std::string_view> section(std::string_view line, std::string_view name) {
   if (!line.starts_with(name)) return std::nullopt;
   const std::string_view rest = line.substr(name.size());
@@ -61,7 +61,7 @@ std::optional<std::string_view> section(std::string_view line, std::string_view 
   return rest;
 }
 
-/// If the line is the section of that name, which has no further words, that it is.
+/// Tells whether the line is the section of that name, which has no further words.
 bool is_section(const LineReader& reader, std::string_view line, std::string_view name) {
   const auto rest = section(line, name);
   if (!rest) return false;

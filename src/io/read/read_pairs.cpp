@@ -21,7 +21,7 @@
 namespace abut::io {
 namespace {
 
-/// Where the numbers of a pair stand.
+/// The columns in which the numbers of a pair stand.
 struct PairColumns {
   Separator separator;
   std::size_t count = 0;

@@ -9,7 +9,7 @@
 
 namespace abut::io {
 
-/// How many elements there are for the numbers of a pair to name.
+/// Numbers of elements that the numbers of a pair may name.
 struct ElementCounts {
   std::size_t first = 0;
   std::size_t second = 0;

@@ -13,13 +13,13 @@
 
 namespace abut::io {
 
-/// What one radius for all elements does where the file names radii.
+/// The use of one radius for all elements where the file names radii.
 enum class RadiusUse { in_place_of_own, where_none_is_named };
 
-/// Whether a file of one frame must have the frame that is asked for.
+/// The treatment of a file of one frame when another frame is asked for.
 enum class LoneFrame { by_its_number, always_taken };
 
-/// Whether the columns that may hold groups are sought.
+/// The columns that may hold groups are sought, or not.
 enum class GroupColumns { not_sought, sought };
 
 /// What the elements are read for. A description takes files that a detection must refuse: without

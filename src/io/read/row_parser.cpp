@@ -34,7 +34,7 @@ std::optional<std::uint32_t> parse_group(std::string_view text) noexcept {
   return group;
 }
 
-/// Whether a table says how large its elements are.
+/// Tells whether a table names sizes of its elements.
 bool names_sizes(const TableColumns& columns) {
   return columns.hold_boxes() || columns.has(ColumnRole::radius) ||
          columns.has(ColumnRole::diameter);

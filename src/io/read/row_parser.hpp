@@ -11,7 +11,7 @@
 
 namespace abut::io {
 
-/// How the fields of a row are set apart: by one character, or by any stretch of blanks.
+/// The separator of the fields of a row: by one character, or by any stretch of blanks.
 enum class Separator : char { comma = ',', semicolon = ';', tab = '\t', blanks = ' ' };
 
 /// Walks the fields of a row, without the blanks around them.
@@ -21,8 +21,8 @@ class FieldCursor {
 
   [[nodiscard]] std::optional<std::string_view> next();
 
-  /// Whether a quote was opened and not closed before the end of a field: of a field over several
-  /// lines, which is not read, or a fault.
+  /// Tells whether a quote was opened and not closed before the end of a field: of a field over
+  /// several lines, which is not read, or a fault.
   [[nodiscard]] bool met_odd_quote() const noexcept { return met_odd_quote_; }
 
  private:
@@ -34,7 +34,7 @@ class FieldCursor {
   bool met_odd_quote_ = false;
 };
 
-/// Whether a snapshot can do without the file's ids if they are not whole numbers.
+/// The rule whether a snapshot can do without the file's ids if they are not whole numbers.
 enum class IdRule { must_be_integers, dropped_unless_integers };
 
 /// Appends the elements of a table to a snapshot, row by row. Throws Error{invalid_input}.
@@ -54,7 +54,7 @@ class RowParser {
   void append_group(std::size_t column, std::string_view field);
   /// Columns with a field that is no group are candidates no more.
   void look_at_candidate(std::size_t column, std::string_view field);
-  /// What stands for the box of the row in pictures and summaries.
+  /// Appends the sphere that stands for the box of the row in pictures and summaries.
   void append_stand_in();
   [[nodiscard]] std::vector<double>& column_of(ColumnRole role) const;
 

@@ -9,7 +9,7 @@
 
 namespace abut::io {
 
-/// How one frame of a format is passed over and read. The reader stands at its first line.
+/// The ways to pass over and to read one frame of a format. The reader stands at its first line.
 struct FrameFormat {
   std::function<void(LineReader&)> skip;
   std::function<Snapshot(LineReader&)> read;

@@ -37,7 +37,7 @@ struct KeyValue {
   std::string_view value;
 };
 
-/// Where the value ends that begins with an opening character: at the one that closes it. Brackets
+/// The end of the value that begins with an opening character: at the one that closes it. Brackets
 /// may lie in each other, and a backslash takes the meaning from a quote.
 std::size_t end_of_value(std::string_view text) {
   const char open = text.front();
@@ -173,7 +173,7 @@ std::array<std::array<double, 3>, 3> parse_lattice(const LineReader& reader,
   return lattice;
 }
 
-/// Whether one of the keys that are read stands there before the sign "=".
+/// Tells whether one of the keys that are read stands there before the sign "=".
 bool holds_known_key(std::string_view line) {
   const std::string folded = lower(line);
   for (const std::string_view key : {"properties", "lattice", "pbc"}) {

@@ -10,7 +10,7 @@
 
 namespace abut::io {
 
-/// What the second line of a frame of (extended) XYZ says.
+/// The facts that the second line of a frame of (extended) XYZ states.
 struct XyzComment {
   /// The columns of the atoms, the coordinates named x, y, z; nothing in a plain file.
   std::optional<std::vector<std::string>> columns;

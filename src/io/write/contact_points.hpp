@@ -44,7 +44,7 @@ class ContactPoints {
            elements_.partners().ids.size() == elements_.partners().size();
   }
 
-  /// Where element j of a pair stands.
+  /// The point of element j of a pair.
   [[nodiscard]] std::uint64_t of_partner(ElementIndex j) const {
     return have_sets() ? elements_.first.size() + j : j;
   }
@@ -62,7 +62,7 @@ class ContactPoints {
                           : PlacedElement{elements_.partners(), place - firsts};
   }
 
-  /// Of an image rounded, for pictures.
+  /// Position of a point, of an image rounded, for pictures.
   [[nodiscard]] std::array<double, 3> position(std::uint64_t point) const {
     std::array<double, 3> position = element(point).position();
     if (point < first_image()) return position;

@@ -29,7 +29,7 @@ struct QuantityColumns {
   }
 };
 
-/// What every format of contacts writes from, and the way out.
+/// The contacts that every format writes from, and the way out.
 class ContactWriter {
  public:
   ContactWriter(const ContactOutput& output, const ContactElements& elements,
@@ -43,7 +43,7 @@ class ContactWriter {
   [[nodiscard]] bool with_ids() const noexcept { return with_ids_; }
   [[nodiscard]] bool is_periodic() const noexcept { return images_.domain.is_periodic(); }
   [[nodiscard]] const Domain& domain() const noexcept { return images_.domain; }
-  /// Of pair k; zeros in an open domain.
+  /// Shift of pair k; zeros in an open domain.
   [[nodiscard]] ImageShift shift(std::uint64_t k) const {
     return is_periodic() ? images_.shifts[k] : ImageShift{};
   }

@@ -6,10 +6,10 @@
 
 namespace abut::io {
 
-/// Whether the writing is to be given up.
+/// Answers whether the writing is to be given up.
 using GiveUp = std::function<bool()>;
 
-/// How sure it is that output which was written outlives a stop of the machine.
+/// Certainty that output which was written outlives a stop of the machine.
 enum class Durability {
   synced,          ///< as sure as the place can make it
   name_not_synced  ///< the file is there, but syncing its folder failed: the old one may come back

@@ -18,7 +18,7 @@ inline void append_shortest(double value, std::string& text) {
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }
 
-/// As printf's %.17g in the C locale.
+/// Appends a number as printf's %.17g does in the C locale.
 inline void append_17_digits(double value, std::string& text) {
   char digits[32];
   const auto form = std::chars_format::general;

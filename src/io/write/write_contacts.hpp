@@ -22,7 +22,7 @@ enum class ContactFormat { csv, json, vtp };
 /// Throws Error{wrong_usage} naming the formats there are.
 [[nodiscard]] ContactFormat contact_format(std::string_view name, std::string_view path);
 
-/// Whether columns with the file's own ids are added.
+/// Columns with the file's own ids are added, or not.
 enum class IdColumns { without, with };
 
 struct ContactOutput {
@@ -46,7 +46,7 @@ struct ContactElements {
   [[nodiscard]] const Snapshot& partners() const noexcept {
     return second != nullptr ? *second : first;
   }
-  /// Of all sets.
+  /// Number of elements of all sets.
   [[nodiscard]] std::size_t size() const noexcept {
     return first.size() + (second != nullptr ? second->size() : 0);
   }

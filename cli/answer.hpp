@@ -33,7 +33,8 @@ void require_equal(std::span<const Answer> answers);
 /// limit was the reason.
 [[nodiscard]] std::string refusal(const Error& error);
 
-/// The same as an indented line that names the algorithm, where the sentence does not begin so.
+/// Returns that sentence as an indented line that names the algorithm, where the sentence does not
+/// begin so.
 [[nodiscard]] std::string refusal_line(std::string_view name, const std::string& refusal);
 
 }  // namespace abut::cli

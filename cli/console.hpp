@@ -27,7 +27,7 @@ class Console {
   /// A line beginning with "abut: ", unless quiet.
   void note(std::string_view sentence);
 
-  /// The same, quiet or not: the result may not be what was meant.
+  /// Writes a warning, quiet or not: the result may not be what was meant.
   void warn(std::string_view sentence);
 
   [[nodiscard]] ProgressHook progress() { return display_.hook(); }

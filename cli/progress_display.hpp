@@ -23,7 +23,7 @@ class ProgressDisplay {
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// To be handed to the work; valid as long as the display.
+  /// Returns the hook for the work, which is valid as long as the display.
   [[nodiscard]] ProgressHook hook();
 
   [[nodiscard]] bool is_shown() const noexcept { return mode_ != ProgressMode::none; }

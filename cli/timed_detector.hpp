@@ -21,7 +21,7 @@ class TimedDetector {
   /// One detection; its wall-clock time in seconds.
   [[nodiscard]] double call();
 
-  /// For the calls that follow.
+  /// Sets the progress hook for the calls that follow.
   void set_progress(ProgressHook hook);
 
   /// Statistics of the last call.

@@ -10,7 +10,7 @@
 namespace abut::cli {
 namespace {
 
-/// For all repetitions together, where their number is not given.
+/// Seconds for all repetitions together, where their number is not given.
 constexpr double seconds_in_all = 4.0;
 
 /// Other algorithms than `rows` that take longer are left out unless asked for.

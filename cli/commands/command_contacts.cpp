@@ -22,7 +22,7 @@
 namespace abut::cli {
 namespace {
 
-/// By name, else by suffix, else CSV.
+/// Returns the format by its name, else by the suffix, else CSV.
 io::ContactFormat output_format(const ContactsOptions& options) {
   const bool has_suffix = std::filesystem::path(options.output).has_extension();
   if (options.output_format.empty() && !has_suffix) return io::ContactFormat::csv;

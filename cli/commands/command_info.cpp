@@ -111,7 +111,7 @@ std::string numbers_text(const io::ColumnDescription& column, std::uint64_t rows
              : fmt::format("{} in {} of {}", range, grouped(column.numbers), counted(rows, "row"));
 }
 
-/// Of a table that a detection would refuse.
+/// Describes a table that a detection would refuse.
 std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot,
                     const io::TableDescription& described) {
   constexpr std::size_t most = 40;

@@ -10,7 +10,7 @@
 namespace abut::cli {
 namespace {
 
-/// Whether a text is a number of that kind and nothing else.
+/// Tells whether a text is a number of that kind and nothing else.
 template <class Number>
 bool is_read(std::string_view text, Number& value) {
   const char* const end = text.data() + text.size();
@@ -18,7 +18,8 @@ bool is_read(std::string_view text, Number& value) {
   return error == std::errc{} && stop == end;
 }
 
-/// What `named` makes of a name; where it throws, the name that was probably meant is added.
+/// Returns what `named` makes of a name; where it throws, the name that was probably meant is
+/// added.
 template <class Named>
 auto with_suggestion(Named named, const std::string& text, const std::vector<std::string>& names) {
   try {

@@ -42,7 +42,7 @@ template <class Number>
 /// A number of things: whole, in digits or as 1e6.
 [[nodiscard]] std::uint64_t count(std::string_view option, std::string_view text);
 
-/// The same, at least 1.
+/// Reads such a number, which is at least 1.
 [[nodiscard]] std::uint64_t positive(std::string_view option, std::string_view text);
 
 /// A number of threads; 0 leaves it to the library.
@@ -57,7 +57,7 @@ template <class Number>
 /// Quantities of pairs with commas between them.
 [[nodiscard]] Quantities quantities_named(std::string_view option, std::string_view text);
 
-/// By name, as the library does it, with the name that was probably meant.
+/// Reads an algorithm by name, as the library does it, with the name that was probably meant.
 [[nodiscard]] Algorithm algorithm_given(const std::string& text);
 [[nodiscard]] Simd simd_given(const std::string& text);
 

@@ -16,7 +16,8 @@ namespace abut::cli {
 
 namespace {
 
-/// Nothing where no file is. Links are followed; "-" is the standard stream of that number.
+/// Returns the state of a file, or nothing where no file is. Links are followed; "-" is the
+/// standard stream of that number.
 std::optional<struct stat> status_of(const std::string& path, int standard_stream) {
   struct stat status {};
   const int result =

@@ -39,8 +39,8 @@ bool is_contact_format(std::string_view name) {
   return name == "csv" || name == "json" || name == "vtp";
 }
 
-/// Whether --format is that of the output. A file must hold what its name says: beside a name of
-/// another format "csv" is that of the input, and the others are refused.
+/// Tells whether --format is that of the output. A file must hold what its name says: beside a name
+/// of another format "csv" is that of the input, and the others are refused.
 bool is_format_of_output(std::string_view format, const std::string& output) {
   if (output.empty() || !is_contact_format(format)) return false;
   const std::string suffix = output == "-" ? "" : io::suffix_of(output);

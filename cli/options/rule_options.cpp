@@ -46,7 +46,7 @@ class DeniedGroups {
     return numbers;
   }
 
-  /// Those that no element was of, "7 and 9"; empty where there are none.
+  /// Names those that no element was of, "7 and 9"; empty where there are none.
   [[nodiscard]] std::string not_met() const {
     std::string text;
     for (std::size_t k = 0; k < names_.size(); ++k) {

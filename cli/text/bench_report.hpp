@@ -20,7 +20,7 @@ namespace abut::cli {
 [[nodiscard]] std::string bench_text(const ElementSets& sets, const LoadedRule& rule,
                                      const std::vector<Measurement>& measurements);
 
-/// The same and more as one JSON object.
+/// Returns the report, and more, as one JSON object.
 [[nodiscard]] std::string bench_json(const io::Snapshot& snapshot,
                                      const std::vector<Measurement>& measurements);
 

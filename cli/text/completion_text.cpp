@@ -36,7 +36,8 @@ std::vector<std::string> algorithm_names() {
   return names;
 }
 
-/// By the type of an option or the name of a word: "ALGORITHM", "FILE|SCENE", "bash|zsh".
+/// Returns the values by the type of an option or the name of a word: "ALGORITHM", "FILE|SCENE",
+/// "bash|zsh".
 Values values_of(const OptionEntry& option) {
   Values values;
   for (const std::string& part :
@@ -74,8 +75,8 @@ std::string bash_values(const Values& values) {
                      quoted_once(fmt::format("{}", fmt::join(values.words, " "))));
 }
 
-/// What stands behind "COMMAND)": the values of the option before, or the names of options, or what
-/// its words may be.
+/// Writes what stands behind "COMMAND)": the values of the option before, or the names of options,
+/// or what its words may be.
 std::string bash_command(const CommandEntry& command) {
   std::string values;
   std::vector<std::string> names;

@@ -258,7 +258,7 @@ template <class... Args>
 concept raw_pointers_tell_no_size_pass_std_span = (std::is_pointer_v<std::remove_cvref_t<Args>> ||
                                                    ...);
 
-/// Whether a type is an array of T, or of points of T.
+/// Tells whether a type is an array of T, or of points of T.
 template <class X, class T>
 inline constexpr bool holds = false;
 template <ColumnLike X, class T>

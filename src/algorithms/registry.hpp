@@ -33,8 +33,8 @@ struct EntryPoints {
   void (*on_elements)(const AlgorithmInput<Dim>&, base::PairSink&,
                       base::DetectionContext&) = nullptr;
 
-  /// In a periodic domain; null where that is not supported. The array holds the spheres of the
-  /// elements; the search may append ghosts, and takes them away again.
+  /// The search in a periodic domain; null where that is not supported. The array holds the spheres
+  /// of the elements; the search may append ghosts, and takes them away again.
   void (*on_images)(const AlgorithmInput<Dim>&, base::Array<exact::Sphere<Dim>>& spheres,
                     const exact::Lattice&, base::PairSink&, base::DetectionContext&) = nullptr;
 

@@ -69,8 +69,8 @@ template <class T>
   return Array<T>(size, MeteredAllocator<T>(meter));
 }
 
-/// At least `size` elements of any value. What was there is dropped where it must grow, so that
-/// nothing is copied; it never shrinks, so that a second use allocates nothing.
+/// An array of at least `size` elements of any value. What was there is dropped where it must grow,
+/// so that nothing is copied; it never shrinks, so that a second use allocates nothing.
 template <class T>
 void make_room(Array<T>& array, std::size_t size) {
   if (array.size() >= size) return;

@@ -33,7 +33,7 @@ class MemoryMeter {
     held_ -= bytes;
   }
 
-  /// The same for the list of pairs that is the result, which is not a working array.
+  /// Counts bytes of the list of pairs that is the result, which is not a working array.
   void take_for_pairs(std::uint64_t bytes);
   void give_back_pairs(std::uint64_t bytes) noexcept { held_ -= bytes; }
 

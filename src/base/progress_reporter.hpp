@@ -72,9 +72,9 @@ class ProgressReporter {
     if (is_stopped()) throw Stopped();
   }
 
-  /// On the caller's thread, which has nothing more to do: asks while `busy` other workers do.
+  /// Asks, on the caller's thread, which has nothing more to do, while `busy` other workers do.
   void ask_while(const std::atomic<std::size_t>& busy);
-  /// To be called when `busy` has become 0.
+  /// Ends ask_while, when `busy` has become 0.
   void wake() noexcept {
     ++news_;
     news_.notify_one();
@@ -87,7 +87,7 @@ class ProgressReporter {
   }
   void rest() noexcept { stopped_.store(false, std::memory_order_relaxed); }
 
-  /// On the caller's thread when all workers are done: counts what they did, too.
+  /// Counts what all workers did, on the caller's thread, when they are done.
   void join();
 
  private:

@@ -64,7 +64,7 @@ class DetectionRun {
   Statistics list(const DetectionRequest& request, const lists::PairDemand& demand,
                   ListWriter&& write);
 
-  /// With what results are written, and where it is told what that takes.
+  /// The workers that write results, and the meter and clock that are told what that takes.
   struct Writing {
     std::size_t workers;
     base::DetectionContext& context;

@@ -20,10 +20,10 @@ double clamped(double value) noexcept {
   return std::clamp(value, -largest_double, largest_double);
 }
 
-/// Larger numbers might overflow when they are split for an exact product.
+/// The largest number that cannot overflow when it is split for an exact product.
 constexpr double largest_summed = 0x1p900;
 
-/// moved_sum for any numbers.
+/// Returns what moved_sum does, for numbers of any size.
 template <int Dim>
 DoubleDouble any_sum(std::initializer_list<double> numbers, const LatticeSteps<Dim>& steps,
                      std::size_t axis, double scale) noexcept {
@@ -60,7 +60,7 @@ struct BoxEnds {
   double a_lower, a_upper, b_lower, b_upper;
 };
 
-/// From center to center, on one axis.
+/// Returns the vector from center to center on one axis.
 template <int Dim>
 DoubleDouble between_centers(const BoxEnds& ends, const LatticeSteps<Dim>& steps,
                              std::size_t axis) noexcept {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double largest_double = std::numeric_limits<double>::max();
 
-/// Larger numbers might overflow when they are split for an exact product.
+/// The largest number that cannot overflow when it is split for an exact product.
 constexpr double largest_summed = 0x1p900;
 
 /// Tells whether a component of v is neither so large nor so small that its square leaves the

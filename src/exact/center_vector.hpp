@@ -31,8 +31,8 @@ template <int Dim>
   return {high, sum.rounded()};
 }
 
-/// The same for any numbers, unscaled. Where it exceeds the largest double, `high` is infinite and
-/// `low` is 0.
+/// Returns that component for numbers of any size, unscaled. Where it exceeds the largest double,
+/// `high` is infinite and `low` is 0.
 template <int Dim>
 [[nodiscard]] DoubleDouble any_component(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                          const LatticeSteps<Dim>& steps, int axis) noexcept {

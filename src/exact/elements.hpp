@@ -26,14 +26,14 @@ struct Elements {
   [[nodiscard]] bool are_boxes() const noexcept { return !boxes.empty(); }
   [[nodiscard]] const Sphere<Dim>& operator[](std::size_t k) const noexcept { return spheres[k]; }
 
-  /// The contract, by whatever the elements are.
+  /// Decides the contract for a and b, which are spheres or boxes.
   [[nodiscard]] bool within_reach(std::size_t a, std::size_t b, double margin,
                                   std::uint64_t& exact_decisions) const noexcept {
     return are_boxes() ? exact::within_reach(boxes[a], boxes[b], margin, exact_decisions)
                        : exact::within_reach(spheres[a], spheres[b], margin, exact_decisions);
   }
 
-  /// The contract with a lattice, of a and the image of b that `shift` names.
+  /// Decides the contract with a lattice, for a and the image of b that `shift` names.
   [[nodiscard]] bool within_reach(std::size_t a, std::size_t b, const ImageShift& shift,
                                   const Lattice& lattice, double margin,
                                   std::uint64_t& exact_decisions) const noexcept {
@@ -43,7 +43,7 @@ struct Elements {
                                      exact_decisions);
   }
 
-  /// The same of an image that is no pair which could be told: its shift exceeds 32 bits.
+  /// Decides it for an image that no pair can name, since its shift exceeds 32 bits.
   [[nodiscard]] bool far_image_within_reach(std::size_t a, std::size_t b, const FarShift& shift,
                                             const Lattice& lattice, double margin) const noexcept {
     return are_boxes()

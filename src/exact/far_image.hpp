@@ -20,7 +20,7 @@ template <int Dim>
                                           const FarShift& shift, const Lattice& lattice,
                                           double margin) noexcept;
 
-/// The same of boxes.
+/// Tells it of boxes.
 template <int Dim>
 [[nodiscard]] bool far_image_within_reach(const Box<Dim>& a, const Box<Dim>& b,
                                           const FarShift& shift, const Lattice& lattice,

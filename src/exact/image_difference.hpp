@@ -25,7 +25,8 @@ template <int Dim>
   return difference;
 }
 
-/// The same of numbers of any size, rounded once; infinite beyond the largest double.
+/// Returns that component for numbers of any size, rounded once; infinite beyond the largest
+/// double.
 template <int Dim>
 [[nodiscard]] double rounded_difference(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                         const LatticeSteps<Dim>& steps, int axis) noexcept {

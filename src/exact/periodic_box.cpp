@@ -14,7 +14,7 @@
 namespace abut::exact {
 namespace {
 
-/// Which box of a pair is moved.
+/// The box of a pair that is moved.
 enum class Moved { first, second };
 
 /// The distance by which, on one axis, the first box begins behind the end of the second: lower -
@@ -35,16 +35,16 @@ class Excess {
     return sum.rounded() ? accumulated(margin).sign() <= 0 : sum.value().high <= 0.0;
   }
 
-  /// To the nearest double, ties to even.
+  /// Returns the excess to the nearest double, ties to even.
   [[nodiscard]] double rounded() const noexcept {
     const CompensatedSum sum = in_doubles(0.0);
     return sum.rounded() ? accumulated(0.0).rounded() : sum.value().high;
   }
 
  private:
-  /// Less the margin. Products of an integer and a double lose nothing by underflow: all are
-  /// multiples of the last bit of the double. An overflow leaves an infinity or a NaN among the
-  /// rounding errors.
+  /// Returns the excess less the margin as a compensated sum. Products of an integer and a double
+  /// lose nothing by underflow: all are multiples of the last bit of the double. An overflow leaves
+  /// an infinity or a NaN among the rounding errors.
   [[nodiscard]] CompensatedSum in_doubles(double margin) const noexcept {
     CompensatedSum sum;
     sum.add(lower_);

@@ -14,7 +14,7 @@ template <int Dim>
 [[nodiscard]] bool within_reach_exactly(const Box<Dim>& a, const Box<Dim>& b,
                                         const LatticeSteps<Dim>& steps, double margin) noexcept;
 
-// THE BAND IS ABSOLUTE, as that of spheres is (base/periodic_predicate.hpp). On one axis t = n A is
+// THE BAND IS ABSOLUTE, as that of spheres is (periodic_predicate.hpp). On one axis t = n A is
 // a sum of at most three products, and lo_a - hi_b - t - margin takes three more subtractions; so
 // does lo_b - hi_a + t - margin. With m the sum of the magnitudes of all that is added up, u =
 // 2^-53, each of at most five additions is off by u m (1 + 6 u), and the products together by u m:

@@ -14,7 +14,7 @@
 namespace abut::exact {
 namespace {
 
-/// Sums of larger numbers, or their products by a shift, might overflow or lose bits in Dekker's
+/// The largest number whose sums and products by a shift neither overflow nor lose bits in Dekker's
 /// splitting: n A is below 2^1055.
 constexpr double largest_summed = 0x1p900;
 

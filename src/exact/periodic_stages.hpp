@@ -8,7 +8,7 @@
 /// so that tests can enter it. A stage that cannot tell returns nothing; the last always decides.
 namespace abut::exact {
 
-/// Decides, if x_a - x_b - n A is a double on every axis and no step towards it rounds, the
+/// Stage 1 decides, if x_a - x_b - n A is a double on every axis and no step towards it rounds, the
 /// question of open space, with a at this difference and b at the origin.
 template <int Dim>
 [[nodiscard]] std::optional<bool> decide_if_difference_is_exact(const Sphere<Dim>& a,
@@ -16,14 +16,15 @@ template <int Dim>
                                                                 const LatticeSteps<Dim>& steps,
                                                                 double margin) noexcept;
 
-/// Pairs of doubles, unless distance and reach are equal to some 28 digits of the largest number.
+/// Stage 2: pairs of doubles, unless distance and reach are equal to some 28 digits of the largest
+/// number.
 template <int Dim>
 [[nodiscard]] std::optional<bool> decide_in_double_double(const Sphere<Dim>& a,
                                                           const Sphere<Dim>& b,
                                                           const LatticeSteps<Dim>& steps,
                                                           double margin) noexcept;
 
-/// The long accumulator.
+/// Stage 3: the long accumulator.
 template <int Dim>
 [[nodiscard]] bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                       const LatticeSteps<Dim>& steps, double margin) noexcept;

@@ -77,7 +77,7 @@ double (*rows_of(std::span<Vector> vectors))[3] {
   return reinterpret_cast<double(*)[3]>(vectors.data());
 }
 
-/// At most most_measured pairs, in vectors as far as these go.
+/// Measures at most most_measured pairs, in vectors as far as these go.
 template <int Dim>
 void measure_block(const MeasuredSets<Dim>& sets, std::span<const ContactPair> pairs,
                    std::span<const ImageShift> shifts, const PairGeometrySpans& geometry) {

@@ -36,13 +36,13 @@ template <int Dim>
 void measure_some(const MeasuredSets<Dim>& sets, std::span<const ContactPair> pairs,
                   std::span<const ImageShift> shifts, const PairGeometrySpans& geometry);
 
-/// The same by several workers.
+/// Measures pairs by several workers.
 template <int Dim>
 void measure_pairs(const MeasuredSets<Dim>& sets, std::span<const ContactPair> pairs,
                    std::span<const ImageShift> shifts, const PairGeometrySpans& geometry,
                    std::size_t workers, base::WorkCounter& work);
 
-/// The same, one entry for each neighbor.
+/// Measures neighbors, one entry for each.
 template <int Dim>
 void measure_rows(const MeasuredSets<Dim>& sets, const MeasuredRows& rows,
                   const PairGeometrySpans& geometry, std::size_t workers, base::WorkCounter& work);

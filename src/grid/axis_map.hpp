@@ -39,7 +39,8 @@ class AxisMap {
   }
 
  private:
-  /// No element lies before its segment: truncation is floor.
+  /// Returns how many whole cells lie between. No element lies before its segment, so that
+  /// truncation is floor.
   [[nodiscard]] std::int32_t cells_between(double start, double scaled) const noexcept {
     return static_cast<std::int32_t>((scaled - start) * inverse_cell_size_);
   }

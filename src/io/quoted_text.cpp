@@ -68,7 +68,7 @@ std::vector<Shown> first_shown(std::string_view text, std::size_t most) {
   return characters;
 }
 
-/// As many of the characters, in their order, as are no wider than `most` together.
+/// Returns as many of the characters, in their order, as are no wider than `most` together.
 template <class Iterator>
 std::vector<Iterator> fitting(Iterator begin, Iterator end, std::size_t most) {
   std::vector<Iterator> taken;

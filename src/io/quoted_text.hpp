@@ -16,8 +16,8 @@ struct Character {
   bool is_visible = false;  ///< whether a terminal shows it and does nothing else
 };
 
-/// Of a text that is not empty. Controls, characters that turn the direction of writing or have no
-/// width, and bytes that are no UTF-8 are not visible.
+/// Returns the first character of a text that is not empty. Controls, characters that turn the
+/// direction of writing or have no width, and bytes that are no UTF-8 are not visible.
 [[nodiscard]] Character first_character(std::string_view text) noexcept;
 
 /// The text with \xNN for each byte of what is not visible in ASCII or no UTF-8, \u{NNNN} for other

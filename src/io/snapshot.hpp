@@ -39,8 +39,8 @@ struct Snapshot {
   std::vector<std::string> group_columns;  ///< that may be asked for; empty unless they are sought
   bool radius_is_common = false;           ///< the caller's, not the file's
 
-  /// Of boxes x, y, z are rounded centers and `radius` is half the widest side, for pictures and
-  /// summaries.
+  /// The shape of all elements. Of boxes x, y, z are rounded centers and `radius` is half the
+  /// widest side, for pictures and summaries.
   Shape shape = Shape::sphere;
 
   /// Corners of boxes, by axis; empty where the elements are spheres.

@@ -5,8 +5,8 @@
 
 namespace abut::kernels {
 
-/// For each set of lanes out of eight: those lanes first, then the others, in eight bytes. Vectors
-/// of four lanes use the first sixteen rows.
+/// The orders of lanes for each set out of eight: those lanes first, then the others, in eight
+/// bytes. Vectors of four lanes use the first sixteen rows.
 ///
 /// Highway 1.0.3 has the like as a local array, which GCC 12 copies to the stack at every use.
 inline constexpr auto compress_table = [] {

@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #include "kernels/simd_spheres-inl.hpp"
 
-/// Which pairs a stage decided, and how.
+/// The pairs that a stage decided, and how.
 struct Decision {
   Mask known;
   Mask within;

@@ -65,7 +65,7 @@ class TileSearch {
     return runs <= few_runs * static_cast<float>(run_count - 1);
   }
 
-  /// From a cell to the cell above it in the row of run k.
+  /// The step from a cell to the cell above it in the row of run k.
   [[nodiscard]] static constexpr std::ptrdiff_t step_to(std::size_t k, std::ptrdiff_t row,
                                                         std::ptrdiff_t layer) {
     if (k < 2) return k == 0 ? 0 : row;
@@ -104,7 +104,7 @@ class TileSearch {
   /// The runs of a copy in cell x of its row: own elements only.
   class AheadOfCopy {
    public:
-    /// Other copies may follow.
+    /// Lanes behind the end of a run may hold other copies, which must not be found.
     static constexpr bool harmless_beyond = false;
 
     AheadOfCopy(const RowsAhead& rows, std::int32_t x, std::int32_t last_own)
@@ -143,7 +143,8 @@ class TileSearch {
     tester_.take_now_and_then();
   }
 
-  /// All own elements of the row in one loop: cells have few, and how many cannot be foreseen.
+  /// Tests all own elements of the row in one loop: cells have few, and how many cannot be
+  /// foreseen.
   void test_directly(const std::uint32_t* row) {
     tester_.test_all(row[1], row[tile_.cells[0] + 1],
                      [cell = tile_.cell, begin = tile_.cell_begin, to_row = row_length_,
@@ -152,7 +153,7 @@ class TileSearch {
                      });
   }
 
-  /// All own elements of the row, each with the cells that it lies near.
+  /// Tests all own elements of the row, each with the cells that it lies near.
   void test_nearby(const std::uint32_t* row, std::int32_t y, std::int32_t z) {
     RowOfCells<run_count> place{row, static_cast<std::uint32_t>(row - tile_.cell_begin), {}, {}};
     for (std::size_t k = 0; k < run_count; ++k) {
@@ -218,7 +219,7 @@ class TileSearch {
     return is_own(y, 1) && is_own(z, 2) ? entry_of(y, z) : nullptr;
   }
 
-  /// In 2D the only layer is 0.
+  /// Tells whether a cell is the tile's own; in 2D the only layer is 0.
   [[nodiscard]] bool is_own(std::int32_t index, int axis) const {
     if (Dim == 2 && axis == 2) return true;
     return index >= 1 && index <= tile_.cells[axis];

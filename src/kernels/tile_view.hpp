@@ -99,8 +99,8 @@ struct SearchJob {
   void (*take)(SearchJob& job);
 };
 
-/// After so many tests a kernel has its hits taken, though there may be none, but for a single
-/// element, or a row of cells with few in each, that it has begun.
+/// The number of tests after which a kernel has its hits taken, though there may be none, but for a
+/// single element, or a row of cells with few in each, that it has begun.
 inline constexpr std::uint64_t tests_between_takes = std::uint64_t{1} << 16;
 
 /// A contiguous range of the sorted elements.

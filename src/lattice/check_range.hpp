@@ -19,7 +19,8 @@ template <int Dim>
 void check_range(std::span<const exact::Sphere<Dim>> spheres, const ReducedLattice<Dim>& lattice,
                  double margin, Shape shape, double unit = 1.0);
 
-/// The same with the lattice as given, which is reduced times whatever unit its numbers need.
+/// Checks the range with the lattice as given, which is reduced times whatever unit its numbers
+/// need.
 template <int Dim>
 void check_range_as_given(std::span<const exact::Sphere<Dim>> spheres,
                           const exact::Lattice& lattice, double margin, Shape shape);

@@ -22,7 +22,8 @@ struct Reaches {
   Shape shape = Shape::sphere;
 };
 
-/// Which images: of m and -m the one whose first number that is not 0 is positive, or both.
+/// The images that are told: of m and -m the one whose first number that is not 0 is positive, or
+/// both.
 enum class Shell { half, full };
 
 /// Says which images of an element may be within reach of some local element: those whose

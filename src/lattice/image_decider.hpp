@@ -40,8 +40,8 @@ class ImageDecider {
   }
 
  private:
-  /// On one axis, by more than all that is rounded: each of some ten terms by a few 2^-53 of
-  /// itself, and by underflow. What overflows is not.
+  /// Tells whether a pair is apart on one axis by more than all that is rounded: each of some ten
+  /// terms by a few 2^-53 of itself, and by underflow. What overflows is not.
   [[nodiscard]] bool is_clearly_apart(std::size_t a, std::size_t b,
                                       const ImageNumbers& numbers) const noexcept {
     for (std::size_t axis = 0; axis < Dim; ++axis) {

@@ -13,9 +13,9 @@ namespace abut::lattice {
 /// Multiples of the vectors of a basis, one for each periodic axis in their order.
 using ImageNumbers = std::array<std::int64_t, 3>;
 
-/// The same lattice with a basis that is as short and as nearly orthogonal as any (Minkowski's, but
-/// for 2^-20): a skewed vector then costs no extra images. The basis consists of the periodic
-/// vectors only, in the order of their axes; a lattice that is reduced already keeps it.
+/// A lattice with a basis that is as short and as nearly orthogonal as any (Minkowski's, but for
+/// 2^-20): a skewed vector then costs no extra images. The basis consists of the periodic vectors
+/// only, in the order of their axes; a lattice that is reduced already keeps it.
 ///
 ///   b_k = sum over l of to_given[k][l] * A of axis_of[l]       A as given, to_given unimodular
 ///
@@ -56,7 +56,7 @@ struct ReducedLattice {
   /// `numbers` of the b_k, each below 2^60, in terms of the lattice as given.
   [[nodiscard]] exact::FarShift far_shift_of(const ImageNumbers& numbers) const noexcept;
 
-  /// The same; nothing where one of these exceeds 2^31 - 1.
+  /// Returns that shift; nothing where one of these exceeds 2^31 - 1.
   [[nodiscard]] std::optional<ImageShift> shift_of(const ImageNumbers& numbers) const noexcept;
 };
 

@@ -22,7 +22,7 @@ class ElementRanges {
   }
 
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  /// At most 2^16.
+  /// Number of elements in a range, at most 2^16.
   [[nodiscard]] std::size_t width() const noexcept { return std::size_t{1} << shift_; }
   [[nodiscard]] std::size_t of(ElementIndex element) const noexcept { return element >> shift_; }
   [[nodiscard]] std::size_t first_of(std::size_t range) const noexcept { return range << shift_; }

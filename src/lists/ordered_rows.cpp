@@ -37,7 +37,9 @@ void begin_rows(const RowArrays& rows, std::size_t last, RowCursor& cursor) {
 void append(const FoundPiece& piece, const RowArrays& rows, RowCursor& cursor) {
   std::transform(piece.pairs.begin(), piece.pairs.end(), rows.neighbors.data() + cursor.entry,
                  [](const ContactPair& pair) { return pair.second; });
-  std::copy(piece.shifts.begin(), piece.shifts.end(), rows.shifts.data() + cursor.entry);
+  if (!piece.shifts.empty()) {
+    std::copy(piece.shifts.begin(), piece.shifts.end(), rows.shifts.data() + cursor.entry);
+  }
   for (const ContactPair& pair : piece.pairs) {
     if (pair.first >= cursor.row) begin_rows(rows, pair.first, cursor);
     ++cursor.entry;

@@ -16,7 +16,7 @@
 
 namespace abut::lists {
 
-/// Whom pairs are handed to: one of the two, or nobody, and then they are only counted.
+/// The visitor that pairs are handed to: one of the two, or none, and then they are only counted.
 struct Visitors {
   const PairBatchVisitor* of_pairs = nullptr;
   const ShiftedBatchVisitor* of_shifted_pairs = nullptr;

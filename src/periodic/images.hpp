@@ -121,7 +121,7 @@ class Images {
   /// Times unit().
   [[nodiscard]] double slack() const noexcept { return slack_; }
 
-  /// In cells smaller than this, times unit(), the slack would not be covered
+  /// The least length of cells, times unit(): in smaller ones the slack would not be covered
   /// (docs/derivations/tile_filter.md, section 3).
   [[nodiscard]] double least_cell() const noexcept { return slack_ * cells_of_error; }
 
@@ -135,7 +135,7 @@ class Images {
     return shift_between(i, ghost.element, ghost.image);
   }
 
-  /// The same in terms of the reduced lattice, of any size.
+  /// Returns the shift in terms of the reduced lattice, of any size.
   [[nodiscard]] lattice::ImageNumbers numbers_between(
       std::size_t i, std::size_t j, const std::array<std::int32_t, 3>& image) const;
 

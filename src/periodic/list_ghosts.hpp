@@ -23,9 +23,9 @@ struct Ghost {
   [[nodiscard]] bool is_positive() const noexcept { return image > std::array<std::int32_t, 3>{}; }
 };
 
-/// Which images of locals are ghosts. Those of small elements, positive ones only, that small
-/// locals may reach; all those of large elements, of a radius of at least `cut`, that any local
-/// may reach. So the few large elements do not make ghosts of all that they might reach.
+/// The images of locals that are ghosts. Those of small elements, positive ones only, that small
+/// locals may reach; all those of large elements, of a radius of at least `cut`, that any local may
+/// reach. So the few large elements do not make ghosts of all that they might reach.
 template <int Dim>
 struct GhostWindows {
   lattice::GhostWindow<Dim> of_small;
@@ -50,8 +50,9 @@ struct GhostWindows {
   }
 };
 
-/// With so many ghosts for each local element the reach is about as long as the cell or longer, and
-/// a local element is within reach of a good part of them: no grid would help.
+/// The number of ghosts for each local element from which on a reach is called long: it is about as
+/// long as the cell or longer, and a local element is within reach of a good part of all ghosts, so
+/// that no grid would help.
 inline constexpr double ghosts_of_long_reach = 16.0;
 
 /// True if locals would have more ghosts than that; stops counting there.

@@ -42,9 +42,9 @@ engine::SearchSet<Dim> search_set_of(const Images<Dim>& images) {
   return set;
 }
 
-/// Every local element against the locals behind it, and against every ghost, which is not stored:
-/// each decided on the caller's numbers. Pairs are handed on as they are found, so that limits of
-/// their number and of memory are met early.
+/// Tests every local element against the locals behind it, and against every ghost, which is not
+/// stored: each decided on the caller's numbers. Pairs are handed on as they are found, so that
+/// limits of their number and of memory are met early.
 template <int Dim>
 class LongReach {
  public:

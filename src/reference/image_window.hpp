@@ -141,8 +141,8 @@ class ImageWindows {
     return std::fabs(product - (k == l ? 1.0 : 0.0)) + 0x1p-50 * weight;
   }
 
-  /// On one side: where the number of an image lies, and how far off it may be for what all sides
-  /// but itself leave in doubt.
+  /// The place of an image on one side: where its number lies, and how far off it may be for what
+  /// all sides but itself leave in doubt.
   struct Place {
     double number = 0.0;
     double width = 0.0;

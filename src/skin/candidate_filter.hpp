@@ -57,8 +57,8 @@ class Quanta {
   double per_length_ = 0.0;
 };
 
-/// Which candidates are contact pairs: decided in quanta and floats, many at a time, then exactly
-/// where these leave any in doubt.
+/// Tells which candidates are contact pairs, decided in quanta and floats, many at a time, then
+/// exactly where these leave any in doubt.
 template <int Dim>
 class CandidateFilter {
  public:

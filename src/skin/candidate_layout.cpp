@@ -23,7 +23,7 @@ ShiftNumber shift_of(std::uint64_t key) {
   return static_cast<ShiftNumber>(key);
 }
 
-/// Mostly a few.
+/// Sorts the keys of a run, mostly a few.
 void sort_run(std::uint64_t* keys, std::size_t count, base::WorkCounter& work) {
   constexpr std::size_t few = 24;
   if (count > few) return base::sort_asking(keys, keys + count, work);
@@ -66,8 +66,9 @@ void CandidateLayout::arrange(lists::PairPieces found, std::span<const ShiftNumb
   list_canonically(element_count, workers, work);
 }
 
-/// Without branches: whether an element was met before cannot be guessed. Counts the candidates of
-/// each slot, two places behind its own: where the next is to begin when they are summed up.
+/// Counts without branches, since whether an element was met before cannot be guessed. Counts the
+/// candidates of each slot, two places behind its own: where the next is to begin when they are
+/// summed up.
 void CandidateLayout::give_slots(lists::PairPieces found, std::size_t element_count,
                                  base::WorkCounter& work) {
   base::make_room(slot_of_, element_count);

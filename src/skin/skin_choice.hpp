@@ -6,7 +6,7 @@
 
 namespace abut::skin {
 
-/// What the last call with a skin found.
+/// The counts of the last call with a skin.
 struct SkinCounts {
   std::uint64_t elements = 0;
   std::uint64_t candidates = 0;

@@ -84,7 +84,7 @@ class SkinSearch {
  private:
   static constexpr int calls_without = 64;
 
-  /// Most new elements, one in so many; beyond, all candidates are searched for anew.
+  /// New elements are at most one in so many; with more, all candidates are searched for anew.
   static constexpr std::size_t elements_for_a_new_one = 16;
 
   [[nodiscard]] double allowed(const ElementsNow<Dim>& now) const noexcept;

@@ -202,7 +202,7 @@ base::Array<exact::Box<Dim>> FeatureSearch<Dim>::boxes_around() {
   return boxes;
 }
 
-/// Without the margin, which is in the boxes.
+/// Returns the options of the search, without the margin, which is in the boxes.
 template <int Dim>
 Options FeatureSearch<Dim>::options_of_search(const Domain& domain) const {
   return {.algorithm = options_.algorithm,

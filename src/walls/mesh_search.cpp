@@ -25,8 +25,9 @@ constexpr std::size_t block_size = 256;
 
 constexpr std::uint64_t steps_of_candidate = 64;
 
-/// How much longer the grid reaches than is needed: nothing to speak of as a rule, so that radii
-/// may grow a little; half where a mesh has been found to change its shape.
+/// Shares of the reach by which the grid reaches farther than is needed: one that costs next to
+/// nothing, so that radii may grow a little, and half where a mesh has been found to change its
+/// shape.
 constexpr double slack_of_grid = 1.0 / 64.0;
 constexpr double slack_of_deforming_mesh = 0.5;
 
@@ -42,7 +43,8 @@ void assign(std::span<const T> from, base::Array<T>& to) {
   std::copy(from.begin(), from.end(), to.begin());
 }
 
-/// No rotation is so far from one by rounding: of other motions the mesh is looked for where it is.
+/// Tells whether the frame lengthens distances by little enough to be used. Rounding makes no
+/// rotation fail this; a mesh whose motion is none is looked for where it is.
 bool is_usable(const RestFrame& frame, double reach) noexcept {
   return frame.reach_at_rest(reach) <= 1.125 * reach;
 }
@@ -91,7 +93,7 @@ void MeshSearch::find_all(const Call& call) {
   search(call, frame_of(call.mesh));
 }
 
-/// Whether the grid reaches far enough for spheres of the largest radius that is known.
+/// Tells whether the grid reaches far enough for spheres of the largest radius that is known.
 bool MeshSearch::reaches(const RestFrame& frame, const Call& call) const noexcept {
   return frame.reach_at_rest(reach_of(call)) <= reach_of_grid_;
 }

@@ -49,7 +49,7 @@ class MeshSearch {
   Statistics find(const ElementView& spheres, const TriangleMesh& mesh, const Options& options,
                   const MeshContactArrays& arrays);
 
-  /// How often the grid was built.
+  /// Number of times that the grid was built.
   [[nodiscard]] std::uint64_t builds() const noexcept { return builds_; }
 
  private:

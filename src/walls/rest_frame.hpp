@@ -6,16 +6,16 @@
 
 namespace abut::walls {
 
-/// Where a mesh that was moved is looked for: a center is brought back to where the mesh was when
-/// its grid was built, and the distances at which parts must be found there are bounded from above.
-/// docs/derivations/moving_walls.md proves the bound.
+/// The frame in which a mesh that was moved is looked for: a center is brought back to where the
+/// mesh was when its grid was built, and the distances at which parts must be found there are
+/// bounded from above. docs/derivations/moving_walls.md proves the bound.
 class RestFrame {
  public:
-  /// Of a mesh whose rest position now differs from that of the grid, `anchor`, by at most
-  /// `displacement` at each vertex.
+  /// The frame of a mesh whose rest position now differs from that of the grid, `anchor`, by at
+  /// most `displacement` at each vertex.
   RestFrame(const TriangleMesh& mesh, double displacement) noexcept;
 
-  /// Of parts that lie within `displacement` of where the grid has them, motion or not.
+  /// The frame of parts that lie within `displacement` of where the grid has them, motion or not.
   [[nodiscard]] static RestFrame of_place(double displacement) noexcept {
     RestFrame frame;
     frame.offset_ = displacement;
@@ -36,7 +36,8 @@ class RestFrame {
     }
   }
 
-  /// What lies within `reach` of the moved mesh lies within so much of the anchored one.
+  /// Returns the distance from the anchored mesh within which all lies that is within `reach` of
+  /// the moved one.
   [[nodiscard]] double reach_at_rest(double reach) const noexcept {
     return (reach * factor_ + offset_) * (1.0 + 0x1p-40);
   }
@@ -51,8 +52,8 @@ class RestFrame {
   double offset_ = 0.0;
 };
 
-/// At least the largest distance between vertices of the same number, or infinity if they are not
-/// as many.
+/// Returns at least the largest distance between vertices of the same number, or infinity if they
+/// are not as many.
 [[nodiscard]] double largest_displacement(std::span<const TriangleMesh::Point> a,
                                           std::span<const TriangleMesh::Point> b) noexcept;
 

@@ -46,7 +46,7 @@ std::uint64_t WallGrid::most_entries(std::size_t count) noexcept {
   return fewest_entries + entries_of_part * count;
 }
 
-/// As long as the reach, or so long that there are not too many.
+/// Returns a length as long as the reach, or so long that there are not too many.
 double WallGrid::shortest_cell(std::size_t count, double reach) const noexcept {
   const double most = std::max(fewest_cells, cells_of_part * static_cast<double>(count));
   double extent[3];
@@ -60,7 +60,8 @@ double WallGrid::shortest_cell(std::size_t count, double reach) const noexcept {
   return length;
 }
 
-/// Where numbers are so large or so small that they cannot be divided, there is one cell.
+/// Lays the cells. Where numbers are so large or so small that they cannot be divided, there is one
+/// cell.
 void WallGrid::lay_cells(double length) noexcept {
   const double inverse = 1.0 / length;
   for (int axis = 0; axis < 3; ++axis) {

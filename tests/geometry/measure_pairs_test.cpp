@@ -35,7 +35,7 @@ double some_number(Random& random, double scale) {
   const double fine = random.uniform(-1.0, 1.0);
   switch (random.below(6)) {
     case 0:
-      return scale * std::round(fine * 4.0) / 4.0;
+      return scale * (std::round(fine * 4.0) / 4.0);
     case 1:
       return 0.0;
     case 2:

@@ -57,11 +57,12 @@ double settled_length(const Packing& packing) {
   double length = 0.0;
   for (int detection = 0; detection < 6; ++detection) {
     const skin::SkinCounts counts = detection == 0 ? skin::SkinCounts() : packing.counts(length);
-    const auto reuses = static_cast<int>(length / packing.approach);
+    const double reuses = std::floor(length / packing.approach);
     choice.detected(detection == 0 ? std::numeric_limits<double>::infinity()
                                    : packing.approach * (reuses + 1));
     length = choice.next_length(packing.reach, 3, counts);
-    const auto next_reuses = static_cast<int>(length / packing.approach);
+    // Elements that hardly move would reuse a skin for ever.
+    const double next_reuses = std::min(std::floor(length / packing.approach), 1e6);
     for (int k = 0; k < next_reuses; ++k) choice.reused();
   }
   return length;

@@ -26,7 +26,7 @@ int exact_sign_of_difference(const Sphere<Dim>& a, const Sphere<Dim>& b,
 }
 
 /// The sign of x_a - x_b - n A on one axis, in real arithmetic. The filter is that of boxes with a
-/// lattice (base/periodic_box.hpp), with less to add up. Adds one to `doubts` where it cannot tell.
+/// lattice (periodic_box.hpp), with less to add up. Adds one to `doubts` where it cannot tell.
 template <int Dim>
 int sign_of_difference(const Sphere<Dim>& a, const Sphere<Dim>& b, const LatticeSteps<Dim>& steps,
                        int axis, std::uint64_t& doubts) noexcept {

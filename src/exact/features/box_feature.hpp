@@ -57,9 +57,10 @@ struct SideCorner {
   Lattice lattice;
 };
 
-/// The same with the box moved by the shift n of a lattice A. On each axis it is decided exactly on
-/// which side of the bounds + n A the center lies; the distance is that to the bounds of those axes
-/// where it does not lie between them, by the contract of two spheres with a lattice.
+/// Returns these bounds, if the box moved by the shift n of a lattice A is within reach. On each
+/// axis it is decided exactly on which side of the bounds + n A the center lies; the distance is
+/// that to the bounds of those axes where it does not lie between them, by the contract of two
+/// spheres with a lattice.
 template <int Dim>
 [[nodiscard]] std::optional<BoxSides<Dim>> sides_within_reach(
     const Sphere<Dim>& sphere, const Box<Dim>& box, const ImageShift& shift, const Lattice& lattice,

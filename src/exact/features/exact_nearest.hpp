@@ -11,12 +11,12 @@
 namespace abut::exact {
 
 /// The vector from the center of a sphere to the nearest point of a vertex, a line or a plane that
-/// a shift moves, as a quotient of whole numbers. For all finite numbers. What it returns is the
+/// a shift moves, as a quotient of whole numbers, for all finite numbers. What it returns is the
 /// real result rounded, off by at most 2^-90 of itself besides; see FeatureGeometry.
 class ExactNearest {
  public:
-  /// Of the part of the triangle: of a corner, of the line through a side that has a length, or of
-  /// the plane of a triangle that has an area.
+  /// Finds the vector to a part of the triangle: to a corner, to the line through a side that has a
+  /// length, or to the plane of a triangle that has an area.
   ExactNearest(const Sphere<3>& sphere, const Triangle& triangle, TrianglePart part,
                const LatticeSteps<3>& steps) noexcept;
 
@@ -27,7 +27,7 @@ class ExactNearest {
   [[nodiscard]] std::array<double, 3> point() const noexcept;
 
  private:
-  /// All that is needed besides, by parts.
+  /// Set vector and squared distance, each for one kind of part.
   void take_corner(const IntegerVector<BigInteger>& corner) noexcept;
   void take_line(const IntegerVector<BigInteger>& from,
                  const IntegerVector<BigInteger>& edge) noexcept;

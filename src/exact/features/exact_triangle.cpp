@@ -52,7 +52,7 @@ class SmallInteger {
   Int128 value_;
 };
 
-/// Corners seen from the center.
+/// The corners of a triangle as seen from the center of a sphere.
 template <class Integer>
 class ExactSigns {
  public:
@@ -101,7 +101,7 @@ std::optional<TrianglePart> decide(const IntegerVector<Integer>& center, const S
   return nearest && signs.is_within(reach, *nearest) ? nearest : std::nullopt;
 }
 
-/// Of signs that are all known.
+/// Returns the part within reach, from signs that are all known.
 template <class Integer>
 TrianglePart nearest(const IntegerVector<Integer>& center, const Triangle& triangle,
                      int exponent) noexcept {
@@ -117,7 +117,7 @@ BitRange range_of(const Sphere<3>& sphere, const Triangle& triangle, double marg
   return range;
 }
 
-/// x - n A, if it is three doubles and no step towards them rounds.
+/// Returns the sphere at x - n A, if that is three doubles and no step towards them rounds.
 std::optional<Sphere<3>> moved_back(const Sphere<3>& sphere,
                                     const LatticeSteps<3>& steps) noexcept {
   const Sphere<3> origin{};
@@ -132,7 +132,7 @@ std::optional<Sphere<3>> moved_back(const Sphere<3>& sphere,
 
 }  // namespace
 
-/// If the center, moved back by the shift, is exactly three doubles, asks the question without a
+/// Asks, if the center moved back by the shift is exactly three doubles, the question without a
 /// lattice.
 TrianglePart nearest_part_exactly(const Sphere<3>& sphere, const Triangle& triangle,
                                   const LatticeSteps<3>& steps) noexcept {

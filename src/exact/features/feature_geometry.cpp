@@ -17,21 +17,21 @@
 namespace abut::exact {
 namespace {
 
-/// No product or quotient of doubled precision leaves the range while inputs do not exceed the one
-/// and the vectors that are multiplied are not shorter than the other.
+/// The largest input and the shortest vector that is multiplied for which no product or quotient in
+/// doubled precision leaves the range.
 constexpr double largest_input = 0x1p64;
 constexpr double smallest_length = 0x1p-100;
 
-/// What doubled precision may lose of a length by cancellation.
+/// The cancellation of a length that doubled precision still bears.
 constexpr double most_cancellation_of_line = 0x1p-40;
 constexpr double most_cancellation_of_plane = 0x1p-38;
 
-/// Errors relative to the length of the vector.
+/// Bounds of the errors of vectors, relative to their length.
 constexpr double error_of_corner = 0x1p-95;
 constexpr double error_of_line = 0x1p-94;
 constexpr double error_of_plane = 0x1p-92;
 
-/// Of a sum in doubled precision, relative to what is added.
+/// The bound of the error of a sum in doubled precision, relative to what is added.
 constexpr double error_of_sum = 0x1p-100;
 
 /// Errors that, beside rounding once, stay below one unit in the last place: of a direction, and of
@@ -71,7 +71,7 @@ bool are_ordinary(const Sphere<3>& sphere, const Triangle& triangle,
   });
 }
 
-/// From the center to the moved corner. Of ordinary numbers.
+/// Returns the vector from the center to the moved corner, of ordinary numbers.
 DoubleDoubleVector towards(const Sphere<3>& sphere, const double (&corner)[3],
                            const LatticeSteps<3>& steps) noexcept {
   const Sphere<3> end{{corner[0], corner[1], corner[2]}, 0.0};
@@ -125,7 +125,7 @@ std::optional<NearestVector> to_plane(const DoubleDoubleVector& corner,
                        error_of_plane * (far * size / std::fabs(height.high))};
 }
 
-/// None where doubled precision does not reach.
+/// Returns the nearest vector, or nothing where doubled precision does not reach.
 std::optional<NearestVector> nearest_vector(const Sphere<3>& sphere, const PartOfTriangle& where,
                                             const LatticeSteps<3>& steps) noexcept {
   const auto& corner = where.triangle.corner;
@@ -238,7 +238,7 @@ class PartMeasurer {
     return *exactly_;
   }
 
-  /// Each component rounded once.
+  /// Returns the corner moved by the shift, each component rounded once.
   [[nodiscard]] std::array<double, 3> moved_corner() const noexcept {
     constexpr double most = std::numeric_limits<double>::max();
     const auto& corner = where_.triangle.corner[static_cast<std::size_t>(where_.part)];

@@ -10,8 +10,9 @@
 
 namespace abut::exact {
 
-/// How a sphere lies to the point of a wall that is nearest to its center. Each number is off by at
-/// most one unit in the last place, of vectors and points in that of the largest component.
+/// The position of a sphere beside the point of a wall that is nearest to its center. Each number
+/// is off by at most one unit in the last place, of vectors and points in that of the largest
+/// component.
 struct FeatureGeometry {
   double gap = 0.0;                ///< distance - radius; <= 0 exactly if they touch
   double distance = 0.0;           ///< from the center to the point

@@ -24,8 +24,8 @@ struct SideEnds {
   }
 }
 
-/// Which part of a triangle holds the point nearest to the center, by signs alone. With p, q, r the
-/// corners seen from the center and n the vector product of 01 and 02,
+/// Finds the part of a triangle that holds the point nearest to the center, by signs alone. With p,
+/// q, r the corners seen from the center and n the vector product of 01 and 02,
 ///
 ///   signs.along(p, q)  is that of (q - p) · p,     -1, 0 or 1
 ///   signs.turn(p, q)   that of n · (p x q),        or nothing if it is not known.

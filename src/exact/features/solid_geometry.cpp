@@ -25,7 +25,7 @@ const Sphere<3>& in_space(const Sphere<3>& sphere) noexcept {
   return sphere;
 }
 
-/// Without what has no meaning in fewer dimensions.
+/// Returns the lattice without the numbers that have no meaning in fewer dimensions.
 template <int Dim>
 Lattice in_space(Lattice lattice) noexcept {
   if (Dim == 3) return lattice;
@@ -49,7 +49,7 @@ struct Face {
   bool is_upper;
 };
 
-/// How deep a center lies behind the faces of a box around it, exactly.
+/// The depth of a center behind the faces of a box around it, exactly.
 template <int Dim>
 class Depths {
  public:
@@ -114,7 +114,7 @@ FeatureGeometry inside(const Sphere<Dim>& sphere, const Box<Dim>& box,
   return geometry;
 }
 
-/// Whether the center lies on all the bounds that the sides name.
+/// Tells whether the center lies on all the bounds that the sides name.
 template <int Dim>
 bool is_inside(const SideCorner<Dim>& across, const ImageShift& shift) noexcept {
   const LatticeSteps<Dim> steps(shift, across.lattice);

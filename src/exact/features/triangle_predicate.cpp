@@ -148,14 +148,14 @@ class Filter {
     return sides_[a + b - 1];
   }
 
-  /// Distance minus reach, times the length of the side.
+  /// Decides by distance minus reach, times the length of the side.
   [[nodiscard]] std::optional<bool> is_side_within_reach(const SideEnds& ends) const noexcept {
     const Side& side = side_between(ends.from, ends.to);
     return is_negative({length(cross(corners_[ends.from], side.edge)) - reach_ * length(side.edge),
                         band_to_side * (farthest_ + reach_) * side.size});
   }
 
-  /// The same times the length of the normal.
+  /// Decides by distance minus reach, times the length of the normal.
   [[nodiscard]] std::optional<bool> is_face_within_reach() const noexcept {
     return is_negative({std::fabs(dot(corners_[0], normal_)) - reach_ * length(normal_),
                         band_to_face * (farthest_ + reach_) * longest_ * longest_});

@@ -8,7 +8,7 @@
 
 namespace abut::exact {
 
-/// Finite numbers. Corners may coincide or lie on a line.
+/// A triangle of finite numbers. Corners may coincide or lie on a line.
 struct Triangle {
   double corner[3][3];
 };
@@ -33,7 +33,8 @@ enum class TrianglePart : std::uint8_t {
     const Sphere<3>& sphere, const Triangle& triangle, double margin,
     std::uint64_t& exact_decisions) noexcept;
 
-/// The same with the triangle moved by the shift n of a lattice A, that is, of the corners + n A.
+/// Returns that part with the triangle moved by the shift n of a lattice A, that is, of the corners
+/// + n A.
 [[nodiscard]] std::optional<TrianglePart> part_within_reach(
     const Sphere<3>& sphere, const Triangle& triangle, const ImageShift& shift,
     const Lattice& lattice, double margin, std::uint64_t& exact_decisions) noexcept;
@@ -43,7 +44,7 @@ enum class TrianglePart : std::uint8_t {
 [[nodiscard]] TrianglePart nearest_part_of(const Sphere<3>& sphere, const Triangle& triangle,
                                            const LatticeSteps<3>& steps) noexcept;
 
-/// The same by long integers alone.
+/// Returns the nearest part by long integers alone.
 [[nodiscard]] TrianglePart nearest_part_exactly(const Sphere<3>& sphere, const Triangle& triangle,
                                                 const LatticeSteps<3>& steps) noexcept;
 

@@ -34,7 +34,8 @@ BigInteger& BigInteger::operator=(const BigInteger& other) noexcept {
   return *this;
 }
 
-/// Of three words, the highest of which is not 0: at least 129 bits. Halves of words are doubles.
+/// Sums the highest three words, the first of which is not 0: at least 129 bits. Halves of words
+/// are doubles.
 BigInteger::Scaled BigInteger::leading() const noexcept {
   const std::size_t used = std::min<std::size_t>(size_, 3);
   CompensatedSum sum;

@@ -59,7 +59,8 @@ struct DoubleDoubleVector {
   DoubleDouble component[3]{};
 };
 
-/// But for 2^-101 of the product of the largest components, on each axis.
+/// Returns a x b, but for an error of 2^-101 of the product of the largest components, on each
+/// axis.
 [[nodiscard]] inline DoubleDoubleVector cross(const DoubleDoubleVector& a,
                                               const DoubleDoubleVector& b) noexcept {
   const auto along = [&](int axis) {
@@ -71,7 +72,7 @@ struct DoubleDoubleVector {
   return {{along(0), along(1), along(2)}};
 }
 
-/// But for 2^-100 of the product of the largest components.
+/// Returns a · b, but for an error of 2^-100 of the product of the largest components.
 [[nodiscard]] inline DoubleDouble dot(const DoubleDoubleVector& a,
                                       const DoubleDoubleVector& b) noexcept {
   return sum(sum(product(a.component[0], b.component[0]), product(a.component[1], b.component[1])),

@@ -28,7 +28,7 @@ class ExactSum {
     add(term.low);
   }
 
-  /// To the nearest double, to even between two; never -0.0.
+  /// Returns the sum rounded to the nearest double, to even between two; never -0.0.
   [[nodiscard]] double rounded() const noexcept {
     if (count_ == 0) return 0.0;
     std::size_t k = count_ - 1;

@@ -16,9 +16,9 @@ class ScaledNumber {
 
   friend ScaledNumber operator*(const ScaledNumber& a, const ScaledNumber& b) noexcept;
   friend ScaledNumber operator/(const ScaledNumber& a, const ScaledNumber& b) noexcept;
-  /// Of two numbers that are not negative.
+  /// Adds two numbers that are not negative.
   friend ScaledNumber operator+(const ScaledNumber& a, const ScaledNumber& b) noexcept;
-  /// Of a number that is not negative.
+  /// Returns the square root of a number that is not negative.
   [[nodiscard]] ScaledNumber root() const noexcept;
 
   /// The number times 2^-exponent, as a pair; what is too small for a double is 0.

@@ -65,7 +65,7 @@ struct WantedColumns {
                                         std::span<const AxisNames> axes,
                                         const WantedColumns& wanted);
 
-/// Whether these are names of columns of elements: `x` and `y`, or ends of boxes.
+/// Tells whether these are names of columns of elements: `x` and `y`, or ends of boxes.
 [[nodiscard]] bool names_coordinates(std::span<const std::string> names);
 
 /// Tells whether a table without `x` and `y` names ends of boxes.

@@ -18,7 +18,7 @@ bool is_number(const std::string& field) {
   return parse_number(field).fault != NumberFault::not_a_number;
 }
 
-/// What a comment says without its marks.
+/// Returns what a comment says without its marks.
 std::string_view text_of_comment(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t\r\f\v#"), line.size()));
   return line;

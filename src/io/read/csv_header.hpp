@@ -11,7 +11,7 @@
 
 namespace abut::io {
 
-/// What the columns of a CSV table are called and how its fields are set apart.
+/// The names of the columns of a CSV table, and how its fields are set apart.
 struct TableHeader {
   std::vector<std::string> names;
   Separator separator = Separator::blanks;

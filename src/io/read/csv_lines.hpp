@@ -11,7 +11,7 @@
 /// The lines of a table in a CSV file.
 namespace abut::io {
 
-/// Whether a line is neither blank nor a comment.
+/// Tells whether a line is neither blank nor a comment.
 [[nodiscard]] bool is_data(std::string_view line);
 
 /// The next line that is neither blank nor a comment; nothing at the end of the file.

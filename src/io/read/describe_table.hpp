@@ -9,7 +9,7 @@
 
 namespace abut::io {
 
-/// What the rest of a CSV table holds, column by column, where its columns cannot be told to be
+/// Describes the rest of a CSV table, column by column, where its columns cannot be told to be
 /// elements for the reason `problem`. Without a header its columns are called by their numbers.
 [[nodiscard]] TableDescription describe_table(LineReader& reader,
                                               const std::optional<TableHeader>& header,

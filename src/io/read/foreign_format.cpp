@@ -92,7 +92,8 @@ bool is_of(const ForeignFormat& format, std::string_view head) {
          head.find(format.also) != std::string_view::npos;
 }
 
-/// In binary a title of 80 bytes, the number of triangles in 32 bits and 50 bytes for each.
+/// Recognises binary STL: a title of 80 bytes, the number of triangles in 32 bits and 50 bytes for
+/// each.
 bool is_stl(const FileHead& file) {
   constexpr std::size_t title_bytes = 80;
   constexpr std::size_t header_bytes = 84;

@@ -58,7 +58,7 @@ class LineReader {
   [[noreturn]] void fail(std::string_view what) const;
   /// "NAME, line N: what", N the line that `next` returned last.
   [[noreturn]] void fail_at_line(std::string_view what) const;
-  /// The same of the line that `next` will return.
+  /// Says what is wrong with the line that `next` will return.
   [[noreturn]] void fail_at_next_line(std::string_view what) const;
   /// "NAME, line N, column C: what"
   [[noreturn]] void fail_in_column(std::string_view column, std::string_view what) const;

@@ -137,7 +137,7 @@ FrameHeader read_frame_header(LineReader& reader) {
                   found, count));
 }
 
-/// Only that no other frame lies inside is looked at: its number would be wrong.
+/// Skips a frame and looks only that no other lies inside: its number would be wrong.
 void skip_frame(LineReader& reader) {
   const std::uint64_t count = *read_frame_header(reader).count;
   for (std::uint64_t k = 0; k < count; ++k) {

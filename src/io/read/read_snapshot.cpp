@@ -61,8 +61,8 @@ FormatNumber format_named(const std::string& name) {
                           suggestion(name, names)));
 }
 
-/// By the first line that is not blank: a section of a dump, the comment that LAMMPS writes above
-/// data, a lone count, else a header.
+/// Tells the format by the first line that is not blank: a section of a dump, the comment that
+/// LAMMPS writes above data, a lone count, else a header.
 FormatNumber format_by_content(LineReader& reader) {
   const std::vector<std::string> fields = split(*reader.peek(), Separator::blanks);
   if (fields[0] == "ITEM:") return lammps_dump;

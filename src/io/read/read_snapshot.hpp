@@ -22,8 +22,8 @@ enum class LoneFrame { by_its_number, always_taken };
 /// The columns that may hold groups are sought, or not.
 enum class GroupColumns { not_sought, sought };
 
-/// What the elements are read for. A description takes files that a detection must refuse: without
-/// radii, and CSV tables without names of coordinates, which come as `Snapshot::table`.
+/// The purpose that elements are read for. A description takes files that a detection must refuse:
+/// without radii, and CSV tables without names of coordinates, which come as `Snapshot::table`.
 enum class Purpose { detection, description };
 
 struct ReadOptions {

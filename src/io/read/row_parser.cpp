@@ -24,7 +24,7 @@ std::string_view without_blanks(std::string_view text) noexcept {
   return text;
 }
 
-/// Also written as 3.0 or 3e0, as programs do that know no whole numbers.
+/// Reads the number of a group, also written as 3.0 or 3e0 by programs that know no whole numbers.
 std::optional<std::uint32_t> parse_group(std::string_view text) noexcept {
   constexpr double most = 4294967295.0;
   const auto [value, fault] = parse_number(text);

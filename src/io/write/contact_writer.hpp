@@ -68,7 +68,7 @@ class ContactWriter {
   void write_bytes(std::span<const std::byte> bytes);
   void finish();
 
-  /// How many steps there are for `wrote`; as many as pairs if nothing is said.
+  /// Says how many steps there are for `wrote`; as many as pairs if nothing is said.
   void expect(std::uint64_t steps) noexcept { now_.total = steps; }
 
   /// Hands on what is in `text` if it is much, and tells the progress hook now and then.

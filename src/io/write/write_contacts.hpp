@@ -18,8 +18,8 @@ namespace abut::io {
 
 enum class ContactFormat { csv, json, vtp };
 
-/// By name ("csv", "json", "vtp") or, if the name is empty, by the suffix of the path; CSV for "-".
-/// Throws Error{wrong_usage} naming the formats there are.
+/// Returns the format by its name ("csv", "json", "vtp") or, if the name is empty, by the suffix of
+/// the path; CSV for "-". Throws Error{wrong_usage} naming the formats there are.
 [[nodiscard]] ContactFormat contact_format(std::string_view name, std::string_view path);
 
 /// Columns with the file's own ids are added, or not.
@@ -52,8 +52,8 @@ struct ContactElements {
   }
 };
 
-/// What is known of the pairs, one entry each. Gaps are always written: those that are not here are
-/// measured. Of the others those are written that are here.
+/// The quantities that are known of the pairs, one entry each. Gaps are always written: those that
+/// are not here are measured. Of the others those are written that are here.
 struct ContactQuantities {
   std::span<const double> gaps = {};
   std::span<const Vector> normals = {};
@@ -62,7 +62,7 @@ struct ContactQuantities {
   std::span<const Vector> vectors = {};
 };
 
-/// Which images of a periodic domain the pairs are of; of an open domain nothing need be said.
+/// The images of a periodic domain that the pairs are of; of an open domain nothing need be said.
 struct ContactImages {
   std::span<const ImageShift> shifts;  ///< one a pair
   Domain domain = Domain::open();

@@ -111,7 +111,7 @@ void write_tuples(ContactWriter& writer, std::uint64_t count, const Value& value
   }
 }
 
-/// The same with one number for each k.
+/// Writes an array of one number for each k.
 template <class Value>
 void write_array(ContactWriter& writer, std::uint64_t count, const Value& value) {
   write_tuples(writer, count, [&](std::uint64_t k) { return std::array{value(k)}; });

@@ -45,6 +45,8 @@ class ABUT_API ContactMatcher {
 
   ContactMatcher();
   ~ContactMatcher();
+  ContactMatcher(const ContactMatcher&) = delete;
+  ContactMatcher& operator=(const ContactMatcher&) = delete;
   ContactMatcher(ContactMatcher&&) noexcept;
   ContactMatcher& operator=(ContactMatcher&&) noexcept;
 

@@ -80,7 +80,8 @@ template <int Dim>
 void periodic_rows(const AlgorithmInput<Dim>& input, base::Array<exact::Sphere<Dim>>& spheres,
                    const exact::Lattice& lattice, base::PairSink& sink,
                    base::DetectionContext& context) {
-  periodic::periodic_rows<Dim>(spheres, input.elements.boxes, input.bounds, lattice, input.settings,
+  periodic::periodic_rows<Dim>(spheres,
+                               {input.elements.boxes, input.bounds, lattice, input.settings},
                                input.workspace, input.periodic_workspace, sink, context);
 }
 

@@ -47,6 +47,7 @@ class ExactDecider {
 };
 
 template <int Dim>
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): final, nothing is derived from it
 class OpenDecider final : public ExactDecider {
  public:
   OpenDecider(const exact::Elements<Dim>& originals, double margin, kernels::TieKernels kernels)

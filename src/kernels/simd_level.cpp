@@ -8,6 +8,7 @@
 #include "kernels/measure_kernels.hpp"
 #include "kernels/tie_kernels.hpp"
 #include "kernels/tile_search.hpp"
+#include "kernels/wall_kernels.hpp"
 
 #include <abut/error.hpp>
 
@@ -200,6 +201,14 @@ DisplacementKernels displacement_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return {[](const DisplacementJob&, int, DisplacementBounds&) { return std::size_t{0}; }};
+}
+
+WallKernels wall_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_wall_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const WallScan&, std::uint32_t*, std::size_t&) { return std::size_t{0}; }};
 }
 
 }  // namespace kernels

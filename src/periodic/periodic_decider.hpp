@@ -14,6 +14,7 @@ namespace abut::periodic {
 
 /// Numbers from the count of locals on are those of ghosts. Two ghosts are no pair.
 template <int Dim>
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): final, nothing is derived from it
 class PeriodicDecider final : public engine::ExactDecider {
  public:
   PeriodicDecider(const exact::Elements<Dim>& originals, const exact::Lattice& lattice,

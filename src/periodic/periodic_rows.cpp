@@ -168,11 +168,10 @@ void find_images(const Given<Dim>& given, const exact::Elements<Dim>& originals,
 }  // namespace
 
 template <int Dim>
-void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, std::span<const exact::Box<Dim>> boxes,
-                   const grid::Bounds<Dim>& bounds, const exact::Lattice& lattice,
-                   const engine::RowsSettings& settings, engine::Workspace<Dim>& workspace,
-                   PeriodicWorkspace<Dim>& own, base::PairSink& sink,
-                   base::DetectionContext& context) {
+void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput<Dim>& asked,
+                   engine::Workspace<Dim>& workspace, PeriodicWorkspace<Dim>& own,
+                   base::PairSink& sink, base::DetectionContext& context) {
+  const auto& [boxes, bounds, lattice, settings] = asked;
   const std::size_t locals = spheres.size();
   const TemporaryGhosts<Dim> temporary_ghosts(spheres);
   const double unit = lattice::unit_of<Dim>(lattice, grid::largest_number(bounds, settings.margin));
@@ -206,13 +205,11 @@ void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, std::span<const exa
   engine::SetSearch<Dim>(input, workspace, settings.workers, context).search(set);
 }
 
-template void periodic_rows(base::Array<exact::Sphere<2>>&, std::span<const exact::Box<2>>,
-                            const grid::Bounds<2>&, const exact::Lattice&,
-                            const engine::RowsSettings&, engine::Workspace<2>&,
-                            PeriodicWorkspace<2>&, base::PairSink&, base::DetectionContext&);
-template void periodic_rows(base::Array<exact::Sphere<3>>&, std::span<const exact::Box<3>>,
-                            const grid::Bounds<3>&, const exact::Lattice&,
-                            const engine::RowsSettings&, engine::Workspace<3>&,
-                            PeriodicWorkspace<3>&, base::PairSink&, base::DetectionContext&);
+template void periodic_rows(base::Array<exact::Sphere<2>>&, const PeriodicInput<2>&,
+                            engine::Workspace<2>&, PeriodicWorkspace<2>&, base::PairSink&,
+                            base::DetectionContext&);
+template void periodic_rows(base::Array<exact::Sphere<3>>&, const PeriodicInput<3>&,
+                            engine::Workspace<3>&, PeriodicWorkspace<3>&, base::PairSink&,
+                            base::DetectionContext&);
 
 }  // namespace abut::periodic

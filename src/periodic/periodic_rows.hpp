@@ -10,15 +10,21 @@
 
 namespace abut::periodic {
 
+/// The rest of what a periodic search is asked for. If there are boxes, the spheres stand for them.
+template <int Dim>
+struct PeriodicInput {
+  std::span<const exact::Box<Dim>> boxes;
+  const grid::Bounds<Dim>& bounds;  ///< of the spheres
+  const exact::Lattice& lattice;
+  const engine::RowsSettings& settings;
+};
+
 /// `rows` in a periodic domain: in open space among the elements, moved into one cell, and those of
 /// their images that lie around it (periodic/images.hpp). Image shifts go to the sink's
 /// shift_buffer. Ghosts stand behind the spheres for a while; in the end these are as they were.
-/// If there are boxes, the spheres stand for them.
 template <int Dim>
-void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, std::span<const exact::Box<Dim>> boxes,
-                   const grid::Bounds<Dim>& bounds, const exact::Lattice& lattice,
-                   const engine::RowsSettings& settings, engine::Workspace<Dim>& workspace,
-                   PeriodicWorkspace<Dim>& own, base::PairSink& sink,
-                   base::DetectionContext& context);
+void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput<Dim>& asked,
+                   engine::Workspace<Dim>& workspace, PeriodicWorkspace<Dim>& own,
+                   base::PairSink& sink, base::DetectionContext& context);
 
 }  // namespace abut::periodic

@@ -84,6 +84,7 @@ class FeatureSearch {
 
   FeatureSearch(const FeatureSearch&) = delete;
   FeatureSearch& operator=(const FeatureSearch&) = delete;
+  ~FeatureSearch() = default;
 
   /// The contacts among the candidates. `find(candidates, found)` is called once for each sphere
   /// that has some and appends its contacts; `measure(sphere, contact, shift, wanted)` returns the

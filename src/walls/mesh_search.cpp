@@ -10,6 +10,7 @@
 #include "lists/result_buffer.hpp"
 #include "walls/feature_measurer.hpp"
 #include "walls/measure_contacts.hpp"
+#include "walls/near_wall.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +20,6 @@
 
 namespace abut::walls {
 namespace {
-
-/// Spheres that are read at a time.
-constexpr std::size_t block_size = 256;
 
 constexpr std::uint64_t steps_of_candidate = 64;
 
@@ -188,18 +186,17 @@ void MeshSearch::for_each_block(const Call& call, Act&& act) {
 double MeshSearch::search(const Call& call, const RestFrame& frame) {
   call.context.progress.begin("features", call.spheres.size());
   const MeshToucher toucher(call.mesh, Domain::open(), call.options);
+  const NearWall near_wall(grid_, frame, kernels::level_to_run(call.options.simd));
   for_each_block(call, [&](std::span<const exact::Sphere<3>> block, std::size_t first,
                            SearchScratch& scratch) {
-    for (std::size_t k = 0; k < block.size(); ++k) {
+    for (const std::uint32_t k : near_wall.find(block, scratch.near)) {
       double center[3];
       frame.bring_back(block[k].center, center);
-      const std::span<const ElementIndex> near = grid_.near(center);
-      if (near.empty()) continue;
-      const auto number = static_cast<ElementIndex>(first + k);
-      choose(call, frame, block[k], center, near, scratch.candidates);
+      choose(call, frame, block[k], center, grid_.near(center), scratch.candidates);
       if (scratch.candidates.empty()) continue;
       scratch.tests += scratch.candidates.size();
-      toucher({number, block[k], scratch.candidates, {}}, scratch.found);
+      toucher({static_cast<ElementIndex>(first + k), block[k], scratch.candidates, {}},
+              scratch.found);
     }
   });
   return largest_of_workers(call);

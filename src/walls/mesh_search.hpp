@@ -20,6 +20,7 @@
 #include <abut/statistics.hpp>
 #include <abut/triangle_mesh.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -68,6 +69,9 @@ class MeshSearch {
     double offset;     ///< normal times a point of the plane
   };
 
+  /// Spheres that are read at a time.
+  static constexpr std::size_t block_size = 256;
+
   /// What each worker needs.
   struct alignas(128) SearchScratch {
     explicit SearchScratch(base::MemoryMeter& memory)
@@ -80,6 +84,7 @@ class MeshSearch {
       largest_radius = 0.0;
     }
     FoundContacts<MeshContact> found;
+    std::array<std::uint32_t, block_size> near;
     base::Array<ContactPair> candidates;  ///< of one sphere
     std::uint64_t tests = 0;
     double largest_radius = 0.0;

@@ -55,6 +55,14 @@ RestFrame::RestFrame(const TriangleMesh& mesh, double displacement) noexcept
   if (sizes > 0x1p1000) offset_ = std::numeric_limits<double>::infinity();
 }
 
+void RestFrame::describe(kernels::WallScan& scan) const noexcept {
+  scan.is_moved = is_moved_;
+  for (int row = 0; row < 3; ++row) {
+    scan.translation[row] = translation_[row];
+    for (int axis = 0; axis < 3; ++axis) scan.inverse[row][axis] = inverse_[row][axis];
+  }
+}
+
 double largest_displacement(std::span<const TriangleMesh::Point> a,
                             std::span<const TriangleMesh::Point> b) noexcept {
   if (a.size() != b.size()) return std::numeric_limits<double>::infinity();

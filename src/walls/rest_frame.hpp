@@ -1,5 +1,7 @@
 #pragma once
 
+#include "kernels/wall_kernels.hpp"
+
 #include <abut/triangle_mesh.hpp>
 
 #include <span>
@@ -35,6 +37,9 @@ class RestFrame {
       result[axis] = inverse_[axis][0] * x + inverse_[axis][1] * y + inverse_[axis][2] * z;
     }
   }
+
+  /// Says how centers are brought back.
+  void describe(kernels::WallScan& scan) const noexcept;
 
   /// Returns the distance from the anchored mesh within which all lies that is within `reach` of
   /// the moved one.

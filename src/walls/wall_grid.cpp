@@ -29,7 +29,7 @@ double below(double x, double reach) noexcept {
 }  // namespace
 
 WallGrid::WallGrid(base::MemoryMeter& memory)
-    : occupied_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
+    : occupied_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
       begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       parts_(base::make_array_for_overwrite<ElementIndex>(memory, 0)) {}
 
@@ -74,6 +74,17 @@ void WallGrid::lay_cells(double length) noexcept {
   }
 }
 
+bool WallGrid::describe(kernels::WallScan& scan) const noexcept {
+  if (cell_count() > std::size_t{0x7FFFFFFF}) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    scan.origin[axis] = origin_[axis];
+    scan.cells_per_length[axis] = inverse_[axis];
+    scan.size[axis] = static_cast<std::int32_t>(size_[axis]);
+  }
+  scan.occupied = occupied_.data();
+  return true;
+}
+
 WallGrid::CellRange WallGrid::cells_near(const exact::Box<3>& box) const noexcept {
   CellRange range{};
   for (int axis = 0; axis < 3; ++axis) {
@@ -86,9 +97,9 @@ WallGrid::CellRange WallGrid::cells_near(const exact::Box<3>& box) const noexcep
 /// Makes places of the counts, which stand two further on, and room for the parts.
 void WallGrid::add_up() {
   const std::size_t cells = cell_count();
-  occupied_.assign(cells / 64 + 1, 0);
+  occupied_.assign(cells / 32 + 1, 0);
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    if (begin_[cell + 2] != 0) occupied_[cell / 64] |= std::uint64_t{1} << (cell % 64);
+    if (begin_[cell + 2] != 0) occupied_[cell / 32] |= std::uint32_t{1} << (cell % 32);
     begin_[cell + 2] += begin_[cell + 1];
   }
   base::resize_for_overwrite(parts_, begin_[cells + 1]);

@@ -4,6 +4,7 @@
 #include "base/memory_meter.hpp"
 #include "base/progress_reporter.hpp"
 #include "exact/box.hpp"
+#include "kernels/wall_kernels.hpp"
 
 #include <abut/pair.hpp>
 
@@ -37,10 +38,13 @@ class WallGrid {
     const std::uint32_t z = whole_part(place_of(point[2], 2));
     if (!((x < size_[0]) & (y < size_[1]) & (z < size_[2]))) return {};
     const std::size_t cell = (std::size_t{z} * size_[1] + y) * size_[0] + x;
-    if ((occupied_[cell / 64] >> (cell % 64) & 1) == 0) return {};
+    if ((occupied_[cell / 32] >> (cell % 32) & 1) == 0) return {};
     return std::span<const ElementIndex>(parts_).subspan(begin_[cell],
                                                          begin_[cell + 1] - begin_[cell]);
   }
+
+  /// Says where points are looked for. Returns false where there are too many cells for kernels.
+  [[nodiscard]] bool describe(kernels::WallScan& scan) const noexcept;
 
  private:
   /// Cells from the first to the last along each axis.
@@ -86,7 +90,7 @@ class WallGrid {
   double origin_[3] = {};
   double inverse_[3] = {};  ///< of the length of a cell
   std::size_t size_[3] = {};
-  base::Array<std::uint64_t> occupied_;  ///< a bit for each cell
+  base::Array<std::uint32_t> occupied_;  ///< a bit for each cell
   base::Array<std::uint64_t> begin_;     ///< places of the parts of each cell
   base::Array<ElementIndex> parts_;
 };

@@ -26,6 +26,7 @@ class BigInteger {
   // Only the words in use are copied.
   BigInteger(const BigInteger& other) noexcept { *this = other; }
   BigInteger& operator=(const BigInteger& other) noexcept;
+  ~BigInteger() = default;
 
   /// -1, 0 or 1.
   [[nodiscard]] int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }

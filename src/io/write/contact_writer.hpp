@@ -37,6 +37,7 @@ class ContactWriter {
                 const ContactQuantities& quantities);
   ContactWriter(const ContactWriter&) = delete;
   ContactWriter& operator=(const ContactWriter&) = delete;
+  ~ContactWriter() = default;
 
   [[nodiscard]] const ContactElements& elements() const noexcept { return elements_; }
   [[nodiscard]] std::span<const ContactPair> pairs() const noexcept { return pairs_; }

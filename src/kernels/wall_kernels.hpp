@@ -8,7 +8,7 @@
 namespace abut::kernels {
 
 /// Centers of spheres, and the cells of a wall that they are looked for in.
-struct WallScan {
+struct WallJob {
   const double* spheres;          ///< records of center and radius
   std::size_t count;              ///< of spheres
   bool is_moved;                  ///< whether centers are brought back at all
@@ -24,7 +24,7 @@ struct WallKernels {
   /// Writes the numbers of the spheres whose cell is occupied, ascending, to `near`, which has room
   /// for all. Treats whole vectors of spheres from the front, and
   /// returns how many spheres; the rest is the caller's. Products and sums are rounded one by one.
-  std::size_t (*find_near)(const WallScan& scan, std::uint32_t* near, std::size_t& found);
+  std::size_t (*find_near)(const WallJob& job, std::uint32_t* near, std::size_t& found);
 };
 
 /// `level` must be available.

@@ -6,17 +6,17 @@ static_assert(sizeof(exact::Sphere<3>) == 4 * sizeof(double), "kernels read reco
 
 NearWall::NearWall(const WallGrid& grid, const RestFrame& frame, Simd simd) noexcept
     : grid_(grid), frame_(frame), kernels_(kernels::wall_kernels(Simd::scalar)) {
-  frame.describe(scan_);
-  if (grid.describe(scan_)) kernels_ = kernels::wall_kernels(simd);
+  frame.describe(job_);
+  if (grid.describe(job_)) kernels_ = kernels::wall_kernels(simd);
 }
 
 std::span<const std::uint32_t> NearWall::find(std::span<const exact::Sphere<3>> spheres,
                                               std::span<std::uint32_t> near) const noexcept {
-  kernels::WallScan scan = scan_;
-  scan.spheres = reinterpret_cast<const double*>(spheres.data());
-  scan.count = spheres.size();
+  kernels::WallJob job = job_;
+  job.spheres = reinterpret_cast<const double*>(spheres.data());
+  job.count = spheres.size();
   std::size_t found = 0;
-  std::size_t k = kernels_.find_near(scan, near.data(), found);
+  std::size_t k = kernels_.find_near(job, near.data(), found);
   for (; k < spheres.size(); ++k) {
     double center[3];
     frame_.bring_back(spheres[k].center, center);

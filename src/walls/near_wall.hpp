@@ -28,7 +28,7 @@ class NearWall {
   const WallGrid& grid_;
   const RestFrame& frame_;
   kernels::WallKernels kernels_;
-  kernels::WallScan scan_{};
+  kernels::WallJob job_{};
 };
 
 }  // namespace abut::walls

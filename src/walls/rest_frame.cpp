@@ -55,11 +55,11 @@ RestFrame::RestFrame(const TriangleMesh& mesh, double displacement) noexcept
   if (sizes > 0x1p1000) offset_ = std::numeric_limits<double>::infinity();
 }
 
-void RestFrame::describe(kernels::WallScan& scan) const noexcept {
-  scan.is_moved = is_moved_;
+void RestFrame::describe(kernels::WallJob& job) const noexcept {
+  job.is_moved = is_moved_;
   for (int row = 0; row < 3; ++row) {
-    scan.translation[row] = translation_[row];
-    for (int axis = 0; axis < 3; ++axis) scan.inverse[row][axis] = inverse_[row][axis];
+    job.translation[row] = translation_[row];
+    for (int axis = 0; axis < 3; ++axis) job.inverse[row][axis] = inverse_[row][axis];
   }
 }
 

@@ -39,7 +39,7 @@ class RestFrame {
   }
 
   /// Says how centers are brought back.
-  void describe(kernels::WallScan& scan) const noexcept;
+  void describe(kernels::WallJob& job) const noexcept;
 
   /// Returns the distance from the anchored mesh within which all lies that is within `reach` of
   /// the moved one.

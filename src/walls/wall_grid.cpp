@@ -74,14 +74,14 @@ void WallGrid::lay_cells(double length) noexcept {
   }
 }
 
-bool WallGrid::describe(kernels::WallScan& scan) const noexcept {
+bool WallGrid::describe(kernels::WallJob& job) const noexcept {
   if (cell_count() > std::size_t{0x7FFFFFFF}) return false;
   for (int axis = 0; axis < 3; ++axis) {
-    scan.origin[axis] = origin_[axis];
-    scan.cells_per_length[axis] = inverse_[axis];
-    scan.size[axis] = static_cast<std::int32_t>(size_[axis]);
+    job.origin[axis] = origin_[axis];
+    job.cells_per_length[axis] = inverse_[axis];
+    job.size[axis] = static_cast<std::int32_t>(size_[axis]);
   }
-  scan.occupied = occupied_.data();
+  job.occupied = occupied_.data();
   return true;
 }
 

@@ -44,7 +44,7 @@ class WallGrid {
   }
 
   /// Says where points are looked for. Returns false where there are too many cells for kernels.
-  [[nodiscard]] bool describe(kernels::WallScan& scan) const noexcept;
+  [[nodiscard]] bool describe(kernels::WallJob& job) const noexcept;
 
  private:
   /// Cells from the first to the last along each axis.

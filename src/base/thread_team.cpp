@@ -2,29 +2,13 @@
 
 #include "base/float_environment.hpp"
 #include "base/openmp_settings.hpp"
+#include "base/process.hpp"
 
 #include <algorithm>
 #include <new>
 
-#include <signal.h>
-#include <sys/resource.h>
-
 namespace abut::base {
 namespace {
-
-/// Threads do not survive a fork; a child works alone.
-class ForkWitness {
- public:
-  ForkWitness() {
-    pthread_atfork(nullptr, nullptr, [] { forked_.store(true); });
-  }
-  [[nodiscard]] static bool forked() noexcept { return forked_.load(); }
-
- private:
-  static inline std::atomic<bool> forked_ = false;
-};
-
-const ForkWitness fork_witness;
 
 /// Tells the processor that a loop waits.
 void relax() noexcept {
@@ -35,37 +19,8 @@ void relax() noexcept {
 #endif
 }
 
-/// While it lives, the calling thread blocks all signals but those that tell of a fault of its own
-/// and that of profilers; a thread that it starts meanwhile does so for good. Signals of the
-/// caller's program are for the caller's threads.
-class BlockedSignals {
- public:
-  BlockedSignals() noexcept {
-    sigset_t blocked;
-    sigfillset(&blocked);
-    for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS, SIGPROF}) {
-      sigdelset(&blocked, own);
-    }
-    pthread_sigmask(SIG_SETMASK, &blocked, &before_);
-  }
-  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
-  BlockedSignals(const BlockedSignals&) = delete;
-  BlockedSignals& operator=(const BlockedSignals&) = delete;
-
- private:
-  sigset_t before_;
-};
-
 /// Stack of a helper that suffices for the library and leaves a visitor of the caller's some room.
 constexpr std::size_t least_stack = std::size_t{1} << 20;
-
-/// Bytes that the process may map; 0 where there is no bound (`ulimit -v`).
-std::size_t bound_of_address_space() noexcept {
-  rlimit bound{};
-  if (getrlimit(RLIMIT_AS, &bound) != 0 || bound.rlim_cur == RLIM_INFINITY) return 0;
-  return static_cast<std::size_t>(bound.rlim_cur);
-}
 
 /// Attributes of helpers. Their stacks are what the system gives by default, `ulimit -s`, but at
 /// least what suffices, and no more than that where addresses are scarce.
@@ -148,7 +103,7 @@ std::unique_ptr<Helper> Helper::start(ThreadTeam& team, std::size_t number, int 
 }
 
 Helper::~Helper() {
-  if (!is_started_ || ForkWitness::forked()) return;
+  if (!is_started_ || is_forked()) return;
   dismiss();
   pthread_join(thread_, nullptr);
 }
@@ -266,11 +221,11 @@ void ThreadTeam::run(const Work& work) noexcept {
 }
 
 ThreadTeam* own_team_so_far() noexcept {
-  return own_thread.works_alone || ForkWitness::forked() ? nullptr : own_thread.team;
+  return own_thread.works_alone || is_forked() ? nullptr : own_thread.team;
 }
 
 ThreadTeam* own_team() noexcept {
-  if (own_thread.team != nullptr || own_thread.works_alone || ForkWitness::forked()) {
+  if (own_thread.team != nullptr || own_thread.works_alone || is_forked()) {
     return own_team_so_far();
   }
   // The C runtime ends the process where it lacks the bytes in which it notes a destructor; more

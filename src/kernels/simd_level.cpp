@@ -114,7 +114,7 @@ Simd level_to_run(Simd asked) {
   if (asked == Simd::automatic) {
     if (const char* forced = std::getenv(simd_variable); forced != nullptr && *forced != '\0') {
       asked = simd_named(forced);
-      origin = std::string(" (from ") + simd_variable + ")";
+      origin.append(" (from ").append(simd_variable).append(")");
     }
   }
   if (asked == Simd::automatic) return widest_available();

@@ -55,7 +55,7 @@ struct Enclosure {
 };
 
 // THE ERROR, in units of the distance D. The components err by 2^-105 of themselves, their squares
-// and the sum of these by less than 2^-98 (sphere_predicate.cpp sums alike). With s the rounded
+// and the sum of these by less than 2^-98 (sphere_predicate-inl.hpp does so). With s the rounded
 // root of the high part, D - s = (D^2 - s^2) / (D + s); D^2 - s^2 is below 2^-51 and errs by less
 // than 2^-97, D + s differs from 2 s by less than 2^-52 of itself. So s + r errs by less than
 // 2^-96.

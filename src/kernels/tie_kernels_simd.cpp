@@ -52,7 +52,7 @@ HWY_INLINE Decision decide_by_filter(const Spheres<Dim>& a, const Spheres<Dim>& 
   return {hn::And(safe, hn::Or(apart, within)), within};
 }
 
-/// `RoundingWitness` of src/exact/sphere_predicate.cpp, in vectors.
+/// `RoundingWitness` of src/exact/sphere_predicate-inl.hpp, in vectors.
 class RoundingWitnessLanes {
  public:
   HWY_INLINE RoundingWitnessLanes()

@@ -18,8 +18,8 @@ import cpp_functions  # noqa: E402  (beside this script, wherever it is called f
 # named here (tests) may include all.
 ROOMS_BELOW = {
     "base": "",
-    "exact/numbers": "",
-    "exact": "exact/numbers",
+    "exact/numbers": "base",
+    "exact": "base exact/numbers",
     "exact/features": "exact/numbers exact",
     "kernels": "base exact",
     "grid": "base exact kernels",

@@ -13,6 +13,7 @@
 //    about ten nanoseconds. Touching lattices and most borderline pairs end here.
 // 4. The long accumulator, right for every finite double, for the rest.
 
+#include "base/host_device.hpp"
 #include "exact/exact_stages.hpp"
 #include "exact/numbers/bit_range.hpp"
 #include "exact/numbers/bits.hpp"
@@ -34,7 +35,7 @@ class RoundingWitness {
   /// A floating-point technique for extending the available precision, Numer. Math. 18 (1971)
   /// 224-242). Which one is larger need not be known when both are taken away in turn. Overflow
   /// leaves an infinity, zeros of either sign leave +0.
-  double add(double a, double b) noexcept {
+  ABUT_HD double add(double a, double b) noexcept {
     const double sum = a + b;
     remainders_ |= bits((sum - a) - b) | bits((sum - b) - a);
     return sum;
@@ -42,17 +43,19 @@ class RoundingWitness {
 
   /// The square of a number of at most 26 significant bits has at most 52; it is exact if it also
   /// stays in the normal range.
-  double square(double value) noexcept {
+  ABUT_HD double square(double value) noexcept {
     remainders_ |= bits(value) & bits_that_squares_lose;
     // Magnitudes compare like their bits; 0, which squares exactly, wraps round to the largest.
     tiny_ |= (bits(value) << 1) - 1 < (bits(smallest_exact_root) << 1) - 1;
     return value * value;
   }
 
-  [[nodiscard]] bool nothing_rounded() const noexcept { return remainders_ == 0 && !tiny_; }
+  [[nodiscard]] ABUT_HD bool nothing_rounded() const noexcept { return remainders_ == 0 && !tiny_; }
 
  private:
-  static std::uint64_t bits(double value) noexcept { return std::bit_cast<std::uint64_t>(value); }
+  ABUT_HD static std::uint64_t bits(double value) noexcept {
+    return std::bit_cast<std::uint64_t>(value);
+  }
 
   std::uint64_t remainders_ = 0;  ///< all bits 0: every remainder was +0
   bool tiny_ = false;
@@ -61,8 +64,8 @@ class RoundingWitness {
 }  // namespace detail
 
 template <int Dim>
-std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                              double margin) noexcept {
+ABUT_HD std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                      double margin) noexcept {
   detail::RoundingWitness witness;
   double reach = witness.add(a.radius, b.radius);
   if (margin != 0.0) reach = witness.add(reach, margin);
@@ -84,8 +87,8 @@ std::optional<bool> decide_if_nothing_rounded(const Sphere<Dim>& a, const Sphere
 // low parts are below 2^-51 each and their sum errs by less than 2^-98. Together below 2^-97. What
 // underflows is below 2^-1000, far less, for S >= 2^-400.
 template <int Dim>
-std::optional<bool> decide_in_double_double(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                            double margin) noexcept {
+ABUT_HD std::optional<bool> decide_in_double_double(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                    double margin) noexcept {
   DoubleDouble reach = two_sum(a.radius, b.radius);
   if (margin != 0.0) {
     const DoubleDouble sum = two_sum(reach.high, margin);
@@ -115,12 +118,12 @@ namespace detail {
 /// All numbers of one decision as integers times one power of two.
 class CommonScale {
  public:
-  void include(double value) noexcept { range_.include(value); }
+  ABUT_HD void include(double value) noexcept { range_.include(value); }
 
-  [[nodiscard]] bool fits() const noexcept { return range_.bits() <= 61; }
+  [[nodiscard]] ABUT_HD bool fits() const noexcept { return range_.bits() <= 61; }
 
   /// Exact: below 2^61 in magnitude.
-  [[nodiscard]] std::int64_t scaled(double value) const noexcept {
+  [[nodiscard]] ABUT_HD std::int64_t scaled(double value) const noexcept {
     const Decomposed d = decompose(value);
     if (d.significand == 0) return 0;
     const int shift = d.exponent - range_.lowest();
@@ -133,7 +136,7 @@ class CommonScale {
   BitRange range_;
 };
 
-inline Uint128 square_of_integer(std::int64_t value) noexcept {
+ABUT_HD inline Uint128 square_of_integer(std::int64_t value) noexcept {
   const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
   return Uint128{magnitude} * magnitude;
 }
@@ -141,8 +144,8 @@ inline Uint128 square_of_integer(std::int64_t value) noexcept {
 }  // namespace detail
 
 template <int Dim>
-std::optional<bool> decide_scaled(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                  double margin) noexcept {
+ABUT_HD std::optional<bool> decide_scaled(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                          double margin) noexcept {
   detail::CommonScale scale;
   for (int axis = 0; axis < Dim; ++axis) {
     scale.include(a.center[axis]);
@@ -165,7 +168,8 @@ std::optional<bool> decide_scaled(const Sphere<Dim>& a, const Sphere<Dim>& b,
 
 /// Sign of (r_a + r_b + m)^2 - |a - b|^2, expanded into products of inputs.
 template <int Dim>
-bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b, double margin) noexcept {
+ABUT_HD bool decide_accumulated(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                double margin) noexcept {
   ExactAccumulator slack;
   for (int axis = 0; axis < Dim; ++axis) {
     const double p = a.center[axis];
@@ -187,8 +191,8 @@ namespace detail {
 
 /// Out of line, so that the first stage needs no stack of its own.
 template <int Dim>
-[[gnu::noinline]] bool decide_in_long_integers(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                               double margin) noexcept {
+[[gnu::noinline]] ABUT_HD bool decide_in_long_integers(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                       double margin) noexcept {
   if (const std::optional<bool> decided = decide_in_double_double(a, b, margin)) return *decided;
   if (const std::optional<bool> decided = decide_scaled(a, b, margin)) return *decided;
   return decide_accumulated(a, b, margin);
@@ -197,7 +201,8 @@ template <int Dim>
 }  // namespace detail
 
 template <int Dim>
-bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b, double margin) noexcept {
+ABUT_HD bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                  double margin) noexcept {
   if (const std::optional<bool> decided = decide_if_nothing_rounded(a, b, margin)) return *decided;
   return detail::decide_in_long_integers(a, b, margin);
 }

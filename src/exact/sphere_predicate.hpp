@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/sphere.hpp"
 
 #include <cstdint>
@@ -9,8 +10,8 @@ namespace abut::exact {
 /// The slow path: whether |a - b|^2 <= (r_a + r_b + margin)^2 in real arithmetic, for every finite
 /// double. Needs the default floating-point environment, as the whole library does.
 template <int Dim>
-[[nodiscard]] bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                        double margin) noexcept;
+[[nodiscard]] ABUT_HD bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                double margin) noexcept;
 
 // The band of the filter. With u = 2^-53, D and S the real distance and reach, d2 and s2 their
 // computed squares, and s2 in [2^-960, 2^1000]:
@@ -25,8 +26,9 @@ inline constexpr double largest_safe_square = 0x1p1000;
 /// The one function that decides the contract of docs/contract.md. Touching counts. Adds one to
 /// `exact_decisions` when the filter cannot decide.
 template <int Dim>
-[[nodiscard]] inline bool within_reach(const Sphere<Dim>& a, const Sphere<Dim>& b, double margin,
-                                       std::uint64_t& exact_decisions) noexcept {
+[[nodiscard]] ABUT_HD inline bool within_reach(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                               double margin,
+                                               std::uint64_t& exact_decisions) noexcept {
   double difference = a.center[0] - b.center[0];
   double distance_squared = difference * difference;
   for (int axis = 1; axis < Dim; ++axis) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/numbers/bits.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace abut::exact {
 /// numbers over a common power of two must be. Zeros take none.
 class BitRange {
  public:
-  void include(double value) noexcept {
+  ABUT_HD void include(double value) noexcept {
     const Decomposed d = decompose(value);
     if (d.significand == 0) return;
     lowest_ = std::min(lowest_, d.exponent + std::countr_zero(d.significand));
@@ -19,9 +20,9 @@ class BitRange {
   }
 
   /// Exponent of the lowest bit that is set.
-  [[nodiscard]] int lowest() const noexcept { return lowest_; }
+  [[nodiscard]] ABUT_HD int lowest() const noexcept { return lowest_; }
   /// Number of bits from the lowest to the highest; not positive if all numbers are zero.
-  [[nodiscard]] int bits() const noexcept { return highest_ - lowest_; }
+  [[nodiscard]] ABUT_HD int bits() const noexcept { return highest_ - lowest_; }
 
  private:
   int lowest_ = 4096;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/host_device.hpp"
+
 #include <bit>
 #include <cstdint>
 
@@ -15,7 +17,7 @@ struct Decomposed {
   int exponent;               ///< >= -1074
 };
 
-inline Decomposed decompose(double value) noexcept {
+ABUT_HD inline Decomposed decompose(double value) noexcept {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const auto biased = static_cast<int>((bits >> 52) & 0x7FF);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);

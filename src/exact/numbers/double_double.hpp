@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/host_device.hpp"
+
 namespace abut::exact {
 
 /// high + low, exactly.
@@ -9,7 +11,7 @@ struct DoubleDouble {
 };
 
 /// a + b (D. E. Knuth, The Art of Computer Programming, volume 2, 4.2.2, theorem B).
-inline DoubleDouble two_sum(double a, double b) noexcept {
+ABUT_HD inline DoubleDouble two_sum(double a, double b) noexcept {
   const double sum = a + b;
   const double b_seen = sum - a;
   return {sum, (a - (sum - b_seen)) + (b - b_seen)};
@@ -19,7 +21,7 @@ namespace detail {
 
 /// A number as the sum of two of at most 26 bits (T. J. Dekker, A floating-point technique for
 /// extending the available precision, Numer. Math. 18 (1971) 224-242).
-inline DoubleDouble halves(double value) noexcept {
+ABUT_HD inline DoubleDouble halves(double value) noexcept {
   const double scaled = 134217729.0 * value;  // 2^27 + 1
   const double high = scaled - (scaled - value);
   return {high, value - high};
@@ -28,7 +30,7 @@ inline DoubleDouble halves(double value) noexcept {
 }  // namespace detail
 
 /// a * b (Dekker, as above), where nothing over- or underflows.
-inline DoubleDouble two_product(double a, double b) noexcept {
+ABUT_HD inline DoubleDouble two_product(double a, double b) noexcept {
   const DoubleDouble p = detail::halves(a);
   const DoubleDouble q = detail::halves(b);
   const double product = a * b;
@@ -37,14 +39,14 @@ inline DoubleDouble two_product(double a, double b) noexcept {
 }
 
 /// value * value, for 2^-480 <= |value| <= 2^480.
-inline DoubleDouble two_square(double value) noexcept {
+ABUT_HD inline DoubleDouble two_square(double value) noexcept {
   const DoubleDouble p = detail::halves(value);
   const double square = value * value;
   return {square, ((p.high * p.high - square) + 2.0 * p.high * p.low) + p.low * p.low};
 }
 
 /// (high + low)^2 but for a relative error of 2^-103, if |low| <= u |high|.
-inline DoubleDouble square(const DoubleDouble& value) noexcept {
+ABUT_HD inline DoubleDouble square(const DoubleDouble& value) noexcept {
   const DoubleDouble square = two_square(value.high);
   return {square.high, square.low + 2.0 * value.high * value.low};
 }
@@ -53,21 +55,21 @@ inline DoubleDouble square(const DoubleDouble& value) noexcept {
 /// apart.
 class CompensatedSum {
  public:
-  void add(double term) noexcept {
+  ABUT_HD void add(double term) noexcept {
     const DoubleDouble sum = two_sum(high_, term);
     high_ = sum.high;
     low_ += sum.low;
     rounded_ = rounded_ || sum.low != 0.0;
   }
-  void add(const DoubleDouble& term) noexcept {
+  ABUT_HD void add(const DoubleDouble& term) noexcept {
     add(term.high);
     add(term.low);
   }
 
-  [[nodiscard]] DoubleDouble value() const noexcept { return two_sum(high_, low_); }
+  [[nodiscard]] ABUT_HD DoubleDouble value() const noexcept { return two_sum(high_, low_); }
 
   /// Tells whether some addition rounded, or left the range of finite numbers.
-  [[nodiscard]] bool rounded() const noexcept { return rounded_; }
+  [[nodiscard]] ABUT_HD bool rounded() const noexcept { return rounded_; }
 
  private:
   double high_ = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/numbers/bits.hpp"
 
 #include <algorithm>
@@ -26,13 +27,13 @@ template <int Degree = 2>
 class ExactAccumulator {
  public:
   /// Adds factor * 2^power * a, the power from 0 to 128.
-  void add(double a, std::int64_t factor, int power = 0) noexcept requires(Degree == 1) {
+  ABUT_HD void add(double a, std::int64_t factor, int power = 0) noexcept requires(Degree == 1) {
     const Decomposed da = decompose(a);
     add(da.significand, da.exponent + power, da.negative, factor);
   }
 
   /// Adds factor * 2^power * a * b, the power from 0 to 192.
-  void add_product(double a, double b, std::int64_t factor, int power = 0) noexcept
+  ABUT_HD void add_product(double a, double b, std::int64_t factor, int power = 0) noexcept
       requires(Degree == 2) {
     const Decomposed da = decompose(a);
     const Decomposed db = decompose(b);
@@ -41,7 +42,7 @@ class ExactAccumulator {
   }
 
   /// Adds factor * a * b * c.
-  void add_product(double a, double b, double c, std::int64_t factor) noexcept
+  ABUT_HD void add_product(double a, double b, double c, std::int64_t factor) noexcept
       requires(Degree == 3) {
     const Decomposed da = decompose(a);
     const Decomposed db = decompose(b);
@@ -56,7 +57,7 @@ class ExactAccumulator {
   }
 
   /// -1, 0 or 1.
-  [[nodiscard]] int sign() const noexcept {
+  [[nodiscard]] ABUT_HD int sign() const noexcept {
     if (is_negative()) return -1;
     for (const std::uint64_t word : words_) {
       if (word != 0) return 1;
@@ -88,7 +89,7 @@ class ExactAccumulator {
 
   /// Adds factor * significand * 2^exponent, the significand below 2^106, in digits of the factor
   /// small enough for the product to fit.
-  void add(Uint128 significand, int exponent, bool negative, std::int64_t factor) noexcept {
+  ABUT_HD void add(Uint128 significand, int exponent, bool negative, std::int64_t factor) noexcept {
     if (significand == 0) return;
     constexpr unsigned digit_bits = 21;
     std::uint64_t rest =
@@ -100,7 +101,7 @@ class ExactAccumulator {
     }
   }
 
-  void add(Uint128 magnitude, std::size_t bit, bool negative) noexcept {
+  ABUT_HD void add(Uint128 magnitude, std::size_t bit, bool negative) noexcept {
     const std::size_t first = bit / 64;
     const unsigned shift = static_cast<unsigned>(bit % 64);
     const auto low = static_cast<std::uint64_t>(magnitude);
@@ -118,20 +119,21 @@ class ExactAccumulator {
     }
   }
 
-  static std::uint64_t plus(std::uint64_t& word, std::uint64_t limb, std::uint64_t carry) noexcept {
+  ABUT_HD static std::uint64_t plus(std::uint64_t& word, std::uint64_t limb,
+                                    std::uint64_t carry) noexcept {
     const Uint128 sum = Uint128{word} + limb + carry;
     word = static_cast<std::uint64_t>(sum);
     return static_cast<std::uint64_t>(sum >> 64);
   }
 
-  static std::uint64_t subtract(std::uint64_t& word, std::uint64_t limb,
-                                std::uint64_t borrow) noexcept {
+  ABUT_HD static std::uint64_t subtract(std::uint64_t& word, std::uint64_t limb,
+                                        std::uint64_t borrow) noexcept {
     const Uint128 difference = Uint128{word} - limb - borrow;
     word = static_cast<std::uint64_t>(difference);
     return static_cast<std::uint64_t>(difference >> 64) != 0 ? 1 : 0;
   }
 
-  [[nodiscard]] bool is_negative() const noexcept { return (words_.back() >> 63) != 0; }
+  [[nodiscard]] ABUT_HD bool is_negative() const noexcept { return (words_.back() >> 63) != 0; }
 
   void negate() noexcept {
     std::uint64_t carry = 1;

@@ -1,8 +1,8 @@
 #include "elements/gathered_elements.hpp"
 
 #include "base/asking_workers.hpp"
-#include "base/shortest_text.hpp"
 #include "elements/number_reader.hpp"
+#include "elements/reject_element.hpp"
 #include "grid/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
 
@@ -23,45 +23,6 @@ namespace {
 constexpr std::size_t elements_at_a_time = 1024;
 /// Columns of an element are read one by one.
 constexpr std::uint64_t steps_of_reading = 8;
-
-[[noreturn]] void reject(std::size_t element, const char* field, double value, const char* rule) {
-  throw Error(ErrorCode::invalid_input, "element " + std::to_string(element) + " has " + field +
-                                            " = " + base::shortest_text(value) + "; " + rule);
-}
-
-/// Names what is wrong with an element, x before y before z before the radius.
-template <int Dim>
-[[noreturn]] void reject(std::size_t number, const exact::Sphere<Dim>& sphere) {
-  static constexpr const char* axis_name[] = {"x", "y", "z"};
-  for (int axis = 0; axis < Dim; ++axis) {
-    if (!std::isfinite(sphere.center[axis])) {
-      reject(number, axis_name[axis], sphere.center[axis],
-             "positions must be finite: correct or remove this element");
-    }
-  }
-  reject(number, "radius", sphere.radius,
-         "radii must be finite and not negative: correct or remove this element");
-}
-
-/// Reports the first fault of a box: looks at the lower corner, the upper one, then their order.
-template <int Dim>
-[[noreturn]] void reject(std::size_t number, const exact::Box<Dim>& box) {
-  static constexpr const char* lower_name[] = {"xmin", "ymin", "zmin"};
-  static constexpr const char* upper_name[] = {"xmax", "ymax", "zmax"};
-  constexpr const char* rule = "corners must be finite: correct or remove this element";
-  for (int axis = 0; axis < Dim; ++axis) {
-    if (!std::isfinite(box.lower[axis])) reject(number, lower_name[axis], box.lower[axis], rule);
-  }
-  for (int axis = 0; axis < Dim; ++axis) {
-    if (!std::isfinite(box.upper[axis])) reject(number, upper_name[axis], box.upper[axis], rule);
-  }
-  int axis = 0;
-  while (box.lower[axis] <= box.upper[axis]) ++axis;
-  reject(number, lower_name[axis], box.lower[axis],
-         ("more than " + std::string(upper_name[axis]) + " = " +
-          base::shortest_text(box.upper[axis]) + "; exchange them or correct this element")
-             .c_str());
-}
 
 template <int Dim, Real T>
 exact::Sphere<Dim> read_sphere(const ElementView& elements, std::size_t k) {
@@ -161,7 +122,7 @@ class Gatherer {
     if (columns_) k += pack(first, last - first, bounds);
     for (; k < last; ++k) {
       const exact::Sphere<Dim> sphere = sphere_at<Dim>(elements_, k);
-      if (!valid(sphere)) reject(k, sphere);
+      if (!valid(sphere)) reject_element(k, sphere);
       bounds.include_center(sphere);
       bounds.include_radius(sphere.radius);
       spheres_[k] = sphere;
@@ -171,7 +132,7 @@ class Gatherer {
   void read_boxes(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
     for (std::size_t k = first; k < last; ++k) {
       const exact::Box<Dim> box = box_at<Dim>(elements_, k);
-      if (!valid(box)) reject(k, box);
+      if (!valid(box)) reject_element(k, box);
       boxes_[k] = box;
       spheres_[k] = stand_in(box);
       bounds.include_center(spheres_[k]);
@@ -244,7 +205,7 @@ double SphereReader::read(std::size_t first, std::span<exact::Sphere<3>> target)
   }
   for (; k < target.size(); ++k) {
     target[k] = sphere_at<3>(spheres_, first + k);
-    if (!valid(target[k])) reject(first + k, target[k]);
+    if (!valid(target[k])) reject_element(first + k, target[k]);
     largest_radius = std::max(largest_radius, target[k].radius);
   }
   return largest_radius;

@@ -36,6 +36,8 @@ ROOMS_BELOW = {
         "base exact kernels grid reference engine periodic elements lists geometry skin algorithms"),
     "history": "base exact lattice elements detect",
     "walls": "base exact/features exact kernels lattice elements lists geometry detect",
+    "device/bodies": "base exact/numbers exact",
+    "device": "base exact grid elements device/bodies",
 }
 CORE = {"include/abut": set()} | {
     f"src/{room}": {"include/abut"} | {f"src/{other}" for other in below.split()}

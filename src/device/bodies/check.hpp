@@ -1,0 +1,91 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "device/bodies/sphere_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace abut::device {
+
+inline constexpr std::uint32_t no_element = std::numeric_limits<std::uint32_t>::max();
+
+/// Returns whether the contract takes a sphere: finite numbers, no negative radius.
+template <int Dim>
+[[nodiscard]] ABUT_HD inline bool is_valid(const exact::Sphere<Dim>& sphere) noexcept {
+  constexpr double largest = std::numeric_limits<double>::max();
+  bool valid = sphere.radius >= 0.0 && sphere.radius <= largest;
+  for (const double x : sphere.center) valid = valid && std::fabs(x) <= largest;
+  return valid;
+}
+
+/// The box of some centers, the smallest and the two largest radii, and the first element that is
+/// no valid one; of no element, an inverted box. Numbers of an invalid element are not in it.
+template <int Dim>
+struct Extent {
+  double lower[Dim];
+  double upper[Dim];
+  double smallest_radius;
+  double largest_radius;
+  double second_largest_radius;
+  std::uint32_t first_bad;
+
+  [[nodiscard]] ABUT_HD static Extent of_none() noexcept {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Extent extent{};
+    for (int axis = 0; axis < Dim; ++axis) {
+      extent.lower[axis] = infinite;
+      extent.upper[axis] = -infinite;
+    }
+    extent.smallest_radius = infinite;
+    extent.first_bad = no_element;
+    return extent;
+  }
+};
+
+/// Joins two extents. Minima and maxima do not depend on the order in which many are joined.
+struct JoinExtents {
+  template <int Dim>
+  [[nodiscard]] ABUT_HD Extent<Dim> operator()(const Extent<Dim>& a,
+                                               const Extent<Dim>& b) const noexcept {
+    Extent<Dim> joined{};
+    for (int axis = 0; axis < Dim; ++axis) {
+      joined.lower[axis] = std::min(a.lower[axis], b.lower[axis]);
+      joined.upper[axis] = std::max(a.upper[axis], b.upper[axis]);
+    }
+    joined.smallest_radius = std::min(a.smallest_radius, b.smallest_radius);
+    joined.largest_radius = std::max(a.largest_radius, b.largest_radius);
+    joined.second_largest_radius =
+        std::max(std::max(a.second_largest_radius, b.second_largest_radius),
+                 std::min(a.largest_radius, b.largest_radius));
+    joined.first_bad = std::min(a.first_bad, b.first_bad);
+    return joined;
+  }
+};
+
+/// Body of the first stage: the extent of element k alone.
+template <int Dim, class T>
+struct ElementExtent {
+  SphereColumns<Dim, T> elements;
+
+  [[nodiscard]] ABUT_HD Extent<Dim> operator()(std::uint64_t k) const noexcept {
+    const auto number = static_cast<std::uint32_t>(k);
+    const exact::Sphere<Dim> sphere = elements[number];
+    Extent<Dim> extent = Extent<Dim>::of_none();
+    if (!is_valid(sphere)) {
+      extent.first_bad = number;
+      return extent;
+    }
+    for (int axis = 0; axis < Dim; ++axis) {
+      extent.lower[axis] = sphere.center[axis];
+      extent.upper[axis] = sphere.center[axis];
+    }
+    extent.smallest_radius = sphere.radius;
+    extent.largest_radius = sphere.radius;
+    return extent;
+  }
+};
+
+}  // namespace abut::device

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "device/bodies/directory.hpp"
+#include "device/bodies/filter.hpp"
+#include "device/bodies/frame.hpp"
+#include "device/bodies/place.hpp"
+
+#include <cstdint>
+
+namespace abut::device {
+
+/// The sizes of sorted elements, in units of their level: one radius each, or one reach for all.
+struct Sizes {
+  const float* radii;  ///< null: all pairs have the common reach
+  float common_reach;
+  float margin;
+
+  [[nodiscard]] ABUT_HD float reach(std::uint32_t a, std::uint32_t b) const noexcept {
+    return radii == nullptr ? common_reach : radii[a] + radii[b] + margin;
+  }
+};
+
+/// An item for each slot of one level: the element there meets those of its own cell behind it and
+/// of half of the neighboring cells, in five runs of slots; two in 2D.
+template <int Dim, class Key>
+struct MeetInLevel {
+  const PlacedRecord<Dim>* records;
+  Directory<Key> directory;
+  Sizes sizes;
+  std::uint64_t pitch[Dim];
+
+  template <class Sink>
+  ABUT_HD void partners_of(std::uint64_t item, Sink& sink) const noexcept {
+    const auto slot = static_cast<std::uint32_t>(item);
+    const std::uint64_t key = directory.keys[slot];
+    meet(slot, {slot + 1, directory.first_at(key + 2)}, sink);
+    meet_row(slot, key + pitch[0], sink);
+    if constexpr (Dim == 3) {
+      const std::uint64_t above = key + pitch[0] * pitch[1];
+      for (std::uint64_t row = above - pitch[0]; row <= above + pitch[0]; row += pitch[0]) {
+        meet_row(slot, row, sink);
+      }
+    }
+  }
+
+ private:
+  template <class Sink>
+  ABUT_HD void meet_row(std::uint32_t slot, std::uint64_t key, Sink& sink) const noexcept {
+    meet(slot, directory.cells(key - 1, key + 1), sink);
+  }
+
+  template <class Sink>
+  ABUT_HD void meet(std::uint32_t slot, const SlotRun& run, Sink& sink) const noexcept {
+    const PlacedRecord<Dim> own = records[slot];
+    for (std::uint32_t k = run.first; k < run.end; ++k) {
+      const PlacedRecord<Dim>& other = records[k];
+      const FilterVerdict verdict =
+          filter<Dim>(own.units, other.units, sizes.reach(slot, k), filter_slack);
+      if (verdict != FilterVerdict::apart) sink.take(own.number, other.number, verdict);
+    }
+  }
+};
+
+}  // namespace abut::device

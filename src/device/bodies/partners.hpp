@@ -1,0 +1,74 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "device/bodies/filter.hpp"
+
+#include <abut/pair.hpp>
+
+#include <cstdint>
+
+namespace abut::device {
+
+/// How many partners one item has: those within reach for certain, and those in doubt.
+struct PartnerCount {
+  std::uint64_t certain = 0;
+  std::uint64_t doubtful = 0;
+
+  ABUT_HD void take(std::uint32_t, std::uint32_t, FilterVerdict verdict) noexcept {
+    if (verdict == FilterVerdict::within) ++certain;
+    if (verdict == FilterVerdict::doubtful) ++doubtful;
+  }
+};
+
+/// Writes the pairs of one item to the places that are its own: first the smaller number.
+struct PartnerWriter {
+  ContactPair* certain;   ///< next place; null where certain pairs are only counted
+  ContactPair* doubtful;  ///< next place
+
+  ABUT_HD void take(std::uint32_t one, std::uint32_t other, FilterVerdict verdict) noexcept {
+    const ContactPair pair = one < other ? ContactPair{one, other} : ContactPair{other, one};
+    if (verdict == FilterVerdict::doubtful) *doubtful++ = pair;
+    if (verdict == FilterVerdict::within && certain != nullptr) *certain++ = pair;
+  }
+};
+
+/// Where the items' pairs go: the sums of the counts of all items before.
+struct PartnerPlaces {
+  std::uint64_t* certain;
+  std::uint64_t* doubtful;
+};
+
+/// Body: counts the partners of item k of a search; see MeetInLevel, MeetCoarse. The entry
+/// behind the last item is 0, and becomes the sum of all.
+template <class Search>
+struct CountPartners {
+  Search search;
+  std::uint64_t first_item;
+  std::uint64_t items;
+  PartnerPlaces counts;
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept {
+    PartnerCount count;
+    if (k < items) search.partners_of(first_item + k, count);
+    counts.certain[k] = count.certain;
+    counts.doubtful[k] = count.doubtful;
+  }
+};
+
+/// Body: writes the partners of item k.
+template <class Search>
+struct FillPartners {
+  Search search;
+  std::uint64_t first_item;
+  PartnerPlaces places;
+  ContactPair* certain;  ///< null where certain pairs are only counted
+  ContactPair* doubtful;
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept {
+    PartnerWriter writer{certain == nullptr ? nullptr : certain + places.certain[k],
+                         doubtful + places.doubtful[k]};
+    search.partners_of(first_item + k, writer);
+  }
+};
+
+}  // namespace abut::device

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "device/bodies/frame.hpp"
+#include "device/bodies/sphere_columns.hpp"
+
+#include <cstdint>
+
+namespace abut::device {
+
+/// An element as candidates are tested: its position modulo 2^32 units, and its number. Differences
+/// of two positions less than 2^31 apart are exact.
+template <int Dim>
+struct PlacedRecord {
+  std::uint32_t units[Dim];
+  std::uint32_t number;
+};
+
+/// Body: the key of element k, and its number, which is sorted with it.
+template <int Dim, class T, class Key>
+struct PlaceElement {
+  SphereColumns<Dim, T> elements;
+  Frame<Dim> frame;
+  Key* keys;
+  std::uint32_t* numbers;
+  PlacedRecord<Dim>* records;
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept {
+    const auto number = static_cast<std::uint32_t>(k);
+    const exact::Sphere<Dim> sphere = elements[number];
+    const SizeLevel<Dim>& level = frame.levels[level_of(frame, sphere.radius)];
+    const Position<Dim> position = position_of(frame, level, sphere);
+    std::uint64_t cell[Dim];
+    PlacedRecord<Dim> record{};
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto units = static_cast<std::uint64_t>(position.units[axis]);
+      cell[axis] = units >> unit_bits;
+      record.units[axis] = static_cast<std::uint32_t>(units);
+    }
+    record.number = number;
+    keys[k] = static_cast<Key>(key_of(level, cell));
+    numbers[k] = number;
+    records[k] = record;
+  }
+};
+
+/// Body: the record of slot k, once numbers are in the order of keys.
+template <int Dim>
+struct GatherRecord {
+  const std::uint32_t* numbers;
+  const PlacedRecord<Dim>* records;
+  PlacedRecord<Dim>* sorted;
+
+  ABUT_HD void operator()(std::uint64_t slot) const noexcept {
+    sorted[slot] = records[numbers[slot]];
+  }
+};
+
+/// Body: the radius of slot k in units of its own level; only where radii differ.
+template <int Dim, class T>
+struct GatherRadius {
+  SphereColumns<Dim, T> elements;
+  Frame<Dim> frame;
+  const std::uint32_t* numbers;
+  float* radii;
+
+  ABUT_HD void operator()(std::uint64_t slot) const noexcept {
+    const double radius = elements[numbers[slot]].radius;
+    const SizeLevel<Dim>& level = frame.levels[level_of(frame, radius)];
+    radii[slot] = static_cast<float>(radius * frame.scale * level.units_of_one);
+  }
+};
+
+}  // namespace abut::device

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "device/bodies/directory.hpp"
+#include "device/bodies/frame.hpp"
+#include "device/bodies/meet.hpp"
+#include "device/bodies/place.hpp"
+#include "device/executor.hpp"
+
+#include <bit>
+#include <cstdint>
+
+namespace abut::device {
+
+/// Elements in the order of their cells, and the directory of these.
+template <int Dim, class T, class Key, class E>
+class SortedElements {
+ public:
+  SortedElements(E& executor, const SphereColumns<Dim, T>& elements, const Frame<Dim>& frame)
+      : executor_(executor), elements_(elements), frame_(frame) {
+    sort();
+    write_directory();
+    if (frame_.level_count > 1 || elements_.radii.first != nullptr) gather_radii();
+    numbers_ = {};
+  }
+
+  [[nodiscard]] const PlacedRecord<Dim>* records() const noexcept { return records_.data(); }
+  [[nodiscard]] const float* radii() const noexcept { return radii_.data(); }
+  [[nodiscard]] Directory<Key> directory() const noexcept {
+    return {keys_.data(), heads_.data(), shift_};
+  }
+
+  /// The sizes of the elements of one level.
+  [[nodiscard]] Sizes sizes(const SizeLevel<Dim>& level) const noexcept {
+    const double reach = (2.0 * level.largest_radius + frame_.margin) * level.units_of_one;
+    return {radii_.data(), static_cast<float>(reach),
+            static_cast<float>(frame_.margin * level.units_of_one)};
+  }
+
+ private:
+  void sort() {
+    const std::uint64_t count = elements_.count;
+    TwinBuffer<Key, E> keys(executor_, count);
+    TwinBuffer<std::uint32_t, E> numbers(executor_, count);
+    Buffer<PlacedRecord<Dim>, E> records(executor_, count);
+    executor_.for_each(count, PlaceElement<Dim, T, Key>{elements_, frame_, keys.current.data(),
+                                                        numbers.current.data(), records.data()});
+    executor_.sort_by_key(keys, numbers, count,
+                          static_cast<int>(std::bit_width(frame_.key_count - 1)));
+    keys_.swap(keys.current);
+    numbers_.swap(numbers.current);
+    records_ = Buffer<PlacedRecord<Dim>, E>(executor_, count);
+    executor_.for_each(count, GatherRecord<Dim>{numbers_.data(), records.data(), records_.data()});
+  }
+
+  /// At most 2 N heads and two more, however many cells there are.
+  void write_directory() {
+    const std::uint64_t count = elements_.count;
+    shift_ = 0;
+    while (frame_.key_count >> shift_ > 2 * count) ++shift_;
+    const std::uint64_t heads = (frame_.key_count >> shift_) + 2;
+    heads_ = Buffer<std::uint32_t, E>(executor_, heads);
+    executor_.for_each(heads, FillArray<std::uint32_t>{heads_.data(), unset_head});
+    executor_.for_each(count, HeadsOfSlot<Key>{keys_.data(), heads_.data(), shift_});
+    executor_.for_each(heads, FindHead<Key>{keys_.data(), elements_.count, heads_.data(), shift_});
+  }
+
+  void gather_radii() {
+    radii_ = Buffer<float, E>(executor_, elements_.count);
+    executor_.for_each(elements_.count,
+                       GatherRadius<Dim, T>{elements_, frame_, numbers_.data(), radii_.data()});
+  }
+
+  E& executor_;
+  SphereColumns<Dim, T> elements_;
+  Frame<Dim> frame_;
+  Buffer<Key, E> keys_;
+  Buffer<std::uint32_t, E> numbers_;
+  Buffer<PlacedRecord<Dim>, E> records_;
+  Buffer<std::uint32_t, E> heads_;
+  Buffer<float, E> radii_;  ///< empty where all are equal
+  int shift_ = 0;
+};
+
+}  // namespace abut::device

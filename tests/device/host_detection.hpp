@@ -1,0 +1,42 @@
+#pragma once
+
+#include "device/device_request.hpp"
+#include "device/host_executor.hpp"
+#include "support/oracle.hpp"
+
+#include <abut/element_view.hpp>
+#include <abut/options.hpp>
+#include <abut/progress.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::testing {
+
+/// How the stages of a device are run on the host.
+struct HostRun {
+  device::ItemOrder order = device::ItemOrder::ascending;
+  std::size_t workers = 1;
+  std::uint64_t max_bytes = base::MemoryMeter::unbounded;
+  std::uint64_t max_pairs = unlimited_pairs;
+  std::uint64_t items_at_a_time = device::most_items_at_a_time;
+  ProgressHook progress = {};
+};
+
+struct HostAnswer {
+  PairVector pairs;  ///< in the order of the answer
+  std::uint64_t count = 0;
+  std::uint64_t exact_decisions = 0;
+  std::uint64_t peak_bytes = 0;
+  std::uint64_t held_bytes = 0;  ///< when all is done
+};
+
+/// Lists the contact pairs of spheres in an open domain by the stages of the device engine.
+[[nodiscard]] HostAnswer list_on_host(const ElementView& spheres, double margin,
+                                      const HostRun& run = {});
+
+/// Counts them.
+[[nodiscard]] HostAnswer count_on_host(const ElementView& spheres, double margin,
+                                       const HostRun& run = {});
+
+}  // namespace abut::testing

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "base/progress_reporter.hpp"
+#include "device/axis_stretches.hpp"
 #include "device/bodies/check.hpp"
 #include "device/bodies/decide.hpp"
+#include "device/bodies/larger.hpp"
 #include "device/bodies/order_row.hpp"
 #include "device/bodies/size_class.hpp"
 #include "device/contact_search.hpp"
@@ -19,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace abut::device {
@@ -66,6 +69,8 @@ class Pipeline {
   }
 
  private:
+  using Stretches = AxisStretches<Dim, T, E>;
+
   template <class Use>
   void search(Use&& use) {
     progress_.begin("gather", elements_.count);
@@ -73,7 +78,8 @@ class Pipeline {
     const Extent<Dim> extent = checked_extent();
     if (extent.smallest_radius == extent.largest_radius) take_common(extent.largest_radius);
     progress_.begin("search", elements_.count);
-    const Frame<Dim> frame = frame_of(extent);
+    std::optional<Stretches> stretches;  // as long as the search, which looks into them
+    const Frame<Dim> frame = frame_of(extent, stretches);
     if (frame.key_count <= std::numeric_limits<std::uint32_t>::max()) {
       ContactSearch<Dim, T, std::uint32_t, E> contacts(executor_, elements_, frame, request_);
       use(contacts);
@@ -113,20 +119,31 @@ class Pipeline {
     return sphere;
   }
 
-  [[nodiscard]] Frame<Dim> frame_of(const Extent<Dim>& extent) {
+  [[nodiscard]] Frame<Dim> frame_of(const Extent<Dim>& extent,
+                                    std::optional<Stretches>& stretches) {
     Levels levels;
     levels.elements[0] = elements_.count;
     if (extent.smallest_radius < extent.largest_radius) {
       levels = choose_levels(size_counts(extent), extent, request_.margin);
     }
     Frame<Dim> frame = make_frame(extent, request_.margin, levels.radius_ends());
+    const double narrowest = narrowest_cell(extent, request_.margin);
+    if (frame.cell > narrowest) {
+      stretches.emplace(executor_, elements_, frame.scale);
+      stretches->choose_cell(narrowest, frame.cell);
+      frame = make_frame(extent, request_.margin, levels.radius_ends(), stretches->axes());
+    }
+    number_slots(frame, levels);
+    return frame;
+  }
+
+  static void number_slots(Frame<Dim>& frame, const Levels& levels) noexcept {
     std::uint64_t slot = 0;
     for (std::uint32_t k = 0; k < frame.level_count; ++k) {
       frame.levels[k].first_slot = static_cast<std::uint32_t>(slot);
       slot += levels.elements[k];
       frame.levels[k].end_slot = static_cast<std::uint32_t>(slot);
     }
-    return frame;
   }
 
   [[nodiscard]] SizeCounts size_counts(const Extent<Dim>& extent) {

@@ -25,7 +25,7 @@ struct SizeLevel {
   double radius_end;      ///< its radii are smaller; of the last level infinite
   double largest_radius;  ///< at most this, scaled
   double units_of_one;    ///< units in one scaled length
-  double finer;           ///< width of a cell of the last level in cells of this one, >= 1
+  double finer;           ///< cells of this level in one of the last, >= 1
   std::uint64_t cells[Dim];
   std::uint64_t pitch[Dim];
   std::uint64_t first_key;
@@ -36,7 +36,7 @@ struct SizeLevel {
 /// A stretch of an axis without a wide gap, from the lowest coordinate in it on.
 struct Stretch {
   double start;              ///< scaled
-  std::uint64_t first_cell;  ///< in cells of the last level
+  std::uint64_t first_cell;  ///< in cells of the last level, as they were when gaps were closed
 };
 
 /// An axis from `lower` on, or, where the domain is far wider than its elements need, stretches.
@@ -52,6 +52,7 @@ template <int Dim>
 struct Frame {
   double scale;
   double margin;  ///< scaled
+  double cell;    ///< width of the cells of the last level, scaled
   Axis axes[Dim];
   std::uint32_t level_count;
   SizeLevel<Dim> levels[most_levels];  ///< smallest elements first

@@ -35,12 +35,6 @@ struct RowLength {
   }
 };
 
-struct Larger {
-  [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint32_t a, std::uint32_t b) const noexcept {
-    return a < b ? b : a;
-  }
-};
-
 /// Body: sorts the row that begins at pair k by insertion.
 struct OrderRow {
   ContactPair* pairs;

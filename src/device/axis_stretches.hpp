@@ -13,30 +13,32 @@
 
 namespace abut::device {
 
-/// Divides the axes of a domain that is far wider than its elements need into stretches: gaps wider
-/// than a cell are closed, so that there are a few cells for each element however far apart they
-/// are. It sorts the coordinates of each axis once.
+/// Divides the axes of a level that is far wider than its elements need into stretches: gaps wider
+/// than a cell are closed, so that there are few cells for each element however far apart they are.
+/// It sorts the coordinates of each axis once, and must outlive all who look into the level.
 template <int Dim, class T, class E>
 class AxisStretches {
  public:
-  AxisStretches(E& executor, const SphereColumns<Dim, T>& elements, double scale)
-      : executor_(executor), elements_(elements) {
-    for (int axis = 0; axis < Dim; ++axis) sort(axis, scale);
+  AxisStretches(E& executor, const SphereColumns<Dim, T>& elements, const Frame<Dim>& frame,
+                std::uint32_t level)
+      : executor_(executor), count_(frame.levels[level].end_slot - frame.levels[level].first_slot) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      sort(axis, CoordinateInLevel<Dim, T>{elements, frame, level, axis, nullptr, nullptr},
+           elements.count);
+    }
   }
 
-  /// Finds the narrowest cells whose keys fit, between a width that may do and one that does.
-  void choose_cell(double narrowest, double wide_enough) {
+  /// Lays out the narrowest cells whose keys fit. Those in one piece do.
+  void lay_out(SizeLevel<Dim>& level, const CellWidths& widths) {
     int too_narrow = -1;
-    int fits = static_cast<int>(std::ceil(std::log2(wide_enough / narrowest)));
+    int fits = static_cast<int>(std::ceil(std::log2(widths.in_one_piece / widths.narrowest)));
     while (fits - too_narrow > 1) {
       const int middle = too_narrow + (fits - too_narrow) / 2;
-      (divide(std::ldexp(narrowest, middle)) ? fits : too_narrow) = middle;
+      (divide(level, std::ldexp(widths.narrowest, middle)) ? fits : too_narrow) = middle;
     }
-    divide(std::ldexp(narrowest, fits));
+    divide(level, std::ldexp(widths.narrowest, fits));
     for (Sorted& axis : sorted_) axis.coordinates = {};
   }
-
-  [[nodiscard]] StretchedAxes<Dim> axes() const noexcept { return axes_; }
 
  private:
   struct Sorted {
@@ -44,63 +46,56 @@ class AxisStretches {
     Buffer<Stretch, E> stretches;
   };
 
-  void sort(int axis, double scale) {
-    const std::uint64_t count = elements_.count;
-    TwinBuffer<std::uint64_t, E> coordinates(executor_, count);
-    TwinBuffer<std::uint32_t, E> numbers(executor_, count);
-    executor_.for_each(count,
-                       CoordinateOf<Dim, T>{elements_, axis, scale, coordinates.current.data(),
-                                            numbers.current.data()});
-    executor_.sort_by_key(coordinates, numbers, count, 64);
+  void sort(int axis, CoordinateInLevel<Dim, T> body, std::uint64_t elements) {
+    TwinBuffer<std::uint64_t, E> coordinates(executor_, elements);
+    TwinBuffer<std::uint32_t, E> numbers(executor_, elements);
+    body.coordinates = coordinates.current.data();
+    body.numbers = numbers.current.data();
+    executor_.for_each(elements, body);
+    executor_.sort_by_key(coordinates, numbers, elements, 64);
     sorted_[axis].coordinates.swap(coordinates.current);
   }
 
   /// Divides all axes by cells of that width; returns whether their keys fit.
-  bool divide(double cell) {
-    axes_.cell = cell;
-    axes_.longest = 0.0;
+  bool divide(SizeLevel<Dim>& level, double cell) {
+    level.units_of_one = units_of_cell / cell;
     double keys = 1.0;
+    double longest = 0.0;
     for (int axis = 0; axis < Dim; ++axis) {
-      keys *= static_cast<double>(divide(axis, cell)) + 1.0;
+      longest = std::max(longest, divide(level, axis, cell));
+      keys *= static_cast<double>(level.pitch[axis]);
     }
-    return keys <= most_keys_of_level && axes_.longest <= cell * most_cells_along_axis;
+    return keys <= most_keys_of_level && longest <= cell * most_cells_along_axis;
   }
 
-  /// Returns the number of cells of the axis.
-  std::uint64_t divide(int axis, double cell) {
+  /// Returns the length of the longest stretch.
+  double divide(SizeLevel<Dim>& level, int axis, double cell) {
     Sorted& sorted = sorted_[axis];
     sorted.stretches = {};
-    const std::uint64_t count = elements_.count;
     const std::uint64_t* const coordinates = sorted.coordinates.data();
-    Buffer<std::uint64_t, E> before(executor_, count + 1);
-    executor_.for_each(count + 1, BeginsStretch{coordinates, count, cell, before.data()});
-    const std::uint64_t stretches = sum_before_each(executor_, before.data(), count);
+    Buffer<std::uint64_t, E> before(executor_, count_ + 1);
+    executor_.for_each(count_ + 1, BeginsStretch{coordinates, count_, cell, before.data()});
+    const std::uint64_t stretches = sum_before_each(executor_, before.data(), count_);
 
     sorted.stretches = Buffer<Stretch, E>(executor_, stretches);
+    Stretch* const first = sorted.stretches.data();
     Buffer<double, E> ends(executor_, stretches);
-    executor_.for_each(count, BoundStretch{coordinates, count, before.data(),
-                                           sorted.stretches.data(), ends.data()});
-    const double longest = executor_.reduce(
-        stretches, 0.0, StretchLength{sorted.stretches.data(), ends.data()}, Larger{});
-    axes_.longest = std::max(axes_.longest, longest);
-
+    executor_.for_each(count_,
+                       BoundStretch{coordinates, count_, before.data(), first, ends.data()});
     Buffer<std::uint64_t, E> cells(executor_, stretches + 1);
-    executor_.for_each(stretches + 1,
-                       CellsOfStretch{sorted.stretches.data(), ends.data(), stretches,
-                                      units_of_cell / cell, cells.data()});
-    const std::uint64_t all = sum_before_each(executor_, cells.data(), stretches);
-    executor_.for_each(stretches, PlaceStretch{cells.data(), sorted.stretches.data()});
-
-    axes_.stretches[axis] = sorted.stretches.data();
-    axes_.counts[axis] = static_cast<std::uint32_t>(stretches);
-    executor_.copy_to_host(&axes_.last[axis], sorted.stretches.data() + stretches - 1, 1);
-    return all;
+    executor_.for_each(stretches + 1, CellsOfStretch{first, ends.data(), stretches,
+                                                     level.units_of_one, cells.data()});
+    level.cells[axis] = sum_before_each(executor_, cells.data(), stretches);
+    level.pitch[axis] = level.cells[axis] + 1;
+    executor_.for_each(stretches, PlaceStretch{cells.data(), first});
+    level.axes[axis].stretches = first;
+    level.axes[axis].stretch_count = static_cast<std::uint32_t>(stretches);
+    return executor_.reduce(stretches, 0.0, StretchLength{first, ends.data()}, Larger{});
   }
 
   E& executor_;
-  SphereColumns<Dim, T> elements_;
+  std::uint64_t count_;  ///< elements of the level
   Sorted sorted_[Dim];
-  StretchedAxes<Dim> axes_;
 };
 
 }  // namespace abut::device

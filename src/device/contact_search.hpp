@@ -76,9 +76,9 @@ class ContactSearch {
     const std::uint64_t coarse = elements_.count - level.end_slot;
     if (coarse == 0 || level.first_slot == level.end_slot) return;
     Buffer<std::uint64_t, E> items(executor_, coarse + 1);
-    const Across across{
-        elements_,           frame_,      k, request_.margin, sorted_.records(), sorted_.radii(),
-        sorted_.directory(), items.data()};
+    const Across across{elements_,   frame_.scale,      frame_.margin,   request_.margin,
+                        level,       sorted_.records(), sorted_.radii(), sorted_.directory(),
+                        items.data()};
     executor_.for_each(coarse + 1, CountItems<Across>{across, coarse, items.data()});
     const std::uint64_t all = sum_before_each(executor_, items.data(), coarse);
     CrossLevelSearch search(executor_, across, 0, all, request_.items_at_a_time);

@@ -4,12 +4,8 @@
 #include "device/bodies/frame.hpp"
 
 #include <cstdint>
-#include <span>
 
 namespace abut::device {
-
-/// Ends of radii that divide elements into levels, ascending; the last level has none.
-using RadiusEnds = std::span<const double>;
 
 /// An axis, or a stretch of it, has fewer cells: positions in doubles are then off by a quarter of
 /// a unit at most.
@@ -17,28 +13,24 @@ inline constexpr double most_cells_along_axis = 0x1p30;
 /// The keys of all levels together stay below 2^62.
 inline constexpr double most_keys_of_level = 0x1p59;
 
-/// The stretches of each axis in the memory of a device, made for cells of one width.
+/// Scale and margin for elements of that extent; no levels yet.
 template <int Dim>
-struct StretchedAxes {
-  double cell = 0.0;     ///< scaled
-  double longest = 0.0;  ///< stretch of all
-  const Stretch* stretches[Dim] = {};
-  std::uint32_t counts[Dim] = {};
-  Stretch last[Dim] = {};  ///< the last of each axis
+[[nodiscard]] Frame<Dim> make_frame(const Extent<Dim>& extent, double margin);
+
+/// What cells of a level may be: how wide for the reach, and how wide in one piece, where the keys
+/// of narrower ones would be too many.
+struct CellWidths {
+  double narrowest;
+  double in_one_piece;
 };
 
-/// Lays out the cells of each level. Levels have no slots yet. `extent` is of one element or more.
-/// Where they would be too many for the keys, cells are wider than the reach.
+/// Sets reach and axes of a level; `extent` is that of its elements, of one or more. Its cells are
+/// as wide as they must be in one piece.
 template <int Dim>
-[[nodiscard]] Frame<Dim> make_frame(const Extent<Dim>& extent, double margin, RadiusEnds ends);
+CellWidths lay_out(SizeLevel<Dim>& level, const Extent<Dim>& extent, const Frame<Dim>& frame);
 
-/// The same in stretches, which closed the gaps that are wider than a cell of the last level.
+/// Gives each level its keys.
 template <int Dim>
-[[nodiscard]] Frame<Dim> make_frame(const Extent<Dim>& extent, double margin, RadiusEnds ends,
-                                    const StretchedAxes<Dim>& axes);
-
-/// The width that the cells of the last level should have, scaled.
-template <int Dim>
-[[nodiscard]] double narrowest_cell(const Extent<Dim>& extent, double margin);
+void number_keys(Frame<Dim>& frame);
 
 }  // namespace abut::device

@@ -151,7 +151,8 @@ Levels choose_levels(const SizeCounts& counts, const Extent<Dim>& extent, double
   std::size_t end = groups.size();
   for (std::size_t level = levels; level-- > 0;) {
     const std::size_t begin = best.begin[level + 1][end];
-    result.ends[level] = groups[end - 1].end;
+    const bool is_last = level + 1 == levels;
+    result.ends[level] = is_last ? std::numeric_limits<double>::infinity() : groups[end - 1].end;
     for (std::size_t k = begin; k < end; ++k) {
       result.elements[level] += static_cast<std::uint64_t>(groups[k].count);
     }

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
 namespace abut::device {
 
@@ -16,12 +15,8 @@ using SizeCounts = std::array<std::uint64_t, size_classes>;
 /// A division of elements by size.
 struct Levels {
   std::uint32_t count = 1;
-  std::array<double, most_levels> ends{};             ///< of radii, but for the last level
+  std::array<double, most_levels> ends{};  ///< radii of a level are smaller; of the last infinite
   std::array<std::uint64_t, most_levels> elements{};  ///< of each level
-
-  [[nodiscard]] std::span<const double> radius_ends() const noexcept {
-    return std::span(ends).first(count - 1);
-  }
 };
 
 /// The levels that cost least to search by an estimate. Elements of a level meet each other in

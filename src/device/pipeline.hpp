@@ -6,6 +6,7 @@
 #include "device/bodies/decide.hpp"
 #include "device/bodies/larger.hpp"
 #include "device/bodies/order_row.hpp"
+#include "device/bodies/place.hpp"
 #include "device/bodies/size_class.hpp"
 #include "device/contact_search.hpp"
 #include "device/device_request.hpp"
@@ -21,8 +22,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace abut::device {
 
@@ -78,7 +79,7 @@ class Pipeline {
     const Extent<Dim> extent = checked_extent();
     if (extent.smallest_radius == extent.largest_radius) take_common(extent.largest_radius);
     progress_.begin("search", elements_.count);
-    std::optional<Stretches> stretches;  // as long as the search, which looks into them
+    std::vector<Stretches> stretches;  // as long as the search, which looks into them
     const Frame<Dim> frame = frame_of(extent, stretches);
     if (frame.key_count <= std::numeric_limits<std::uint32_t>::max()) {
       ContactSearch<Dim, T, std::uint32_t, E> contacts(executor_, elements_, frame, request_);
@@ -119,31 +120,42 @@ class Pipeline {
     return sphere;
   }
 
-  [[nodiscard]] Frame<Dim> frame_of(const Extent<Dim>& extent,
-                                    std::optional<Stretches>& stretches) {
+  [[nodiscard]] Frame<Dim> frame_of(const Extent<Dim>& extent, std::vector<Stretches>& stretches) {
+    Frame<Dim> frame = make_frame(extent, request_.margin);
+    set_levels(frame, extent);
+    for (std::uint32_t k = 0; k < frame.level_count; ++k) {
+      SizeLevel<Dim>& level = frame.levels[k];
+      const CellWidths widths =
+          lay_out(level, frame.level_count == 1 ? extent : extent_of_level(frame, k), frame);
+      if (widths.narrowest == widths.in_one_piece) continue;
+      stretches.emplace_back(executor_, elements_, frame, k);
+      stretches.back().lay_out(level, widths);
+    }
+    number_keys(frame);
+    return frame;
+  }
+
+  /// Divides the elements into levels, which have slots then.
+  void set_levels(Frame<Dim>& frame, const Extent<Dim>& extent) {
     Levels levels;
+    levels.ends[0] = std::numeric_limits<double>::infinity();
     levels.elements[0] = elements_.count;
     if (extent.smallest_radius < extent.largest_radius) {
       levels = choose_levels(size_counts(extent), extent, request_.margin);
     }
-    Frame<Dim> frame = make_frame(extent, request_.margin, levels.radius_ends());
-    const double narrowest = narrowest_cell(extent, request_.margin);
-    if (frame.cell > narrowest) {
-      stretches.emplace(executor_, elements_, frame.scale);
-      stretches->choose_cell(narrowest, frame.cell);
-      frame = make_frame(extent, request_.margin, levels.radius_ends(), stretches->axes());
-    }
-    number_slots(frame, levels);
-    return frame;
-  }
-
-  static void number_slots(Frame<Dim>& frame, const Levels& levels) noexcept {
+    frame.level_count = levels.count;
     std::uint64_t slot = 0;
-    for (std::uint32_t k = 0; k < frame.level_count; ++k) {
+    for (std::uint32_t k = 0; k < levels.count; ++k) {
+      frame.levels[k].radius_end = levels.ends[k];
       frame.levels[k].first_slot = static_cast<std::uint32_t>(slot);
       slot += levels.elements[k];
       frame.levels[k].end_slot = static_cast<std::uint32_t>(slot);
     }
+  }
+
+  [[nodiscard]] Extent<Dim> extent_of_level(const Frame<Dim>& frame, std::uint32_t level) {
+    return executor_.reduce(elements_.count, Extent<Dim>::of_none(),
+                            ExtentInLevel<Dim, T>{elements_, frame, level}, JoinExtents{});
   }
 
   [[nodiscard]] SizeCounts size_counts(const Extent<Dim>& extent) {

@@ -31,8 +31,7 @@ class SortedElements {
 
   /// The sizes of the elements of one level.
   [[nodiscard]] Sizes sizes(const SizeLevel<Dim>& level) const noexcept {
-    const double reach = (2.0 * level.largest_radius + frame_.margin) * level.units_of_one;
-    return {radii_.data(), static_cast<float>(reach),
+    return {radii_.data(), static_cast<float>(level.largest_reach * level.units_of_one),
             static_cast<float>(frame_.margin * level.units_of_one)};
   }
 

@@ -65,7 +65,20 @@ struct JoinExtents {
   }
 };
 
-/// Body of the first stage: the extent of element k alone.
+/// The extent of one sphere.
+template <int Dim>
+[[nodiscard]] ABUT_HD inline Extent<Dim> extent_of(const exact::Sphere<Dim>& sphere) noexcept {
+  Extent<Dim> extent = Extent<Dim>::of_none();
+  for (int axis = 0; axis < Dim; ++axis) {
+    extent.lower[axis] = sphere.center[axis];
+    extent.upper[axis] = sphere.center[axis];
+  }
+  extent.smallest_radius = sphere.radius;
+  extent.largest_radius = sphere.radius;
+  return extent;
+}
+
+/// Body of the first stage: the extent of element k alone, or that it is a bad one.
 template <int Dim, class T>
 struct ElementExtent {
   SphereColumns<Dim, T> elements;
@@ -73,17 +86,9 @@ struct ElementExtent {
   [[nodiscard]] ABUT_HD Extent<Dim> operator()(std::uint64_t k) const noexcept {
     const auto number = static_cast<std::uint32_t>(k);
     const exact::Sphere<Dim> sphere = elements[number];
+    if (is_valid(sphere)) return extent_of(sphere);
     Extent<Dim> extent = Extent<Dim>::of_none();
-    if (!is_valid(sphere)) {
-      extent.first_bad = number;
-      return extent;
-    }
-    for (int axis = 0; axis < Dim; ++axis) {
-      extent.lower[axis] = sphere.center[axis];
-      extent.upper[axis] = sphere.center[axis];
-    }
-    extent.smallest_radius = sphere.radius;
-    extent.largest_radius = sphere.radius;
+    extent.first_bad = number;
     return extent;
   }
 };

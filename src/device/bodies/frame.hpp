@@ -11,10 +11,24 @@ namespace abut::device {
 inline constexpr int unit_bits = 20;
 inline constexpr double units_of_cell = 0x1p20;
 
-/// A level takes the elements of one class of radii: cells of their own reach.
+/// The most levels that elements are divided into.
 inline constexpr std::uint32_t most_levels = 8;
 
-/// One level: its cells, which are numbered in one space of keys after those of smaller elements.
+/// A part of an axis without a wide gap, from the lowest coordinate in it on.
+struct Stretch {
+  double start;  ///< scaled
+  std::uint64_t first_cell;
+};
+
+/// An axis from `lower` on, or, where that is far longer than its elements need, in stretches.
+struct Axis {
+  double lower;              ///< scaled
+  const Stretch* stretches;  ///< null: one, without end
+  std::uint32_t stretch_count;
+};
+
+/// The elements of one class of radii, in cells of their own reach from their own lowest corner on.
+/// The cells of all levels are numbered in one space of keys:
 ///
 ///   key = first_key + x + pitch[0] (y + pitch[1] z)        pitch = cells along the axis + 1
 ///
@@ -23,27 +37,15 @@ inline constexpr std::uint32_t most_levels = 8;
 template <int Dim>
 struct SizeLevel {
   double radius_end;      ///< its radii are smaller; of the last level infinite
-  double largest_radius;  ///< at most this, scaled
+  double largest_radius;  ///< of its elements, scaled
+  double largest_reach;   ///< of two of them, scaled
   double units_of_one;    ///< units in one scaled length
-  double finer;           ///< cells of this level in one of the last, >= 1
+  Axis axes[Dim];
   std::uint64_t cells[Dim];
   std::uint64_t pitch[Dim];
   std::uint64_t first_key;
   std::uint32_t first_slot;  ///< of its elements, when they are sorted
   std::uint32_t end_slot;
-};
-
-/// A stretch of an axis without a wide gap, from the lowest coordinate in it on.
-struct Stretch {
-  double start;              ///< scaled
-  std::uint64_t first_cell;  ///< in cells of the last level, as they were when gaps were closed
-};
-
-/// An axis from `lower` on, or, where the domain is far wider than its elements need, stretches.
-struct Axis {
-  double lower;              ///< scaled
-  const Stretch* stretches;  ///< null: one, without end
-  std::uint32_t stretch_count;
 };
 
 /// The map from lengths to whole numbers (docs/derivations/whole_numbers.md). Lengths are scaled by
@@ -52,19 +54,12 @@ template <int Dim>
 struct Frame {
   double scale;
   double margin;  ///< scaled
-  double cell;    ///< width of the cells of the last level, scaled
-  Axis axes[Dim];
   std::uint32_t level_count;
   SizeLevel<Dim> levels[most_levels];  ///< smallest elements first
   std::uint64_t key_count;
 };
 
-/// Where something lies, in units of a level.
-template <int Dim>
-struct Position {
-  std::int64_t units[Dim];
-};
-
+/// The number of the level that takes a radius.
 template <int Dim>
 [[nodiscard]] ABUT_HD inline std::uint32_t level_of(const Frame<Dim>& frame,
                                                     double radius) noexcept {
@@ -73,8 +68,8 @@ template <int Dim>
   return level;
 }
 
-/// The last stretch that begins at or before a coordinate, which lies in one.
-[[nodiscard]] ABUT_HD inline Stretch stretch_of(const Axis& axis, double scaled) noexcept {
+/// The number of the last stretch that begins at or before a coordinate; 0 if none does.
+[[nodiscard]] ABUT_HD inline std::uint32_t stretch_of(const Axis& axis, double scaled) noexcept {
   std::uint32_t first = 0;
   std::uint32_t count = axis.stretch_count;
   while (count > 1) {
@@ -86,41 +81,22 @@ template <int Dim>
       count = half;
     }
   }
-  return axis.stretches[first];
+  return first;
 }
 
-/// The first cell of a stretch in a level.
-[[nodiscard]] ABUT_HD inline std::uint64_t first_cell_in_level(const Stretch& stretch,
-                                                               double finer) noexcept {
-  if (stretch.first_cell == 0) return 0;
-  return static_cast<std::uint64_t>(static_cast<double>(stretch.first_cell) * finer) + 1;
-}
-
-/// floor((x - lower) units_of_one): no coordinate lies below `lower`, so that truncation is floor.
-template <int Dim>
-[[nodiscard]] ABUT_HD inline std::int64_t units_along(const Axis& axis, const SizeLevel<Dim>& level,
-                                                      double scaled) noexcept {
+/// Where an element of the level lies along an axis, in units: floor((x - lower) units_of_one). No
+/// element lies below the lower end of its axis or stretch, so that truncation is floor.
+[[nodiscard]] ABUT_HD inline std::uint64_t units_along(const Axis& axis, double units_of_one,
+                                                       double scaled) noexcept {
   if (axis.stretches == nullptr) {
-    return static_cast<std::int64_t>((scaled - axis.lower) * level.units_of_one);
+    return static_cast<std::uint64_t>((scaled - axis.lower) * units_of_one);
   }
-  const Stretch stretch = stretch_of(axis, scaled);
-  const std::uint64_t first_cell = first_cell_in_level(stretch, level.finer);
-  return static_cast<std::int64_t>(first_cell << unit_bits) +
-         static_cast<std::int64_t>((scaled - stretch.start) * level.units_of_one);
+  const Stretch stretch = axis.stretches[stretch_of(axis, scaled)];
+  return (stretch.first_cell << unit_bits) +
+         static_cast<std::uint64_t>((scaled - stretch.start) * units_of_one);
 }
 
-template <int Dim>
-[[nodiscard]] ABUT_HD inline Position<Dim> position_of(const Frame<Dim>& frame,
-                                                       const SizeLevel<Dim>& level,
-                                                       const exact::Sphere<Dim>& sphere) noexcept {
-  Position<Dim> position{};
-  for (int axis = 0; axis < Dim; ++axis) {
-    position.units[axis] = units_along(frame.axes[axis], level, sphere.center[axis] * frame.scale);
-  }
-  return position;
-}
-
-/// The key of a cell, given cell by cell along the axes.
+/// The key of a cell, given by its numbers along the axes.
 template <int Dim>
 [[nodiscard]] ABUT_HD inline std::uint64_t key_of(const SizeLevel<Dim>& level,
                                                   const std::uint64_t (&cell)[Dim]) noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/host_device.hpp"
+#include "device/bodies/check.hpp"
 #include "device/bodies/frame.hpp"
 #include "device/bodies/sphere_columns.hpp"
 
@@ -16,6 +17,19 @@ struct PlacedRecord {
   std::uint32_t number;
 };
 
+/// Body: the extent of element k if it belongs to a level, else that of none.
+template <int Dim, class T>
+struct ExtentInLevel {
+  SphereColumns<Dim, T> elements;
+  Frame<Dim> frame;
+  std::uint32_t level;
+
+  [[nodiscard]] ABUT_HD Extent<Dim> operator()(std::uint64_t k) const noexcept {
+    const exact::Sphere<Dim> sphere = elements[static_cast<std::uint32_t>(k)];
+    return level_of(frame, sphere.radius) == level ? extent_of(sphere) : Extent<Dim>::of_none();
+  }
+};
+
 /// Body: the key of element k, and its number, which is sorted with it.
 template <int Dim, class T, class Key>
 struct PlaceElement {
@@ -29,11 +43,11 @@ struct PlaceElement {
     const auto number = static_cast<std::uint32_t>(k);
     const exact::Sphere<Dim> sphere = elements[number];
     const SizeLevel<Dim>& level = frame.levels[level_of(frame, sphere.radius)];
-    const Position<Dim> position = position_of(frame, level, sphere);
     std::uint64_t cell[Dim];
     PlacedRecord<Dim> record{};
     for (int axis = 0; axis < Dim; ++axis) {
-      const auto units = static_cast<std::uint64_t>(position.units[axis]);
+      const std::uint64_t units =
+          units_along(level.axes[axis], level.units_of_one, sphere.center[axis] * frame.scale);
       cell[axis] = units >> unit_bits;
       record.units[axis] = static_cast<std::uint32_t>(units);
     }

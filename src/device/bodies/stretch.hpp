@@ -9,9 +9,8 @@
 
 namespace abut::device {
 
-/// Cells that stay empty between two stretches: elements of two are never in adjacent cells, in any
-/// level (docs/derivations/whole_numbers.md, section 5).
-inline constexpr std::uint64_t cells_between_stretches = 3;
+/// A cell stays empty between two stretches: elements of two are never in adjacent cells.
+inline constexpr std::uint64_t cells_between_stretches = 1;
 
 /// Whole numbers in the order of the doubles that they stand for.
 [[nodiscard]] ABUT_HD inline std::uint64_t ordered_bits(double value) noexcept {
@@ -25,18 +24,22 @@ inline constexpr std::uint64_t cells_between_stretches = 3;
   return std::bit_cast<double>((ordered & sign) != 0 ? ordered ^ sign : ~ordered);
 }
 
-/// Body: the scaled coordinate of element k on one axis, to be sorted.
+/// Body: the scaled coordinate of element k on one axis, to be sorted; those of other levels come
+/// behind all.
 template <int Dim, class T>
-struct CoordinateOf {
+struct CoordinateInLevel {
   SphereColumns<Dim, T> elements;
+  Frame<Dim> frame;
+  std::uint32_t level;
   int axis;
-  double scale;
   std::uint64_t* coordinates;
   std::uint32_t* numbers;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     const auto number = static_cast<std::uint32_t>(k);
-    coordinates[k] = ordered_bits(elements.center[axis][number] * scale);
+    const exact::Sphere<Dim> sphere = elements[number];
+    const bool is_here = level_of(frame, sphere.radius) == level;
+    coordinates[k] = is_here ? ordered_bits(sphere.center[axis] * frame.scale) : ~std::uint64_t{0};
     numbers[k] = number;
   }
 };

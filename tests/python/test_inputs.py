@@ -261,3 +261,18 @@ def test_arrays_of_the_caller_are_released(cloud):
     assert sys.getrefcount(x) > before
     del c
     assert sys.getrefcount(x) == before
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_arrays_of_real_numbers_are_no_whole_numbers(dtype):
+    x = np.arange(9.0).reshape(3, 3)
+    pair, ids = np.zeros((1, 2), dtype), np.arange(3, dtype=dtype)
+    for call in (
+        lambda: abut.TriangleMesh(x, np.zeros((1, 3), dtype)),
+        lambda: abut.contacts(x, 0.5, groups=ids),
+        lambda: abut.contacts(x, 0.5, exclude=pair),
+        lambda: abut.measure(abut.spheres(x, 0.5), pair, "gap"),
+        lambda: abut.Detector().set_ids(ids),
+    ):
+        with pytest.raises(abut.InputTypeError, match="are whole numbers; float"):
+            call()

@@ -245,8 +245,6 @@ def of_one_type(*arrays: Numbers) -> tuple[Numbers, ...]:
 
 def whole_numbers(given: Any, dtype: type[np.generic], what: str) -> npt.NDArray[Any]:
     """Whole numbers as an array of `dtype`, side by side; an error for one that does not fit."""
-    if _is_taken_as_it_is(given):
-        return given  # type: ignore[no-any-return]
     array = _array_of(given, what)
     if array.dtype.kind not in "iu" and array.size > 0:
         raise InputTypeError(f"{what} are whole numbers; {array.dtype} was given")

@@ -184,6 +184,11 @@ def test_pickled_contacts_are_the_same(cloud):
         assert repr(again) == repr(c)
 
 
+def test_pickled_contacts_know_that_no_pair_has_a_shift():
+    c = abut.contacts([[0, 0]], 0.25, domain=abut.Domain.periodic((1, 1)))
+    assert pickle.loads(pickle.dumps(c)).shift.shape == (0, 3)
+
+
 def test_nothing_gives_nothing():
     for x in ([], np.zeros((0, 2)), (np.zeros(0),) * 3):
         c = abut.contacts(x, 0.5)

@@ -27,21 +27,17 @@ from ._errors import (
     UsageError,
 )
 from ._files import Snapshot, read, write
+from ._fit_boxes import fit_boxes
+from ._geometry import PairGeometry
 from ._history import ContactHistory
-from ._measure import PairGeometry, PairMeasurer, measure
+from ._measure import PairMeasurer, measure
+from ._mesh import Motion, TriangleMesh
 from ._neighbors import NeighborList, build_neighbor_list, neighbors
 from ._options import Options
 from ._rules import ExclusionList, GroupTable, PairRule
 from ._statistics import Statistics
-from ._walls import (
-    BoxContacts,
-    FeatureKind,
-    MeshContacts,
-    TriangleMesh,
-    find_box_contacts,
-    find_mesh_contacts,
-    fit_boxes,
-)
+from ._wall_contacts import BoxContacts, FeatureKind, MeshContacts
+from ._walls import find_box_contacts, find_mesh_contacts
 
 __version__ = _version()
 
@@ -63,6 +59,7 @@ __all__ = [
     "InputTypeError",
     "LimitError",
     "MeshContacts",
+    "Motion",
     "NeighborList",
     "Options",
     "OutputError",

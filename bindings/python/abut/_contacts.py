@@ -13,7 +13,7 @@ from . import _abut, _exports, _plot
 from ._domain import OPEN, Domain
 from ._elements import Elements
 from ._errors import UsageError
-from ._measure import QUANTITIES, arrays_of_pairs, shaped
+from ._geometry import QUANTITIES, Arrays, Measured
 from ._options import Options, call_options
 from ._statistics import Statistics
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-class Contacts:
+class Contacts(Measured):
     """The contact pairs of one detection, each once.
 
     Arrays are read-only views of the memory that the detection filled. They may be kept: they
@@ -117,42 +117,19 @@ class Contacts:
         """Vector from the center of i to that of j, moved by its image shift, (M, dimensions)."""
         return self.measure("vector")[0]
 
-    def measure(self, *quantities: str) -> tuple[npt.NDArray[np.float64], ...]:
-        """Measures quantities, those together that are not known yet: cheaper than one by one.
+    @property
+    def _dimensions(self) -> int:
+        return self._elements.dimensions
 
-        Parameters
-        ----------
-        *quantities : 'gap', 'normal', 'point', 'distance', 'vector'
-
-        >>> import abut
-        >>> gap, normal = abut.contacts([[0, 0], [0, 1]], 0.75).measure("gap", "normal")
-        >>> gap, normal
-        (array([-0.5]), array([[0., 1.]]))
-        """
-        known = self._measured
-        wanted = [name for name in quantities if name not in known]
-        if wanted and self._results is not None:
-            known.update(self._stored(wanted))
-            wanted = [name for name in quantities if name not in known]
-        if wanted:
-            options = call_options(quantities=wanted, threads=self._threads)
-            shift = np.ascontiguousarray(self.shift) if self._domain.is_periodic else None
-            known.update(
-                arrays_of_pairs(
-                    self._elements, self._others, self._domain, self.pairs, shift, options
-                )
-            )
-        return tuple(known[name] for name in quantities)
-
-    def _stored(self, names: list[str]) -> dict[str, npt.NDArray[np.float64]]:
-        """Those of the quantities that the detection has left with the pairs."""
-        arrays = {name: getattr(self._native(), f"{name}s", np.empty(0)) for name in names}
-        dimensions = self._elements.dimensions
-        return {
-            name: shaped(name, array, dimensions)
-            for name, array in arrays.items()
-            if 0 < len(self) == len(array)
-        }
+    def _measure_now(self, names: list[str]) -> Arrays:
+        return _abut.measure(
+            self._elements._native,
+            None if self._others is None else self._others._native,
+            self._domain._native,
+            self.pairs,
+            np.ascontiguousarray(self.shift) if self._domain.is_periodic else None,
+            call_options(quantities=names, threads=self._threads),
+        )
 
     def fabric(self) -> npt.NDArray[np.float64]:
         """Fabric tensor (dimensions, dimensions): the mean of n n^T over all contacts with a
@@ -359,8 +336,7 @@ class Contacts:
 
     def __getstate__(self) -> dict[str, Any]:
         if self._results is not None:
-            self._measured.update(self._stored([*QUANTITIES]))
-        has_shifts = len(self._native().shifts) if self._results else "shift" in self.__dict__
+            self._measured.update(self._stored(QUANTITIES))
         return {
             "_results": None,
             "_elements": self._elements,
@@ -371,5 +347,9 @@ class Contacts:
             "_measured": self._measured,
             "_pairs": self.pairs,
             "statistics": self.statistics,
-            **({"shift": self.shift} if has_shifts or not self._domain.is_periodic else {}),
+            **({"shift": self.shift} if self._has_shifts() else {}),
         }
+
+    def _has_shifts(self) -> bool:
+        is_there = self._results is not None and len(self._results.shifts) == len(self)
+        return is_there or "shift" in self.__dict__ or not self._domain.is_periodic

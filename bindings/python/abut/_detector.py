@@ -14,9 +14,12 @@ from ._contacts import Contacts
 from ._detect import prepared
 from ._elements import Elements, round_elements
 from ._errors import InputTypeError
+from ._mesh import TriangleMesh
 from ._neighbors import NeighborList, is_full
 from ._options import Options
 from ._statistics import Statistics
+from ._wall_contacts import BoxContacts, MeshContacts
+from ._walls import prepared_with_mesh
 
 
 @dataclass(frozen=True)
@@ -132,6 +135,28 @@ class Detector:
             self._detector.build_neighbor_list(first, second, domain, is_full(kind), native),
             elements.dimensions,
         )
+
+    def find_mesh_contacts(
+        self, spheres: Elements, mesh: TriangleMesh, **options: Unpack[Options]
+    ) -> MeshContacts:
+        """Finds the contacts of spheres and a mesh; see the function of this name.
+
+        In open space and without a rule, the detector keeps a grid of the triangles from call to
+        call, also when the mesh is moved, and while it is deformed by little. One detector is meant
+        for one mesh, or for several that take turns rarely. The list is a copy, which may be kept.
+        """
+        options = {**self._options, **options}
+        results = self._detector.find_mesh_contacts(*prepared_with_mesh(spheres, mesh, options))
+        return MeshContacts(results, spheres, mesh, options)
+
+    def find_box_contacts(
+        self, spheres: Elements, boxes: Elements, **options: Unpack[Options]
+    ) -> BoxContacts:
+        """Finds the contacts of spheres and boxes; see the function of this name. Each call
+        searches anew."""
+        options = {**self._options, **options}
+        results = self._detector.find_box_contacts(*prepared(spheres, boxes, options))
+        return BoxContacts(results, spheres, boxes, options)
 
     def __repr__(self) -> str:
         return f"<abut.Detector: skin {self.skin}, {self.skin_statistics.detections:,} detections>"

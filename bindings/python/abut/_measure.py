@@ -1,8 +1,7 @@
-"""Quantities of pairs: gaps, normals, points of contact, distances and vectors."""
+"""Quantities of pairs and contacts that are there already."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,56 +9,15 @@ import numpy.typing as npt
 
 from . import _abut
 from ._arrays import whole_numbers
+from ._contacts import Contacts
 from ._domain import Domain, native_domain
 from ._elements import Elements, require_elements
 from ._errors import InputError
+from ._geometry import Arrays, PairGeometry, geometry_of
+from ._mesh import TriangleMesh
 from ._options import QuantityNames, call_options
 from ._progress import Progress
-
-QUANTITIES = ("gap", "normal", "point", "distance", "vector")
-#: Quantities that are points or vectors, with a number for each coordinate.
-_VECTORS = ("normal", "point", "vector")
-
-
-@dataclass(frozen=True)
-class PairGeometry:
-    """Quantities of pairs, in the order of the pairs; None where they were not asked for.
-
-    Element i is the first of a pair, element j the second one, moved by its image shift. The bits
-    are those of C++, on every machine and with any number of threads.
-    """
-
-    gaps: npt.NDArray[np.float64] | None = None  #: Distance - (r_i + r_j), (M,).
-    normals: npt.NDArray[np.float64] | None = None  #: Unit vectors from i to j, (M, dimensions).
-    points: npt.NDArray[np.float64] | None = None  #: Middles of the overlaps, (M, dimensions).
-    distances: npt.NDArray[np.float64] | None = None  #: Distances of the centers, (M,).
-    vectors: npt.NDArray[np.float64] | None = None  #: From center to center, (M, dimensions).
-
-
-def shaped(name: str, array: npt.NDArray[np.float64], dimensions: int) -> npt.NDArray[np.float64]:
-    """An array of a quantity, read-only; vectors in the plane without their third number, 0."""
-    array.flags.writeable = False
-    return array[:, :dimensions] if name in _VECTORS else array
-
-
-def arrays_of_pairs(
-    elements: Elements,
-    others: Elements | None,
-    domain: Domain,
-    pairs: npt.NDArray[np.uint32],
-    shifts: npt.NDArray[np.int32] | None,
-    options: _abut.CallOptions,
-) -> dict[str, npt.NDArray[np.float64]]:
-    """Measures what the options say; arrays by the names of the quantities."""
-    arrays = _abut.measure(
-        elements._native,
-        None if others is None else others._native,
-        domain._native,
-        pairs,
-        shifts,
-        options,
-    )
-    return {name: shaped(name, array, elements.dimensions) for name, array in arrays.items()}
+from ._wall_contacts import BoxContacts, MeshContacts, arrays_of_contacts, records_of
 
 
 def _table(given: npt.ArrayLike, dtype: type[np.generic], columns: int, what: str) -> Any:
@@ -71,8 +29,14 @@ def _table(given: npt.ArrayLike, dtype: type[np.generic], columns: int, what: st
     return table
 
 
-def _pairs_and_shifts(pairs: npt.ArrayLike, shifts: npt.ArrayLike | None) -> tuple[Any, Any]:
-    table = _table(pairs, np.uint32, 2, "pairs")
+def _pairs_and_shifts(pairs: Any, shifts: Any, others: Any = None) -> tuple[Any, Any]:
+    """A table of pairs or an array of records, and a table of shifts or None."""
+    if shifts is None and isinstance(pairs, (Contacts, BoxContacts, MeshContacts)):
+        shifts = pairs.shift if pairs.domain.is_periodic else None
+    if _are_of_walls(pairs, others):
+        table = records_of(pairs, others)
+    else:
+        table = _table(pairs.pairs if isinstance(pairs, Contacts) else pairs, np.uint32, 2, "pairs")
     if shifts is None:
         return table, None
     moves = _table(shifts, np.int32, 3, "image shifts")
@@ -81,10 +45,10 @@ def _pairs_and_shifts(pairs: npt.ArrayLike, shifts: npt.ArrayLike | None) -> tup
     return table, moves
 
 
-def _geometry(arrays: dict[str, npt.NDArray[np.float64]], dimensions: int) -> PairGeometry:
-    return PairGeometry(
-        **{f"{name}s": shaped(name, array, dimensions) for name, array in arrays.items()}
-    )
+def _are_of_walls(pairs: Any, others: Any) -> bool:
+    if isinstance(others, TriangleMesh) or isinstance(pairs, (BoxContacts, MeshContacts)):
+        return True
+    return isinstance(pairs, np.ndarray) and pairs.dtype.names is not None
 
 
 class PairMeasurer:
@@ -134,14 +98,14 @@ class PairMeasurer:
         """Measures pairs in the calling thread; see the function `measure`."""
         table, moves = _pairs_and_shifts(pairs, shifts)
         options = call_options(quantities=quantities)
-        return _geometry(self._native.measure(table, moves, options), self._dimensions)
+        return geometry_of(self._native.measure(table, moves, options), self._dimensions)
 
 
 def measure(
     elements: Elements,
-    pairs: npt.ArrayLike,
+    pairs: npt.ArrayLike | Contacts | BoxContacts | MeshContacts,
     quantities: QuantityNames,
-    others: Elements | None = None,
+    others: Elements | TriangleMesh | None = None,
     *,
     shifts: npt.ArrayLike | None = None,
     domain: Domain | None = None,
@@ -150,17 +114,21 @@ def measure(
     simd: str = "auto",
     progress: Progress | None = None,
 ) -> PairGeometry:
-    """Measures quantities of any pairs, whether they touch or not.
+    """Measures quantities of any pairs, whether they touch or not, or of contacts with walls.
 
     Parameters
     ----------
     elements, others : Elements
-        With two sets, pairs name an element of the first and one of the second.
-    pairs : array (M, 2) of whole numbers
+        With two sets, pairs name an element of the first and one of the second. For contacts with
+        walls the spheres or discs, and the boxes or the TriangleMesh, wherever both lie by now.
+    pairs : array (M, 2) of whole numbers, or Contacts
+        Contacts come with their shifts. For walls MeshContacts or BoxContacts, or structured
+        arrays (M,) of their records, for example some of them.
     quantities : name or names of 'gap', 'normal', 'point', 'distance', 'vector'
         A normal is the unit vector from i to j, 0 where centers coincide; a point of contact is
         the middle of the overlap, beside element i; vectors go from center to center. All are in
-        the unit of the positions.
+        the unit of the positions. Of contacts with walls the normal, the distance and the vector go
+        from the center to the point, which is the nearest of the feature or the box.
     shifts : array (M, 3) of whole numbers
         Image shift of each pair; a periodic domain needs them.
     domain : Domain
@@ -177,8 +145,8 @@ def measure(
     InputError, InputTypeError
         Elements that are not valid, tables of a wrong shape or type.
     UsageError
-        A pair names an element that is not there; shifts are missing, or not 0 on an axis that is
-        not periodic.
+        A pair or contact names an element, a box or a feature that is not there; shifts are
+        missing, or not 0 on an axis that is not periodic.
 
     Examples
     --------
@@ -187,21 +155,21 @@ def measure(
     >>> g = abut.measure(discs, [[0, 1]], ("gap", "normal", "point"))
     >>> g.gaps, g.normals, g.points
     (array([2.]), array([[0.6, 0.8]]), array([[1.2, 1.6]]))
+    >>> floor = abut.TriangleMesh([[0, 0, 0], [9, 0, 0], [0, 9, 0]], [[0, 1, 2]])
+    >>> spheres = abut.spheres([[1, 1, 0.25], [1, 2, 0.5]], 0.5)
+    >>> walls = abut.find_mesh_contacts(spheres, floor)
+    >>> abut.measure(spheres, walls.records[1:], "point", floor).points
+    array([[1., 2., 0.]])
     """
     first = require_elements(elements)
-    table, moves = _pairs_and_shifts(pairs, shifts)
-    arrays = _abut.measure(
-        first._native,
-        None if others is None else require_elements(others)._native,
-        native_domain(domain),
-        table,
-        moves,
-        call_options(
-            quantities=quantities,
-            threads=threads,
-            max_bytes=max_bytes,
-            simd=simd,
-            progress=progress,
-        ),
+    options = call_options(
+        quantities=quantities, threads=threads, max_bytes=max_bytes, simd=simd, progress=progress
     )
-    return _geometry(arrays, first.dimensions)
+    space = native_domain(domain)
+    table, moves = _pairs_and_shifts(pairs, shifts, others)
+    if table.dtype.names is None:
+        second = None if others is None else require_elements(others)._native
+        arrays: Arrays = _abut.measure(first._native, second, space, table, moves, options)
+    else:
+        arrays = arrays_of_contacts(first, others, space, table, moves, options)
+    return geometry_of(arrays, first.dimensions)

@@ -13,7 +13,7 @@ from ._arrays import number
 from ._detect import prepared
 from ._elements import Elements, as_points
 from ._errors import UsageError
-from ._measure import shaped
+from ._geometry import shaped
 from ._options import Options
 from ._statistics import Statistics
 

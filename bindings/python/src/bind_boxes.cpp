@@ -7,7 +7,10 @@
 #include <abut/box_contacts.hpp>
 #include <abut/fit_boxes.hpp>
 
+#include <nanobind/stl/shared_ptr.h>
+
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -15,11 +18,16 @@ namespace abut::python {
 
 namespace {
 
-BoxContactList find(const Elements& spheres, const Elements& boxes, const Domain& domain,
-                    const CallOptions& options) {
+std::shared_ptr<WallResults<BoxContact>> find(const Elements& spheres, const Elements& boxes,
+                                              const Domain& domain, const CallOptions& options) {
   const Options of_call = options.of_call();
-  const nb::gil_scoped_release unlocked;
-  return find_box_contacts(spheres.view(), boxes.view(), domain, of_call);
+  return found<BoxContact>(
+      [&] { return find_box_contacts(spheres.view(), boxes.view(), domain, of_call); });
+}
+
+nb::dict measure_contacts(const Elements& spheres, const Elements& boxes, const Domain& domain,
+                          nb::handle records, nb::handle shifts, const CallOptions& options) {
+  return measured<BoxContact>(spheres.view(), boxes.view(), domain, records, shifts, options);
 }
 
 /// The lower bounds, axis by axis, then the upper ones.
@@ -41,9 +49,11 @@ nb::tuple fitted(const Elements& vertices, nb::handle cells, double skin) {
 }  // namespace
 
 void bind_boxes(nb::module_& module) {
-  bind_contact_list<BoxContact>(module, "BoxContactResults");
+  bind_wall_results<BoxContact>(module, "BoxContactResults");
   module.def("find_box_contacts", &find, nb::arg("spheres"), nb::arg("boxes"), nb::arg("domain"),
              nb::arg("options"));
+  module.def("measure_box_contacts", &measure_contacts, nb::arg("spheres"), nb::arg("boxes"),
+             nb::arg("domain"), nb::arg("records"), nb::arg("shifts").none(), nb::arg("options"));
   module.def("fit_boxes", &fitted, nb::arg("vertices"), nb::arg("cells"), nb::arg("skin"));
 }
 

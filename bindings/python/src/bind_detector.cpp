@@ -2,8 +2,10 @@
 #include "bind.hpp"
 #include "call_options.hpp"
 #include "elements.hpp"
+#include "held_mesh.hpp"
 #include "held_results.hpp"
 #include "statistics_out.hpp"
+#include "walls_out.hpp"
 
 #include <abut/detector.hpp>
 #include <abut/error.hpp>
@@ -67,6 +69,24 @@ class SharedDetector {
     });
     neighbors_ = std::make_shared<NeighborResults>(&list);
     return neighbors_;
+  }
+
+  /// The detector has one list of contacts with a mesh, so Python gets a copy, which it may keep.
+  std::shared_ptr<WallResults<MeshContact>> find_on_mesh(const Elements& spheres, HeldMesh& mesh,
+                                                         const Domain& domain, nb::object options) {
+    const Call call(*this, std::move(options));
+    const HeldMesh::Reading reading(mesh);
+    return found<MeshContact>(
+        [&] { return detector_.find_mesh_contacts(spheres.view(), mesh.mesh(), domain); });
+  }
+
+  /// Finds contacts with boxes; Python gets a copy of the list.
+  std::shared_ptr<WallResults<BoxContact>> find_on_boxes(const Elements& spheres,
+                                                         const Elements& boxes,
+                                                         const Domain& domain, nb::object options) {
+    const Call call(*this, std::move(options));
+    return found<BoxContact>(
+        [&] { return detector_.find_box_contacts(spheres.view(), boxes.view(), domain); });
   }
 
   nb::dict count(const Elements& elements, const Elements* others, const Domain& domain,
@@ -178,6 +198,10 @@ void bind_detector(nb::module_& module) {
           },
           nb::arg("elements"), nb::arg("others").none(), nb::arg("domain"), nb::arg("full"),
           nb::arg("options"))
+      .def("find_mesh_contacts", &SharedDetector::find_on_mesh, nb::arg("spheres"), nb::arg("mesh"),
+           nb::arg("domain"), nb::arg("options"))
+      .def("find_box_contacts", &SharedDetector::find_on_boxes, nb::arg("spheres"),
+           nb::arg("boxes"), nb::arg("domain"), nb::arg("options"))
       .def("set_skin", &set_skin, nb::arg("length").none(), nb::arg("automatic"))
       .def("set_ids", &set_ids, nb::arg("ids").none())
       .def_prop_ro("skin_statistics", &skin_statistics);

@@ -15,9 +15,9 @@ NB_MODULE(_abut, module) {
   bind_measure(module);
   bind_pair_graph(module);
   bind_neighbors(module);
-  bind_detector(module);
-  bind_history(module);
   bind_boxes(module);
   bind_mesh(module);
+  bind_detector(module);
+  bind_history(module);
   bind_files(module);
 }

@@ -26,13 +26,13 @@ def checked(tmp_path, *arguments):
 
 
 def test_package(tmp_path, monkeypatch):
-    monkeypatch.setenv("MYPYPATH", os.environ["PYTHONPATH"])
+    monkeypatch.setenv("MYPYPATH", os.environ.get("PYTHONPATH", ""))
     output, errors, status = checked(tmp_path, "-p", "abut")
     assert (status, errors) == (0, ""), output
 
 
 def test_caller(tmp_path, monkeypatch):
-    monkeypatch.setenv("MYPYPATH", os.environ["PYTHONPATH"])
+    monkeypatch.setenv("MYPYPATH", os.environ.get("PYTHONPATH", ""))
     (tmp_path / "caller.py").write_text(CALLER)
     output = checked(tmp_path, str(tmp_path / "caller.py"))[0]
     of_caller = [line.split(":", 1)[1] for line in output.splitlines() if "caller.py" in line]

@@ -66,9 +66,10 @@ class Contacts(Measured):
     def pairs(self) -> npt.NDArray[np.uint32]:
         """Table (M, 2) of the indices of the two elements of each pair."""
         # Not a cached_property, whose lock costs more than all else here.
-        if self._pairs is None:
-            self._pairs = self._native().pairs
-        return self._pairs
+        pairs = self._pairs
+        if pairs is None:
+            pairs = self._pairs = self._native().pairs
+        return pairs
 
     @property
     def i(self) -> npt.NDArray[np.uint32]:

@@ -8,12 +8,18 @@ import numpy.typing as npt
 
 from . import _abut
 from ._contacts import Contacts
-from ._domain import Domain, native_domain
+from ._domain import OPEN, Domain, native_domain
 from ._elements import Elements, require_elements, round_elements
 from ._options import Options, call_options
 from ._progress import Progress
 from ._rules import ExclusionList
 from ._statistics import Statistics
+
+
+# Options of a call that gives none: most calls are such, and small ones would notice.
+_NONE: Options = {}
+_NATIVE_NONE = call_options()
+_AUTO, _CANONICAL = "auto", "canonical"
 
 
 def contacts(
@@ -24,8 +30,8 @@ def contacts(
     margin: float = 0.0,
     groups: npt.ArrayLike | None = None,
     exclude: npt.ArrayLike | ExclusionList | None = None,
-    algorithm: str = "auto",
-    order: str = "canonical",
+    algorithm: str = _AUTO,
+    order: str = _CANONICAL,
     shifts: bool | None = None,
     max_pairs: int | None = None,
     max_bytes: int | None = None,
@@ -94,6 +100,14 @@ def contacts(
     array([[0, 1]], dtype=uint32)
     """
     elements = x if isinstance(x, Elements) and r is None else round_elements(x, r)
+    if (
+        (domain is None and groups is None and exclude is None and shifts is None)
+        and (max_pairs is None and max_bytes is None and threads is None and progress is None)
+        and (algorithm is _AUTO and order is _CANONICAL)
+        and (type(margin) is float and margin == 0.0 and not others)
+    ):
+        results = _abut.find_contact_pairs(elements._native, None, OPEN._native, _NATIVE_NONE)
+        return Contacts(results, elements, None, _NONE)
     native = native_domain(domain)
     options = call_options(
         (len(elements), None),

@@ -132,6 +132,9 @@ def _boxes(lower: Coordinates, upper: Coordinates) -> Elements:
 
 def round_elements(x: Any, r: Any) -> Elements:
     """Spheres or discs, by the number of coordinates; `x` may be a table with radii."""
+    plain = _abut.plain_spheres(np.ndarray, x, r)
+    if plain is not None:
+        return Elements("spheres", x, r, plain)
     if r is None:
         r = radius_column(x)
         if r is None:

@@ -96,9 +96,14 @@ def long_detection():
 
 
 def test_ctrl_c_stops_a_detection():
-    threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
-    with pytest.raises(KeyboardInterrupt):
-        long_detection()
+    # Shells start what runs in the background with this signal ignored.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with pytest.raises(KeyboardInterrupt):
+            long_detection()
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_other_threads_run_during_a_detection():

@@ -34,7 +34,7 @@ ROOMS_BELOW = {
     "algorithms": "base exact grid reference engine periodic",
     "detect": (
         "base exact kernels grid reference engine periodic elements lists geometry skin algorithms"),
-    "history": "base exact lattice elements detect",
+    "history": "base exact lattice elements geometry detect walls",
     "walls": "base exact/features exact kernels lattice elements lists geometry detect",
     "device/bodies": "base exact/numbers exact",
     "device": "base exact grid elements device/bodies",

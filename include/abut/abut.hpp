@@ -35,3 +35,4 @@
 #include <abut/triangle_mesh.hpp>
 #include <abut/two_sets.hpp>
 #include <abut/version.hpp>
+#include <abut/wall_history.hpp>

@@ -159,6 +159,44 @@ TEST_P(MemoryFaults, LeaveTheHistoryAsItWas) {
   EXPECT_FALSE(refused);
 }
 
+/// Spheres that have rolled on over a floor of triangles, one of them gone.
+struct Rolling {
+  std::vector<std::array<double, 3>> corners{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}};
+  std::vector<std::array<int, 3>> faces{{0, 1, 2}, {1, 2, 3}};
+  TriangleMesh floor{corners, faces};
+  std::vector<std::array<double, 3>> first{{1.5, 2, 1}, {1, 1, 1}, {2.5, 2, 1}, {3, 3, 1}};
+  std::vector<std::array<double, 3>> second{{2.5, 2, 1}, {1, 1, 9}, {1.5, 2, 1}, {3, 3, 1}};
+  MeshContactList before = find_mesh_contacts(spheres(first, 1.0), floor);
+  MeshContactList now = find_mesh_contacts(spheres(second, 1.0), floor);
+};
+
+TEST_P(MemoryFaults, LeaveTheHistoryOfWallsAsItWas) {
+  const Rolling g;
+  const auto first_step = [&](MeshContactHistory<double>& history) {
+    history.update(g.before, spheres(g.first, 1.0), g.floor);
+    for (std::size_t k = 0; k < 4; ++k) history.values()[k] = static_cast<double>(k);
+  };
+  bool refused = true;
+  for (std::uint64_t which = 0; refused && which < most_allocations; ++which) {
+    MeshContactHistory<double> history;
+    first_step(history);
+    const auto update = [&] { history.update(g.now, spheres(g.second, 1.0), g.floor); };
+    const Attempt attempt = attempted(update, which, GetParam());
+    expect_right(attempt, {});
+    refused = attempt.was_refused;
+    if (refused) {
+      ASSERT_TRUE(std::ranges::equal(history.values(), std::array{0.0, 1.0, 2.0, 3.0}));
+      ASSERT_EQ(history.born().size(), 4U);
+      ASSERT_TRUE(history.passed_on().empty() && history.lost().empty());
+      update();
+    }
+    ASSERT_TRUE(std::ranges::equal(history.values(), std::array{0.0, 2.0, 3.0}));
+    ASSERT_TRUE(std::ranges::equal(history.passed_on(), std::array{0U, 1U}));
+    ASSERT_EQ(history.lost().size(), 1U);
+  }
+  EXPECT_FALSE(refused);
+}
+
 /// Lack of memory in the caller's own code stays what it is.
 TEST(MemoryFaultsOfTheCaller, PassThrough) {
   const Detectors g;

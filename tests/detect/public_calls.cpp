@@ -357,6 +357,26 @@ void add_history(Calls& calls) {
                    ErrorCode::wrong_usage});
 }
 
+void add_wall_history(Calls& calls) {
+  const Given& g = given();
+  static const MeshContactList near = find_mesh_contacts(g.elements, g.mesh, {.margin = 0.1});
+  static const MeshContactList touching = find_mesh_contacts(g.elements, g.mesh);
+  static const BoxContactList boxed =
+      find_box_contacts(g.elements, g.boxes, g.block, {.shifts = Shifts::stored});
+  calls.push_back(
+      {"abut::detail::WallMatcher::WallMatcher", "", [] { MeshContactHistory<double>(); }});
+  calls.push_back({"abut::detail::WallMatcher::match", "a mesh", [&g] {
+                     MeshContactHistory<std::array<double, 9>> history;
+                     history.update(near, g.elements, g.mesh, g.open, g.ids);
+                     history.update(touching, g.elements, g.mesh, g.open, g.large_ids);
+                   }});
+  calls.push_back({"abut::detail::WallMatcher::match", "boxes in a cell", [&g] {
+                     BoxContactHistory<double> history;
+                     history.update(boxed, g.elements, g.block, g.ids);
+                     history.update(boxed, g.elements, g.block, g.large_ids);
+                   }});
+}
+
 }  // namespace
 
 std::vector<PublicCall> public_calls() {
@@ -373,6 +393,7 @@ std::vector<PublicCall> public_calls() {
   add_detector_settings(calls);
   add_detector(calls);
   add_history(calls);
+  add_wall_history(calls);
   return calls;
 }
 

@@ -26,7 +26,14 @@ REFERENCE = {
     "From a contact to a force": ["measure", "quantity", "pair_geometry"],
     "Who may pair": ["pair_rule", "group_table", "exclusion_list"],
     "Time steps": ["detector", "skin", "candidate_list", "contact_history"],
-    "Walls": ["mesh_contacts", "triangle_mesh", "box_contacts", "feature_kind", "contact_list"],
+    "Walls": [
+        "mesh_contacts",
+        "triangle_mesh",
+        "box_contacts",
+        "feature_kind",
+        "contact_list",
+        "wall_history",
+    ],
     "Algorithms and instruction sets": ["algorithm", "simd"],
     "A look inside": ["trace", "version"],
 }

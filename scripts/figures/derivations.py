@@ -1,5 +1,7 @@
 """The figures of docs/derivations/: one for each proof, of the quantities that it bounds."""
 
+import math
+
 from svg import ADJACENT, CENTRAL, FAINT, INK, MARKED, PAPER, Drawing, Grid
 
 RED = "#b91c1c"
@@ -287,5 +289,48 @@ def contact_geometry():
     return d
 
 
+def turned(point, about, angle):
+    """A point turned about another, against the clock as it is seen."""
+    x, y = point[0] - about[0], point[1] - about[1]
+    c, s = math.cos(angle), math.sin(angle)
+    return about[0] + c * x + s * y, about[1] - s * x + c * y
+
+
+def moving_walls():
+    d = Drawing(760, 330, "A sphere beside a moved wall, and its center in the grid of the wall at rest")
+    about, right, angle = (190, 160), (560, 160), 0.6
+    rest = [(70, 210), (190, 235), (310, 205)]  # corners of the wall, cut
+    center, reach = (250, 168), 62
+    d.text(about[0], 22, "as it is: v = R m + t", 13)
+    d.text(right[0], 22, "at rest: where the grid stands", 13)
+    moved = [turned(corner, about, angle) for corner in rest]
+    c = turned(center, about, angle)
+    d.circle(*c, reach, "none", FAINT, 1)
+    d.text(c[0], c[1] - reach - 10, "reach", 12, color=FAINT)
+    shift = right[0] - about[0]
+    back = [(x + shift, y) for x, y in rest]
+    y = (center[0] + shift, center[1])
+    side, left, top = 46, right[0] - 4 * 46, 44
+    d.rect(left, top + 2 * side, 8 * side, 3 * side, ADJACENT, "none")
+    for k in range(9):
+        d.line(left + k * side, top, left + k * side, top + 5 * side, FAINT, 0.6)
+    for k in range(6):
+        d.line(left, top + k * side, left + 8 * side, top + k * side, FAINT, 0.6)
+    for corners in (moved, back):
+        for one, other in zip(corners, corners[1:]):
+            d.line(*one, *other, INK, 2.4)
+    d.circle(*c, 4, INK)
+    d.text(c[0] + 14, c[1] - 6, "c", 13)
+    d.circle(*y, reach + 5, "none", FAINT, 1)
+    column, row = int((y[0] - left) // side), int((y[1] - top) // side)
+    d.rect(left + column * side, top + row * side, side, side, "none", RED, 2)
+    d.circle(*y, 4, RED, RED)
+    d.text(y[0] + 44, y[1] - 8, "y = Rᵀ(c − t)", 12, "start", RED)
+    d.arrow(left - 54, 250, left - 8, 250)
+    d.text(right[0], 296, "blue: cells that name the wall; red: the one that y is looked up in", 12)
+    d.text(right[0], 314, "the reach there is a hair longer, for all that is rounded", 12)
+    return d
+
+
 FIGURES = [predicate_band, cell_margin, tile_filter, periodic_predicate, periodic_images, skin,
-           triangle_predicate, contact_geometry]
+           triangle_predicate, contact_geometry, moving_walls]

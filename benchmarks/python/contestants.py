@@ -80,9 +80,9 @@ def contacts_freud(scene):
 
 
 def half_abut(scene):
-    cell = abut.Domain.lattice(scene["cell"])
-    n = abut.neighbors(scene["x"], scene["cutoff"], domain=cell)
-    return n.elements, n.neighbors
+    cell, x = abut.Domain.lattice(scene["cell"]), abut.points(scene["x"])
+    c = abut.find_contact_pairs(x, margin=scene["cutoff"], domain=cell, shifts=False)
+    return c.i, c.j
 
 
 def half_scipy(scene):
@@ -116,11 +116,9 @@ def half_freud(scene):
 
 
 def full_abut(scene):
-    from abut.compat.ase import primitive_neighbor_list
-
-    return primitive_neighbor_list(
-        "ijdDS", [True] * 3, scene["cell"], scene["x"], scene["cutoff"]
-    )[:2]
+    cell, wanted = abut.Domain.lattice(scene["cell"]), ("distance", "vector")
+    n = abut.neighbors(scene["x"], scene["cutoff"], kind="full", domain=cell, quantities=wanted)
+    return (n.elements, n.neighbors, n.distances, n.vectors, n.shifts)[:2]
 
 
 def full_vesin(scene):

@@ -59,9 +59,15 @@ class NeighborList:
         return self._results.neighbors
 
     @cached_property
-    def elements(self) -> npt.NDArray[np.int64]:
+    def elements(self) -> npt.NDArray[np.uint32]:
         """The element that each neighbor is one of; made when it is first asked for."""
-        return np.repeat(np.arange(len(self)), np.diff(self.offsets).astype(np.int64))
+        elements: npt.NDArray[np.uint32] = self.elements_as(np.uint32)
+        return elements
+
+    def elements_as(self, dtype: npt.DTypeLike) -> npt.NDArray[Any]:
+        """The element that each neighbor is one of, in a type of whole numbers."""
+        counts = np.diff(self.offsets).astype(np.int64)
+        return np.repeat(np.arange(len(self), dtype=dtype), counts)
 
     @cached_property
     def shifts(self) -> npt.NDArray[np.int32]:

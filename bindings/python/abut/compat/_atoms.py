@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -22,17 +22,16 @@ QUANTITIES = {"d": "distance", "D": "vector"}
 class Neighbors:
     """Neighbors of all atoms, in the order of i, then j, then S."""
 
-    i: npt.NDArray[np.int64]
-    j: npt.NDArray[np.int64]
-    S: npt.NDArray[np.int32]
+    i: npt.NDArray[Any]
+    j: npt.NDArray[Any]
+    S: npt.NDArray[np.int32] | None
     d: npt.NDArray[np.float64] | None
     D: npt.NDArray[np.float64] | None
 
     def chosen(self, which: npt.NDArray[Any]) -> Neighbors:
         """Those at the places `which`."""
-        d = None if self.d is None else self.d[which]
-        D = None if self.D is None else self.D[which]
-        return Neighbors(self.i[which], self.j[which], self.S[which], d, D)
+        arrays = (None if one is None else one[which] for one in (self.S, self.d, self.D))
+        return Neighbors(self.i[which], self.j[which], *arrays)
 
     def quantity(self, letter: str, dtypes: Mapping[str, Any]) -> npt.NDArray[Any]:
         """The array of a letter, in the type that the other package has."""
@@ -47,52 +46,60 @@ def domain_of(cell: Any, pbc: Any) -> Domain:
     return Domain.lattice(np.asarray(cell, dtype=np.float64), axes) if any(axes) else Domain.open()
 
 
+@dataclass(frozen=True)
+class Request:
+    """What is asked of a search."""
+
+    domain: Domain
+    quantities: str  #: Letters of the arrays wanted.
+    index: npt.DTypeLike  #: Type of i and j.
+    itself: bool = False  #: Whether each atom is a neighbor of itself.
+
+
 def found(
-    positions: Any,
-    cutoff: Any,
-    domain: Domain,
-    quantities: str,
-    numbers: npt.NDArray[Any] | None,
-    self_interaction: bool,
+    positions: Any, cutoff: Any, request: Request, numbers: npt.NDArray[Any] | None
 ) -> Neighbors:
     """All neighbors, each pair in both directions, within a cutoff of any form."""
     x = np.asarray(positions, dtype=np.float64).reshape(-1, 3)
     if isinstance(cutoff, Mapping) and numbers is not None:
-        return _within_cutoffs_of_kinds(x, cutoff, domain, quantities, numbers, self_interaction)
+        # Several lists are put into one order, for which their shifts are needed.
+        wanted = replace(request, quantities=request.quantities + "S")
+        return _within_cutoffs_of_kinds(x, cutoff, wanted, numbers)
     if isinstance(cutoff, Mapping):
         cutoff = max(cutoff.values())
-    return _within(x, cutoff, domain, quantities, self_interaction)
+    return _within(x, cutoff, request)
 
 
-def _within(x: Any, cutoff: Any, domain: Domain, quantities: str, itself: bool) -> Neighbors:
+def _within(x: Any, cutoff: Any, request: Request) -> Neighbors:
     options: Any = {
         "kind": "full",
-        "domain": domain,
-        "shifts": True,
-        "quantities": [name for letter, name in QUANTITIES.items() if letter in quantities],
+        "domain": request.domain,
+        "shifts": "S" in request.quantities or request.itself,
+        "quantities": [name for letter, name in QUANTITIES.items() if letter in request.quantities],
     }
     reach = np.asarray(cutoff, dtype=np.float64)
     if reach.ndim == 0:
         built = neighbors(points(x), float(reach), **options)
     else:
         built = build_neighbor_list(spheres(x, reach), **options)
-    result = _of_list(built, quantities)
-    return _with_itself(result, np.broadcast_to(reach, (len(x),)) > 0) if itself else result
+    result = _of_list(built, request)
+    is_wide = np.broadcast_to(reach, (len(x),)) > 0
+    return _with_itself(result, is_wide) if request.itself else result
 
 
-def _of_list(built: NeighborList, quantities: str) -> Neighbors:
+def _of_list(built: NeighborList, request: Request) -> Neighbors:
     return Neighbors(
-        built.elements,
-        built.neighbors.astype(np.int64),
-        built.shifts,
-        built.distances if "d" in quantities else None,
-        built.vectors if "D" in quantities else None,
+        built.elements_as(request.index),
+        built.neighbors.astype(request.index),
+        built.shifts if "S" in request.quantities or request.itself else None,
+        built.distances if "d" in request.quantities else None,
+        built.vectors if "D" in request.quantities else None,
     )
 
 
 def _with_itself(result: Neighbors, which: npt.NDArray[np.bool_]) -> Neighbors:
     """Adds each of these atoms as a neighbor of itself, at distance 0."""
-    atoms = np.flatnonzero(which)
+    atoms = np.flatnonzero(which).astype(result.i.dtype)
     zeros = np.zeros((len(atoms), 3))
     added = Neighbors(
         atoms,
@@ -110,17 +117,12 @@ def _joined(parts: list[Neighbors]) -> Neighbors:
         return None if arrays[0] is None else np.concatenate(arrays)
 
     both = Neighbors(*(all_of(letter) for letter in "ijSdD"))
-    order = np.lexsort((both.S[:, 2], both.S[:, 1], both.S[:, 0], both.j, both.i))
-    return both.chosen(order)
+    assert both.S is not None
+    return both.chosen(np.lexsort((*both.S.T[::-1], both.j, both.i)))
 
 
 def _within_cutoffs_of_kinds(
-    x: Any,
-    cutoffs: Mapping[Any, float],
-    domain: Domain,
-    quantities: str,
-    numbers: npt.NDArray[Any],
-    itself: bool,
+    x: Any, cutoffs: Mapping[Any, float], request: Request, numbers: npt.NDArray[Any]
 ) -> Neighbors:
     """One search for each length, so that each is compared exactly."""
     by_kinds = {
@@ -128,7 +130,7 @@ def _within_cutoffs_of_kinds(
     }
     parts = []
     for cutoff in sorted(set(by_kinds.values())):
-        part = _within(x, cutoff, domain, quantities, itself)
+        part = _within(x, cutoff, request)
         wanted = np.zeros(len(part.i), dtype=bool)
         for kinds, own in by_kinds.items():
             if own == cutoff:
@@ -137,7 +139,7 @@ def _within_cutoffs_of_kinds(
                 wanted |= ((first == a) & (second == b)) | ((first == b) & (second == a))
         parts.append(part.chosen(np.flatnonzero(wanted)))
     if not parts:
-        return _within(x[:0], 1.0, Domain.open(), quantities, False)
+        return _within(x[:0], 1.0, replace(request, domain=Domain.open(), itself=False))
     return _joined(parts)
 
 

@@ -68,5 +68,6 @@ def primitive_neighbor_list(
         positions = np.dot(positions, cell)
     kinds = None if numbers is None else np.asarray(numbers)
     domain = _atoms.domain_of(cell, pbc)
-    result = _atoms.found(positions, cutoff, domain, quantities, kinds, self_interaction)
+    request = _atoms.Request(domain, quantities, _DTYPES["i"], self_interaction)
+    result = _atoms.found(positions, cutoff, request, kinds)
     return _atoms.answer(result, quantities, _DTYPES)

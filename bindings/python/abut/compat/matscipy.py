@@ -65,5 +65,6 @@ def neighbour_list(
         cutoff = cutoff.default_factory()
     domain = _atoms.domain_of(cell, False if pbc is None else pbc)
     kinds = np.ones(len(positions), int) if numbers is None else np.asarray(numbers)
-    result = _atoms.found(positions, cutoff, domain, quantities, kinds, False)
+    request = _atoms.Request(domain, quantities, _DTYPES["i"])
+    result = _atoms.found(positions, cutoff, request, kinds)
     return _atoms.answer(result, quantities, _DTYPES)

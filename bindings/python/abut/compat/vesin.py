@@ -93,7 +93,7 @@ class NeighborList:
             quantities=[name for letter, name in QUANTITIES.items() if letter in quantities],
         )
         make: dict[str, Callable[[], npt.NDArray[Any]]] = {
-            "i": lambda: built.elements.astype(np.uint64),
+            "i": lambda: built.elements_as(np.uint64),
             "j": lambda: built.neighbors.astype(np.uint64),
             "P": lambda: np.stack([built.elements, built.neighbors], axis=1).astype(np.uint64),
             "S": lambda: built.shifts.copy(),

@@ -59,6 +59,27 @@ def test_ase(cutoff, pbc, itself):
     )
 
 
+@pytest.mark.parametrize("cutoff", CUTOFFS)
+@pytest.mark.parametrize("itself", [False, True])
+def test_letters_that_are_left_out_change_nothing(cutoff, itself):
+    atoms, cutoff = crystal(True), CUTOFFS[cutoff]
+    asked = [
+        (lambda letters: ase.neighbor_list(letters, atoms, cutoff, itself)),
+        (lambda letters: matscipy.neighbour_list(letters, atoms, cutoff)),
+    ]
+    if not np.ndim(cutoff) and not isinstance(cutoff, dict) and not itself:
+        calculator = vesin.NeighborList(cutoff=cutoff, full_list=True)
+        asked.append(
+            lambda letters: calculator.compute(atoms.positions, atoms.cell.array, True, letters)
+        )
+    for answer in asked:
+        everything = dict(zip(LETTERS, answer(LETTERS), strict=True))
+        for letters in ("ij", "Dj", "Si", "dD"):
+            for letter, array in zip(letters, answer(letters), strict=True):
+                assert array.dtype == everything[letter].dtype
+                assert np.array_equal(array, everything[letter]), letters
+
+
 def test_primitive_ase():
     atoms = crystal(True)
     arguments = (atoms.pbc, atoms.cell.array, atoms.get_scaled_positions(), 3.0)

@@ -79,6 +79,46 @@ def test_limits_are_memory_errors_and_the_interpreter_lives(cloud):
     assert len(abut.contacts(*cloud, max_pairs=10**6)) > 3
 
 
+LITTLE_MEMORY = """
+import resource
+import numpy as np
+import abut
+
+x = np.random.default_rng(1).random((1_000_000, 3))
+mesh = abut.TriangleMesh(x, np.arange(999_999).reshape(-1, 3))
+detector = abut.Detector()
+small = abut.contacts(x[:1000], 0.05).pairs.tobytes()
+used = 1024 * int(open("/proc/self/status").read().split("VmSize:")[1].split()[0])
+before = resource.getrlimit(resource.RLIMIT_AS)
+resource.setrlimit(resource.RLIMIT_AS, (used + 2**21, before[1]))
+for call in (
+    lambda: abut.contacts(x, 0.01, threads=1),
+    lambda: detector.contacts(x, 0.01, threads=1),
+    lambda: abut.neighbors(x, 0.01, kind="full", threads=1),
+    lambda: abut.find_mesh_contacts(abut.spheres(x, 0.001), mesh, threads=1),
+    lambda: abut.measure(abut.points(x), np.zeros((1_000_000, 2), np.uint32), "gap", threads=1),
+    lambda: mesh.vertices,
+    lambda: mesh.move(abut.Motion()),
+):
+    try:
+        call()
+    except MemoryError:
+        assert abut.contacts(x[:1000], 0.05, threads=1).pairs.tobytes() == small
+    else:
+        raise AssertionError("the memory was enough")
+resource.setrlimit(resource.RLIMIT_AS, before)
+print(len(detector.contacts(x, 0.01)) > 0, mesh.vertices.shape)
+"""
+
+
+def test_refused_allocations_are_memory_errors_and_the_interpreter_lives():
+    child = subprocess.run(
+        [sys.executable, "-c", LITTLE_MEMORY], capture_output=True, text=True, timeout=250
+    )
+    assert (child.returncode, child.stderr) == (0, "")
+    assert child.stdout == "True (1000000, 3)\n"
+
+
 def test_progress_is_told_and_may_cancel(cloud):
     told = []
     abut.contacts(*cloud, progress=lambda *now: told.append(now))

@@ -74,7 +74,7 @@ class AxisStretches {
     sorted.stretches = {};
     const std::uint64_t* const coordinates = sorted.coordinates.data();
     Buffer<std::uint64_t, E> before(executor_, count_ + 1);
-    executor_.for_each(count_ + 1, BeginsStretch{coordinates, count_, cell, before.data()});
+    executor_.for_each(count_ + 1, StretchBegin{coordinates, count_, cell, before.data()});
     const std::uint64_t stretches = sum_before_each(executor_, before.data(), count_);
 
     sorted.stretches = Buffer<Stretch, E>(executor_, stretches);

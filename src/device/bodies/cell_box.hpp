@@ -23,7 +23,7 @@ struct CellBox {
 };
 
 /// A coordinate that need not be an element's, as a cell of an axis.
-struct CellOnAxis {
+struct AxisCell {
   std::uint64_t cell;
   bool is_before;  ///< below the axis
   bool is_behind;  ///< above it
@@ -32,8 +32,8 @@ struct CellOnAxis {
 /// By the sequence of units_along: each rounding keeps the order of coordinates, so that elements
 /// at or above this one are in this cell or a later one, and those at or below in this or an
 /// earlier one. In a gap between stretches it is the empty cell there.
-[[nodiscard]] ABUT_HD inline CellOnAxis cell_at(const Axis& axis, double units_of_one,
-                                                std::uint64_t cells, double scaled) noexcept {
+[[nodiscard]] ABUT_HD inline AxisCell cell_at(const Axis& axis, double units_of_one,
+                                              std::uint64_t cells, double scaled) noexcept {
   Stretch stretch{axis.lower, 0};
   std::uint64_t end = cells;
   if (axis.stretches != nullptr) {
@@ -60,8 +60,8 @@ template <int Dim>
     const auto cell_of = [&](double scaled) {
       return cell_at(level.axes[axis], level.units_of_one, level.cells[axis], scaled);
     };
-    const CellOnAxis first = cell_of(center[axis] - distance);
-    const CellOnAxis last = cell_of(center[axis] + distance);
+    const AxisCell first = cell_of(center[axis] - distance);
+    const AxisCell last = cell_of(center[axis] + distance);
     box.first[axis] = first.cell;
     box.last[axis] = last.cell;
     box.is_empty = box.is_empty || first.is_behind || last.is_before;

@@ -45,7 +45,7 @@ struct CoordinateInLevel {
 };
 
 /// Body: 1 where a stretch begins at sorted coordinate k, else 0; 0 behind the last.
-struct BeginsStretch {
+struct StretchBegin {
   const std::uint64_t* coordinates;
   std::uint64_t count;
   double widest_gap;

@@ -1,0 +1,31 @@
+#include "device/memory_plan.hpp"
+
+#include "device/device_request.hpp"
+
+#include <abut/pair.hpp>
+
+namespace abut::device {
+namespace {
+
+// Bytes of an element. Records of 16 bytes and keys of 8 stay; so do radii and two heads of 4.
+constexpr std::uint64_t sorted_bytes = 16 + 8 + 4 + 2 * 4;
+/// Two counts of an element, and one for each that is coarse to some level.
+constexpr std::uint64_t count_bytes = 2 * 8 + 8;
+/// A start and a first cell on three axes, and as much while the last of them is divided.
+constexpr std::uint64_t stretch_bytes = 3 * 16;
+/// Histogram, ends of arrays, heads of few elements.
+constexpr std::uint64_t fixed_bytes = 4096;
+
+}  // namespace
+
+MemoryPlan plan_memory(std::uint64_t elements, std::uint64_t pairs) noexcept {
+  MemoryPlan plan{};
+  if (elements == 0) return plan;
+  plan.search_bytes =
+      elements * (sorted_bytes + count_bytes) + 2 * 8 * (most_items_at_a_time + 1) + fixed_bytes;
+  plan.pair_bytes = pairs * 2 * sizeof(ContactPair);
+  plan.gap_bytes = elements * stretch_bytes;
+  return plan;
+}
+
+}  // namespace abut::device

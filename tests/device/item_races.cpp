@@ -1,0 +1,54 @@
+// The stages of the device engine with items on four threads, compared with one: for the thread
+// sanitizer (scripts/find-races), which sees two items that touch one place. Exit code 1 where the
+// answers differ.
+
+#include "device/host_detection.hpp"
+#include "scenes/scene.hpp"
+#include "support/scene_view.hpp"
+
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace abut::testing {
+namespace {
+
+void compare(std::string_view name, std::size_t count) {
+  const scenes::Scene scene = scenes::scene_named(name).make(count, 1);
+  for (const double margin : {0.0, 0.2 * scene.radius[0]}) {
+    const HostAnswer one = list_on_host(view_of(scene), margin);
+    const HostAnswer four = list_on_host(view_of(scene), margin, {.workers = 4});
+    const HostAnswer counted = count_on_host(view_of(scene), margin, {.workers = 4});
+    if (one.pairs != four.pairs || one.pairs.size() != counted.count) {
+      throw std::logic_error("four threads give other pairs of the scene " + std::string(name));
+    }
+  }
+}
+
+void run_all() {
+  // One level, several, rows that are long, and wide gaps; many pairs in doubt.
+  compare("dense", 3000);
+  compare("gas_2d", 3000);
+  compare("log_uniform_1000", 3000);
+  compare("graded", 3000);
+  compare("one_giant", 3000);
+  compare("touching_fcc", 3000);
+  compare("coincident", 300);
+  compare("two_far_clusters", 1000);
+}
+
+}  // namespace
+}  // namespace abut::testing
+
+int main() {
+  try {
+    abut::testing::run_all();
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

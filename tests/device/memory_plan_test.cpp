@@ -1,0 +1,59 @@
+// What a detection holds is known before: bytes follow elements and pairs, whatever the domain.
+
+#include "device/memory_plan.hpp"
+
+#include "device/host_detection.hpp"
+#include "support/scene_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+namespace abut::testing {
+namespace {
+
+/// The part of the plan that does not follow elements and pairs: items that are counted at a time.
+constexpr std::uint64_t fixed = 48 << 20;
+
+void expect_within_plan(const ElementView& elements, const HostRun& run = {}) {
+  const HostAnswer answer = list_on_host(elements, 0.0, run);
+  const device::MemoryPlan plan =
+      device::plan_memory(elements.size(), answer.count + answer.exact_decisions);
+  EXPECT_LE(answer.peak_bytes, plan.bytes() + plan.gap_bytes);
+  const device::MemoryPlan counted = device::plan_memory(elements.size(), answer.exact_decisions);
+  EXPECT_LE(count_on_host(elements, 0.0, run).peak_bytes, counted.bytes() + counted.gap_bytes);
+}
+
+class DeviceMemory : public ::testing::TestWithParam<scenes::SceneInfo> {};
+
+TEST_P(DeviceMemory, IsWithinThePlan) {
+  const std::size_t most = GetParam().name == "coincident" ? 300 : 3000;
+  for (const std::size_t count :
+       {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{33}, most}) {
+    expect_within_plan(view_of(GetParam().make(count, 5)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, DeviceMemory,
+                         ::testing::ValuesIn(scenes::scenes().begin(), scenes::scenes().end()),
+                         [](const auto& parameter) { return std::string(parameter.param.name); });
+
+/// The fixed part would hide all else in small systems: it is bounded apart.
+TEST(DeviceMemory, FollowsElementsAndPairs) {
+  const device::MemoryPlan none = device::plan_memory(1, 0);
+  EXPECT_LE(none.bytes(), fixed);
+  const device::MemoryPlan plan = device::plan_memory(1'000'000, 3'000'000);
+  EXPECT_LE(plan.bytes(), 64U * 1'000'000 + 16U * 3'000'000 + fixed);
+  for (const char* name : {"dense", "log_uniform", "graded", "one_giant", "gas_2d"}) {
+    SCOPED_TRACE(name);
+    const scenes::Scene scene = scenes::scene_named(name).make(20000, 5);
+    const HostAnswer answer = list_on_host(view_of(scene), 0.0, {.items_at_a_time = 100});
+    const std::uint64_t pairs = answer.count + answer.exact_decisions;
+    EXPECT_LE(answer.peak_bytes, 64 * scene.size() + 16 * pairs + 8192);
+    EXPECT_GE(answer.peak_bytes, 30 * scene.size());
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

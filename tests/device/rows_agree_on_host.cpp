@@ -7,6 +7,11 @@
 
 #include <abut/simd.hpp>
 
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
 namespace abut::testing {
 
 using ::testing::AssertionFailure;

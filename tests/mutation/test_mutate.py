@@ -155,8 +155,8 @@ def test_the_report_has_a_row_for_each_fault_that_was_caught(tree, capsys):
     mutate.main([], root)
     assert mutate.main(["--report"], root) == 0
     assert (root / "docs/mutation.md").read_text() == HEAD + (
-        "\n| fault | what goes wrong | file | caught by |\n| --- | --- | --- | --- |\n"
-        "| `wrong` | something | `value.txt` | `value.is_right` |\n")
+        "\n| fault | what goes wrong (part) | caught by |\n| --- | --- | --- |\n"
+        "| `wrong` | something (part) | `value.is_right` |\n")
     # A fault that has changed since has not been caught.
     (root / "tests/mutation/part.toml").write_text(entry(becomes="three"))
     assert mutate.main(["--report"], root) == 1

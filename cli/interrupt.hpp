@@ -2,9 +2,9 @@
 
 namespace abut::cli {
 
-/// From now on the first Ctrl-C (SIGINT), SIGTERM or SIGHUP only sets a flag, which long work looks
-/// at, so that it ends in order; the same again ends the tool at once, without leaving a temporary
-/// file. A signal that the caller ignores stays ignored.
+/// Catches interrupts: from now on the first Ctrl-C (SIGINT), SIGTERM or SIGHUP only sets a flag,
+/// which long work looks at, so that it ends in order; the same again ends the tool at once,
+/// without leaving a temporary file. A signal that the caller ignores stays ignored.
 void catch_interrupts();
 
 [[nodiscard]] bool interrupted() noexcept;

@@ -2,7 +2,7 @@
 
 namespace abut::cli {
 
-/// For people or for programs.
+/// Form of a listing: for people or for programs.
 enum class Listing { text, json };
 
 }  // namespace abut::cli

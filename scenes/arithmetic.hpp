@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-/// What scenes compute beyond + - x /: only operations that IEEE 754 rounds correctly, so that the
-/// bits are equal on every machine. std::sqrt is one, std::cbrt, std::pow and std::exp are not.
+/// Functions that scenes compute with beyond + - x /: only operations that IEEE 754 rounds
+/// correctly, so that the bits are equal on every machine. std::sqrt is one, std::cbrt, std::pow
+/// and std::exp are not.
 namespace abut::scenes {
 
 inline constexpr double pi = 0x1.921fb54442d18p+1;

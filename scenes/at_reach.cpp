@@ -12,7 +12,7 @@
 namespace abut::scenes {
 namespace {
 
-/// Not normalised: any vector longer than 1/2 in the ball of radius 1.
+/// Returns a direction, not normalised: any vector longer than 1/2 in the ball of radius 1.
 template <std::size_t Dim>
 std::array<double, Dim> direction(Random& random) {
   while (true) {

@@ -45,7 +45,8 @@ Scene make_clusters(std::size_t count, std::uint64_t seed) {
   return scene;
 }
 
-/// At 10^18 neighbouring doubles are 128 apart: radii of 100 still touch there.
+/// Makes two clusters 10^18 apart, where neighbouring doubles are 128 apart: radii of 100 still
+/// touch there.
 Scene make_two_far_clusters(std::size_t count, std::uint64_t seed) {
   constexpr double distance = 1e18;
   const double width = 400.0 * cube_root(static_cast<double>(count) + 1.0);

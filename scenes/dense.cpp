@@ -37,7 +37,8 @@ class Selection {
   Random& random_;
 };
 
-/// How many sites of a lattice are needed so that `count` of them fill the fraction `thinned`.
+/// Returns how many sites of a lattice are needed so that `count` of them fill the fraction
+/// `thinned`.
 std::size_t site_count(std::size_t count, double lattice_fraction, double thinned) {
   const double sites = static_cast<double>(count) * lattice_fraction / thinned;
   return std::max(count, static_cast<std::size_t>(sites));

@@ -23,7 +23,8 @@ constexpr std::size_t most_elements = std::numeric_limits<std::uint32_t>::max() 
                   " elements does not fit into memory; ask for fewer elements");
 }
 
-/// Where memory is promised without being there, reserving it does not fail.
+/// Tells whether a scene exceeds the memory of the machine: where memory is promised without being
+/// there, reserving it does not fail.
 bool exceeds_machine(double bytes) {
   const auto pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
   const auto page_size = static_cast<double>(sysconf(_SC_PAGESIZE));

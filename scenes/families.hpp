@@ -12,7 +12,8 @@ namespace abut::scenes {
 /// Throws Error{limit_exceeded} for more elements than there are numbers or memory.
 void require_possible(std::size_t count);
 
-/// No elements yet, and room for `count`. Throws Error{limit_exceeded} if there is none.
+/// A scene without elements and with room for `count`. Throws Error{limit_exceeded} if there is
+/// none.
 [[nodiscard]] Scene empty_scene(int dimensions, std::size_t count);
 
 void add_disc(Scene& scene, double x, double y, double radius);

@@ -16,7 +16,7 @@ namespace abut::scenes {
 /// x spacing as given, y spacing 2.
 [[nodiscard]] Scene pack_2(std::size_t rows, std::size_t columns, double spacing);
 
-/// Both spacings as given.
+/// Makes a pack with both spacings as given.
 [[nodiscard]] Scene pack_3(std::size_t rows, std::size_t columns, double spacing);
 
 /// x spacings 1 and the given one in turn, y spacing 2: discs touch in twos.

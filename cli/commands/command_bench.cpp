@@ -13,7 +13,7 @@ namespace {
 /// Seconds for all repetitions together, where their number is not given.
 constexpr double seconds_in_all = 4.0;
 
-/// Other algorithms than `rows` that take longer are left out unless asked for.
+/// Seconds of a first call beyond which algorithms other than `rows` are left out unless asked for.
 constexpr double longest_first_call = 0.5;
 
 constexpr std::array forms_of_every_algorithm{Form::canonical, Form::as_found};

@@ -4,7 +4,7 @@
 
 namespace abut::cli {
 
-/// Who reads the option tables.
+/// The programs that read the option tables.
 enum class Reader { bash, zsh, fish, man };
 
 struct CompletionOptions {

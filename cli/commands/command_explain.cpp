@@ -51,7 +51,7 @@ std::string walk(Algorithm algorithm, const trace::CellSystem& system,
   return text + '\n' + pairs_text("candidate pair", all_candidates(stages), numbering);
 }
 
-/// What the book describes in 3D and draws in 2D only.
+/// Walks through what the book describes in 3D and draws in 2D only.
 std::string walk_in_space(Algorithm algorithm, const BookExample& example) {
   if (!example.in_space) return "";
   const trace::CellSystem& system = *example.in_space;

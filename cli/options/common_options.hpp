@@ -156,7 +156,7 @@ inline void add_domain(CLI::App& app, DomainOptions& domain) {
   box->excludes(lattice);
 }
 
-/// For commands that take open space only, of files that may say otherwise.
+/// Options for commands that take open space only, of files that may say otherwise.
 inline void add_open_space(CLI::App& app, DomainOptions& domain) {
   add_value(app, "--periodic", "none", "take the box of FILE as open space, which it must be here",
             [&domain](const std::string& text) {

@@ -14,7 +14,7 @@
 namespace abut::cli {
 namespace {
 
-/// What may stand for a value: files, or words if there are some.
+/// The words that may stand for a value: files, or words if there are some.
 struct Values {
   bool are_files = false;
   std::vector<std::string> words;

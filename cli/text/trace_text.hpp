@@ -12,7 +12,7 @@
 
 namespace abut::cli {
 
-/// Which binary searches of the sorting algorithm are shown.
+/// The binary searches of the sorting algorithm that are shown.
 struct SearchChoice {
   std::optional<std::array<std::int32_t, 3>> only;  ///< none: every occupied cell, once
 };

@@ -141,7 +141,7 @@ ElementView view(const std::array<Column<T>, Dim>& centers, R&& radii) {
 template <class P>
 using PointScalar = std::remove_cvref_t<decltype(std::declval<const P&>()[0])>;
 
-/// Not a container or a view, whose numbers lie elsewhere.
+/// A type of points: not a container or a view, whose numbers lie elsewhere.
 template <class P>
 concept HoldsItsNumbers = std::is_trivially_destructible_v<P> && !std::ranges::borrowed_range<P>;
 

@@ -12,7 +12,7 @@
 
 namespace abut {
 
-/// What a Detector keeps from call to call.
+/// The memory of a Detector from call to call.
 struct Detector::State {
   explicit State(Options given) : options(std::move(given)) {}
 

@@ -74,7 +74,7 @@ bool SkinDetection::applies_to(const DetectionRequest& request) const noexcept {
          request.elements.shape() != Shape::box;
 }
 
-/// Without ids another number of elements is as much of a change as other ids.
+/// Names the elements; without ids another number of elements is as much of a change as other ids.
 skin::NamedElements SkinDetection::name_elements(std::size_t count) {
   if (!ids_.given() && ids_.size() != count) {
     ids_.set({}, count);

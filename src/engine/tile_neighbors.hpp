@@ -55,7 +55,7 @@ template <int Dim>
   return result;
 }();
 
-/// Which neighbouring tiles must see a copy of an element that lies near some faces of its own.
+/// The neighbouring tiles that must see a copy of an element that lies near some faces of its own.
 ///
 /// A local element is copied to the neighbours on the *lower* side only (the contact mask of the
 /// book, with tiles for cells): of two neighbouring tiles exactly one sees the other's elements, so

@@ -27,7 +27,7 @@ std::size_t find_near(const WallJob&, std::uint32_t*, std::size_t&) {
 using Tag = hn::ScalableTag<double>;
 using Doubles = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
-/// As many whole numbers of 32 bits as there are doubles.
+/// The tag of as many whole numbers of 32 bits as there are doubles.
 using CellTag = hn::Rebind<std::int32_t, Tag>;
 using Cells = hn::Vec<CellTag>;
 constexpr Tag doubles{};

@@ -122,7 +122,7 @@ class ImageWindows {
   }
 
  private:
-  /// Half the difference of two elements, and its reach, from which a window is made.
+  /// Half of the difference of two elements, and its reach, from which a window is made.
   struct HalfDifference {
     std::array<double, Dim> center{};  ///< of a less that of b
     double span = 0.0;                 ///< |d| + R, at least

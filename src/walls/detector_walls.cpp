@@ -16,7 +16,7 @@ namespace abut {
 namespace walls {
 namespace {
 
-/// What a Detector keeps for walls.
+/// The memory of a Detector for walls.
 struct DetectorWalls {
   MeshSearch mesh_search;
   MeshContactList mesh_contacts;

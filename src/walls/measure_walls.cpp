@@ -44,7 +44,7 @@ void require_there(const TriangleMesh& mesh, MeshFeature feature) {
   }
 }
 
-/// What one call of `measure` needs: spheres that were read and checked, and workers.
+/// The needs of one call of `measure`: spheres that were read and checked, and workers.
 template <int Dim, class Contact>
 class WallMeasurer {
  public:

@@ -72,7 +72,7 @@ class MeshSearch {
   /// Spheres that are read at a time.
   static constexpr std::size_t block_size = 256;
 
-  /// What each worker needs.
+  /// The memory of each worker.
   struct alignas(128) SearchScratch {
     explicit SearchScratch(base::MemoryMeter& memory)
         : found(memory), candidates(base::make_array_for_overwrite<ContactPair>(memory, 0)) {}

@@ -153,7 +153,7 @@ NeighborListKind kind_of(bool full) {
   return full ? NeighborListKind::full : NeighborListKind::half;
 }
 
-/// No skin unless there is a length or it is automatic.
+/// Sets the skin: none unless there is a length or it is automatic.
 void set_skin(SharedDetector& detector, std::optional<double> length, bool automatic) {
   Skin skin = Skin::none();
   if (automatic) skin = Skin::automatic();

@@ -47,8 +47,8 @@ class NumberBuffer {
   std::unique_ptr<Py_buffer, Release> view_;
 };
 
-/// Whole numbers side by side in the memory of an array; the package makes arrays so. Throws
-/// nb::type_error for others.
+/// Returns whole numbers that lie side by side in the memory of an array; the package makes arrays
+/// so. Throws nb::type_error for others.
 template <class T>
 [[nodiscard]] std::span<const T> whole_numbers_of(const NumberBuffer& buffer) {
   if (buffer.number_bytes() != sizeof(T) || !buffer.is_contiguous()) {

@@ -23,7 +23,7 @@ namespace {
 
 __extension__ using Int128 = __int128;
 
-/// Whole numbers below 2^19. Differences are below 2^20, components of vector products below 2^41,
+/// A whole number below 2^19. Differences are below 2^20, components of vector products below 2^41,
 /// the product of three below 2^63, its square below 2^126.
 class SmallInteger {
  public:

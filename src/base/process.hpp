@@ -5,6 +5,14 @@
 
 namespace abut::base {
 
+/// Whether the library may have threads of its own. They are waited for when the caller's thread
+/// ends; on Windows that thread then holds a lock which they need in order to end.
+#if defined(_WIN32)
+inline constexpr bool may_have_threads = false;
+#else
+inline constexpr bool may_have_threads = true;
+#endif
+
 /// Tells whether this process was forked from one that had loaded the library: threads do not
 /// survive a fork.
 [[nodiscard]] bool is_forked() noexcept;

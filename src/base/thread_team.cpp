@@ -228,6 +228,7 @@ ThreadTeam* own_team() noexcept {
   if (own_thread.team != nullptr || own_thread.works_alone || is_forked()) {
     return own_team_so_far();
   }
+  if (!may_have_threads) return nullptr;
   // The C runtime ends the process where it lacks the bytes in which it notes a destructor; more
   // than these are free again when it asks.
   std::unique_ptr<char[]> spare(new (std::nothrow) char[4096]);

@@ -21,7 +21,9 @@ ELSEWHERE = {
     "MeshContact": "MeshContacts.records",
     "MeshContactList": "MeshContacts",
     "MeshFeature": "MeshContacts.number",
+    "LostBoxContact": "BoxContactHistory.lost",
     "LostContact": "ContactHistory.lost",
+    "LostMeshContact": "MeshContactHistory.lost",
     "FittedBoxes": "fit_boxes",
     "fit_boxes_2d": "fit_boxes",
     "fit_boxes_3d": "fit_boxes",
@@ -96,6 +98,7 @@ NOT_NEEDED = {
 # The classes of Python for those of C++, and members that they have in another form or not at all.
 CLASSES = {
     "AlgorithmInfo": "AlgorithmInfo",
+    "BoxContactHistory": "BoxContactHistory",
     "ContactHistory": "ContactHistory",
     "ContactList": "MeshContacts",
     "Detector": "Detector",
@@ -103,6 +106,7 @@ CLASSES = {
     "ElementView": "Elements",
     "ExclusionList": "ExclusionList",
     "GroupTable": "GroupTable",
+    "MeshContactHistory": "MeshContactHistory",
     "NeighborList": "NeighborList",
     "PairGeometry": "PairGeometry",
     "PairList": "Contacts",

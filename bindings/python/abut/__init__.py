@@ -37,12 +37,14 @@ from ._options import Options
 from ._rules import ExclusionList, GroupTable, PairRule
 from ._statistics import Statistics
 from ._wall_contacts import BoxContacts, FeatureKind, MeshContacts
+from ._wall_history import BoxContactHistory, MeshContactHistory
 from ._walls import find_box_contacts, find_mesh_contacts
 
 __version__ = _version()
 
 __all__ = [
     "AlgorithmInfo",
+    "BoxContactHistory",
     "BoxContacts",
     "Cancelled",
     "CheckError",
@@ -58,6 +60,7 @@ __all__ = [
     "InputError",
     "InputTypeError",
     "LimitError",
+    "MeshContactHistory",
     "MeshContacts",
     "Motion",
     "NeighborList",

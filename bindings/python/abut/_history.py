@@ -13,7 +13,80 @@ from ._contacts import Contacts
 from ._errors import InputError, InputTypeError, UsageError
 
 
-class ContactHistory:
+class History:
+    """What the histories of contact pairs and of contacts with walls have in common."""
+
+    _make_matcher: Any
+    _names: tuple[str, ...]  #: What a lost contact has besides its value.
+
+    def __init__(self, dtype: npt.DTypeLike = float) -> None:
+        self._dtype = np.dtype(dtype)
+        if self._dtype.hasobject or self._dtype.itemsize == 0:
+            raise InputTypeError(f"values of a history have numbers of a fixed size, not {dtype}")
+        self.clear()
+
+    def clear(self) -> None:
+        """Forgets all contacts."""
+        self._matcher: Any = self._make_matcher(self._dtype.itemsize)
+        self._values = np.zeros(0, self._dtype)
+        self._lost = self._lost_of(self._values)
+
+    def _update(self, count: int, *step: Any) -> None:
+        """Brings the history to a step of so many contacts. On an error nothing has changed."""
+        values = np.zeros(count, self._dtype)
+        self._matcher.update(*step)
+        before, self._values = self._values, values
+        self._matcher.carry(_bytes_of(before), _bytes_of(values))
+        self._lost = self._lost_of(before)
+
+    def _lost_of(self, before: npt.NDArray[Any]) -> npt.NDArray[Any]:
+        places = self._matcher.lost_places()
+        fields = [(name, np.uint64) for name in self._names]
+        lost = np.zeros(len(places), [*fields, ("value", self._dtype)])
+        for name, numbers in zip(self._names, self._matcher.lost(), strict=True):
+            lost[name] = numbers
+        lost["value"] = before[places]
+        return lost
+
+    @property
+    def values(self) -> npt.NDArray[Any]:
+        """Values of the contacts, one for each contact of the last update, in its order; writable."""
+        return self._values
+
+    @values.setter
+    def values(self, values: npt.ArrayLike) -> None:
+        # So that `history.values += 1` works; the array stays the same one.
+        if np.shape(values) != self._values.shape:
+            raise InputError(f"{len(self._values)} values are needed, not {np.shape(values)}")
+        self._values[...] = values
+
+    @property
+    def kept(self) -> int:
+        """Number of contacts that the previous step had, too."""
+        return self._matcher.kept
+
+    @property
+    def born(self) -> npt.NDArray[np.uint64]:
+        """Positions in the list of the contacts that are new, ascending."""
+        return self._matcher.born()
+
+    @property
+    def lost(self) -> npt.NDArray[Any]:
+        """Contacts of the previous step that are no more: a structured array of what they were,
+        and the value."""
+        return self._lost
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __repr__(self) -> str:
+        return (
+            f"<abut.{type(self).__name__}: {len(self):,} contacts, {self.kept:,} kept, "
+            f"{len(self.born):,} new, {len(self.lost):,} lost>"
+        )
+
+
+class ContactHistory(History):
     """Values of the caller, one for each contact pair, taken over from step to step.
 
     A contact that persists keeps its value; a new one begins with zeros. A contact is a pair of
@@ -40,20 +113,8 @@ class ContactHistory:
     (array([0], dtype=uint64), array([2]))
     """
 
-    def __init__(self, dtype: npt.DTypeLike = float) -> None:
-        self._dtype = np.dtype(dtype)
-        if self._dtype.hasobject or self._dtype.itemsize == 0:
-            raise InputTypeError(f"values of a history have numbers of a fixed size, not {dtype}")
-        self.clear()
-
-    def clear(self) -> None:
-        """Forgets all contacts."""
-        self._matcher = _abut.ByteHistory(self._dtype.itemsize)
-        self._values = np.zeros(0, self._dtype)
-        self._lost = np.zeros(0, self._lost_dtype())
-
-    def _lost_dtype(self) -> np.dtype[Any]:
-        return np.dtype([("first", np.uint64), ("second", np.uint64), ("value", self._dtype)])
+    _make_matcher = _abut.PairHistory
+    _names = ("first", "second")
 
     def update(self, contacts: Contacts, ids: npt.ArrayLike | None = None) -> None:
         """Brings the history to the contacts of this step. On an error nothing has changed.
@@ -69,47 +130,8 @@ class ContactHistory:
             raise InputTypeError(f"contacts are needed, not {type(contacts).__name__}")
         if contacts.others is not None:
             raise UsageError("a history is of contacts within one set; these are of two")
-        numbers = None if ids is None else whole_numbers(ids, np.uint64, "ids")
-        values = np.zeros(len(contacts), self._dtype)
-        self._matcher.update(
-            contacts._native(), contacts.elements._native, contacts.domain._native, numbers
-        )
-        before, self._values = self._values, values
-        self._matcher.carry(_bytes_of(before), _bytes_of(values))
-        self._lost = self._lost_of(before)
-
-    def _lost_of(self, before: npt.NDArray[Any]) -> npt.NDArray[Any]:
-        first, second, places = self._matcher.lost()
-        lost = np.zeros(len(first), self._lost_dtype())
-        lost["first"], lost["second"], lost["value"] = first, second, before[places]
-        return lost
-
-    @property
-    def values(self) -> npt.NDArray[Any]:
-        """Values of the contacts, one for each pair of the last update, in its order; writable."""
-        return self._values
-
-    @values.setter
-    def values(self, values: npt.ArrayLike) -> None:
-        # So that `history.values += 1` works; the array stays the same one.
-        if np.shape(values) != self._values.shape:
-            raise InputError(f"{len(self._values)} values are needed, not {np.shape(values)}")
-        self._values[...] = values
-
-    @property
-    def kept(self) -> int:
-        """Number of contacts that the previous step had, too."""
-        return self._matcher.kept
-
-    @property
-    def born(self) -> npt.NDArray[np.uint64]:
-        """Positions in the list of the contacts that are new, ascending."""
-        return self._matcher.born()
-
-    @property
-    def lost(self) -> npt.NDArray[Any]:
-        """Contacts of the previous step that are no more: ids first and second, and the value."""
-        return self._lost
+        elements, domain = contacts.elements._native, contacts.domain._native
+        self._update(len(contacts), contacts._native(), elements, domain, ids_of(ids))
 
     @property
     def flipped(self) -> npt.NDArray[np.uint64]:
@@ -117,14 +139,10 @@ class ContactHistory:
         from one to the other must be turned around."""
         return self._matcher.flipped()
 
-    def __len__(self) -> int:
-        return len(self._values)
 
-    def __repr__(self) -> str:
-        return (
-            f"<abut.ContactHistory: {len(self):,} contacts, {self.kept:,} kept, "
-            f"{len(self.born):,} new, {len(self.lost):,} lost>"
-        )
+def ids_of(given: npt.ArrayLike | None) -> npt.NDArray[np.uint64] | None:
+    """Ids of elements as the module reads them."""
+    return None if given is None else whole_numbers(given, np.uint64, "ids")
 
 
 def _bytes_of(values: npt.NDArray[Any]) -> npt.NDArray[np.uint8]:

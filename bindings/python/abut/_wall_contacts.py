@@ -225,6 +225,11 @@ def records_of(given: Any, wall: Any) -> npt.NDArray[Any]:
     return records
 
 
+def table_of(records: npt.NDArray[Any]) -> npt.NDArray[np.uint8]:
+    """The bytes of contacts, a row for each: the same memory."""
+    return records.view(np.uint8).reshape(len(records), records.dtype.itemsize)
+
+
 def arrays_of_contacts(
     spheres: Elements,
     wall: Any,
@@ -234,7 +239,7 @@ def arrays_of_contacts(
     options: _abut.CallOptions,
 ) -> Arrays:
     """Measures contacts with a mesh or boxes, where these and the spheres lie by now."""
-    table = records.view(np.uint8).reshape(len(records), records.dtype.itemsize)
+    table = table_of(records)
     if isinstance(wall, TriangleMesh):
         return _abut.measure_mesh_contacts(
             spheres._native, wall._native, domain, table, shift, options

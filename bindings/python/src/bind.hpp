@@ -22,6 +22,7 @@ void bind_boxes(nb::module_& module);
 void bind_mesh(nb::module_& module);
 void bind_detector(nb::module_& module);
 void bind_history(nb::module_& module);
+void bind_wall_history(nb::module_& module);
 void bind_files(nb::module_& module);
 
 }  // namespace abut::python

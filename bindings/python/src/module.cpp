@@ -19,5 +19,6 @@ NB_MODULE(_abut, module) {
   bind_mesh(module);
   bind_detector(module);
   bind_history(module);
+  bind_wall_history(module);
   bind_files(module);
 }

@@ -7,11 +7,21 @@ install(TARGETS abut EXPORT abutTargets
   RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS abut_device EXPORT abutDeviceTargets
+  RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/abut" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
   FILES_MATCHING PATTERN "*.hpp")
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/abut")
 install(EXPORT abutTargets NAMESPACE abut:: DESTINATION "${package_dir}")
+install(EXPORT abutDeviceTargets NAMESPACE abut:: DESTINATION "${package_dir}")
+# A static abut::device leaves the runtime of CUDA to who links it.
+set(ABUT_NEEDS_CUDA_RUNTIME OFF)
+if(ABUT_USE_CUDA AND NOT BUILD_SHARED_LIBS)
+  set(ABUT_NEEDS_CUDA_RUNTIME ON)
+endif()
 configure_package_config_file(
   "${CMAKE_CURRENT_LIST_DIR}/abutConfig.cmake.in" "${PROJECT_BINARY_DIR}/abutConfig.cmake"
   INSTALL_DESTINATION "${package_dir}")

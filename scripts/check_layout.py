@@ -38,6 +38,7 @@ ROOMS_BELOW = {
     "walls": "base exact/features exact kernels lattice elements lists geometry detect",
     "device/bodies": "base exact/numbers exact",
     "device": "base exact grid elements device/bodies",
+    "device/cuda": "base exact device/bodies device",
 }
 CORE = {"include/abut": set()} | {
     f"src/{room}": {"include/abut"} | {f"src/{other}" for other in below.split()}
@@ -57,6 +58,8 @@ MAY_INCLUDE = CORE | {
 SYSTEM_HEADERS = {"hwy/foreach_target.h", "hwy/highway.h", "hwy/targets.h", "omp.h", "pthread.h",
                   "sched.h", "signal.h", "sys/resource.h",
                   "malloc.h", "sys/mman.h", "unistd.h", "windows.h", "xmmintrin.h"}
+# CUDA's headers stand in this room only.
+CUDA_ROOM, CUDA_HEADER = "src/device/cuda", re.compile(r"(cuda_runtime\w*\.h|cub/.*|thrust/.*)$")
 
 SOURCE_FOLDERS = ("include", "src", "scenes", "cli", "benchmarks", "examples", "tests", "bindings")
 CPP = {".cpp", ".hpp", ".inl", ".h", ".cu", ".cuh"}
@@ -125,6 +128,8 @@ def wrong_includes(root, file, lines):
         if target is None:
             if quoted or name.startswith("abut/"):
                 yield number, f"includes {name}, which is not there"
+            elif folder == CUDA_ROOM and CUDA_HEADER.match(name):
+                continue
             elif folder in CORE and ("." in name or "/" in name) and name not in SYSTEM_HEADERS:
                 yield number, f"includes {name}; the core needs the standard library only"
         elif target != folder and target not in MAY_INCLUDE[folder]:

@@ -1,8 +1,9 @@
-#include "device/memory_plan.hpp"
-
 #include "device/device_request.hpp"
 
+#include <abut/device.hpp>
 #include <abut/pair.hpp>
+
+#include <cstdint>
 
 namespace abut::device {
 namespace {
@@ -18,8 +19,8 @@ constexpr std::uint64_t fixed_bytes = 4096;
 
 }  // namespace
 
-MemoryPlan plan_memory(std::uint64_t elements, std::uint64_t pairs) noexcept {
-  MemoryPlan plan{};
+MemoryPlan plan(std::uint64_t elements, PairCount pairs) {
+  MemoryPlan plan;
   if (elements == 0) return plan;
   plan.search_bytes =
       elements * (sorted_bytes + count_bytes) + 2 * 8 * (most_items_at_a_time + 1) + fixed_bytes;

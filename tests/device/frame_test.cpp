@@ -98,8 +98,8 @@ TEST(DeviceFrame, PartnersAreInAdjacentCells) {
   EXPECT_GT(apart, 10000U);
 }
 
-/// Clusters 10^18 apart: as many cells as if they lay side by side, and none adjacent to another's.
-TEST(DeviceFrame, WideGapsAreClosed) {
+/// Clusters up to 10^18 apart.
+scenes::Scene far_clusters() {
   scenes::Scene scene;
   scenes::Random random(3);
   const std::vector<double> places{-1e18, 0.0, 1e6, 1e18};
@@ -111,6 +111,12 @@ TEST(DeviceFrame, WideGapsAreClosed) {
     scene.z.push_back(random.uniform(0.0, 50.0));
     scene.radius.push_back(1.0);
   }
+  return scene;
+}
+
+/// As many cells as if clusters lay side by side, and none adjacent to another's.
+TEST(DeviceFrame, WideGapsAreClosed) {
+  const scenes::Scene scene = far_clusters();
   const Extent<3> extent = extent_of_all(scene);
   Frame<3> frame = make_frame(extent, 0.0);
   frame.level_count = 1;

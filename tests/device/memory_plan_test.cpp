@@ -1,9 +1,10 @@
 // What a detection holds is known before: bytes follow elements and pairs, whatever the domain.
 
-#include "device/memory_plan.hpp"
-
 #include "device/host_detection.hpp"
+#include "scenes/random.hpp"
 #include "support/scene_view.hpp"
+
+#include <abut/device.hpp>
 
 #include <gtest/gtest.h>
 
@@ -19,9 +20,9 @@ constexpr std::uint64_t fixed = 48 << 20;
 void expect_within_plan(const ElementView& elements, const HostRun& run = {}) {
   const HostAnswer answer = list_on_host(elements, 0.0, run);
   const device::MemoryPlan plan =
-      device::plan_memory(elements.size(), answer.count + answer.exact_decisions);
+      device::plan(elements.size(), answer.count + answer.exact_decisions);
   EXPECT_LE(answer.peak_bytes, plan.bytes() + plan.gap_bytes);
-  const device::MemoryPlan counted = device::plan_memory(elements.size(), answer.exact_decisions);
+  const device::MemoryPlan counted = device::plan(elements.size(), answer.exact_decisions);
   EXPECT_LE(count_on_host(elements, 0.0, run).peak_bytes, counted.bytes() + counted.gap_bytes);
 }
 
@@ -41,9 +42,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, DeviceMemory,
 
 /// The fixed part would hide all else in small systems: it is bounded apart.
 TEST(DeviceMemory, FollowsElementsAndPairs) {
-  const device::MemoryPlan none = device::plan_memory(1, 0);
+  const device::MemoryPlan none = device::plan(1, 0);
   EXPECT_LE(none.bytes(), fixed);
-  const device::MemoryPlan plan = device::plan_memory(1'000'000, 3'000'000);
+  const device::MemoryPlan plan = device::plan(1'000'000, 3'000'000);
   EXPECT_LE(plan.bytes(), 64U * 1'000'000 + 16U * 3'000'000 + fixed);
   for (const char* name : {"dense", "log_uniform", "graded", "one_giant", "gas_2d"}) {
     SCOPED_TRACE(name);
@@ -53,6 +54,22 @@ TEST(DeviceMemory, FollowsElementsAndPairs) {
     EXPECT_LE(answer.peak_bytes, 64 * scene.size() + 16 * pairs + 8192);
     EXPECT_GE(answer.peak_bytes, 30 * scene.size());
   }
+}
+
+/// Elements strewn so widely that each is a stretch of its own, on every axis.
+TEST(DeviceMemory, InAWideDomain) {
+  scenes::Scene scene;
+  scenes::Random random(9);
+  for (int k = 0; k < 5000; ++k) {
+    scene.x.push_back(random.uniform(-1e15, 1e15));
+    scene.y.push_back(random.uniform(-1e15, 1e15));
+    scene.z.push_back(random.uniform(-1e15, 1e15));
+    scene.radius.push_back(random.uniform(0.1, 1.0));
+  }
+  const HostAnswer answer = list_on_host(view_of(scene), 0.0, {.items_at_a_time = 100});
+  EXPECT_EQ(answer.count, 0U);
+  EXPECT_LE(answer.peak_bytes, (60 + 48) * scene.size() + 8192);
+  EXPECT_GE(answer.peak_bytes, 64 * scene.size());
 }
 
 }  // namespace

@@ -7,9 +7,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-# The standard library, Highway, a runtime of OpenMP, the sanitizers.
+# The standard library, Highway, a runtime of OpenMP, the sanitizers; abut's devices need abut.
 ALLOWED_LIBRARIES = re.compile(
-    r"lib(stdc\+\+|m|gcc_s|c|pthread|hwy|gomp|omp)\.so|ld-linux|lib[a-z]*san\.so")
+    r"lib(stdc\+\+|m|gcc_s|c|pthread|hwy|gomp|omp|abut)\.so|ld-linux|lib[a-z]*san\.so")
 INNER = ("abut::base::", "abut::grid::", "abut::reference::", "abut::api::", "abut::io::",
          "abut::engine::", "abut::kernels::")
 
@@ -38,21 +38,27 @@ def wrong_paths(prefix, folders):
 
 
 def wrong_library(prefix, kind, version):
-    libraries = [file for file in prefix.rglob("libabut*") if not file.is_symlink()]
-    expected = "libabut.a" if kind == "static" else f"libabut.so.{version}"
-    if [file.name for file in libraries] != [expected]:
+    libraries = sorted(file for file in prefix.rglob("libabut*") if not file.is_symlink())
+    suffix = "a" if kind == "static" else f"so.{version}"
+    expected = [f"libabut.{suffix}", f"libabut_device.{suffix}"]
+    if [file.name for file in libraries] != expected:
         yield f"installed are {libraries} where {expected} should be"
         return
     if kind == "static":
         return
-    dynamic = output("readelf", "-d", str(libraries[0]))
-    soname = f"libabut.so.{version.rsplit('.', 1)[0]}"
+    for library in libraries:
+        yield from wrong_shared_library(library, version)
+
+
+def wrong_shared_library(library, version):
+    dynamic = output("readelf", "-d", str(library))
+    soname = f"{library.name.split('.')[0]}.so.{version.rsplit('.', 1)[0]}"
     if f"[{soname}]" not in dynamic:
         yield f"the soname is not {soname}:\n{dynamic}"
     for needed in re.findall(r"NEEDED.*\[(.*)\]", dynamic):
         if not ALLOWED_LIBRARIES.match(needed):
             yield f"the library needs {needed}; it may link nothing but the standard library, Highway and OpenMP"
-    for line in output("nm", "-DC", "--defined-only", str(libraries[0])).splitlines():
+    for line in output("nm", "-DC", "--defined-only", str(library)).splitlines():
         symbol = re.sub(r"^(vtable|typeinfo|typeinfo name) for ", "", line.split(" ", 2)[2])
         # The name of a function template stands behind the type that it returns.
         name = re.split(r"[<(]", symbol)[0].split(" ")[-1]

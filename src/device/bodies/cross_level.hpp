@@ -25,7 +25,6 @@ inline constexpr double farthest_center = 0x1p51;
 /// A larger element as a level of smaller ones sees it.
 template <int Dim>
 struct CoarseSphere {
-  exact::Sphere<Dim> sphere;
   std::uint32_t number;
   CellBox<Dim> box;
   std::uint32_t units[Dim];  ///< its position as records have it
@@ -61,13 +60,14 @@ struct MeetCoarse {
     const std::uint64_t part = item - items_before[k];
     if (coarse.box.rows() <= elements_here()) {
       const SlotRun row = row_of(coarse.box, part);
-      return coarse.in_double ? compare_in_double(coarse, row, sink) : compare(coarse, row, sink);
+      return coarse.in_double ? compare_in_double(coarse.number, row, sink)
+                              : compare(coarse, row, sink);
     }
     const std::uint64_t first = level.first_slot + part * swept_by_item;
     const std::uint64_t end =
         first + swept_by_item < level.end_slot ? first + swept_by_item : level.end_slot;
-    compare_in_double(coarse, {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)},
-                      sink);
+    compare_in_double(coarse.number,
+                      {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)}, sink);
   }
 
  private:
@@ -78,8 +78,8 @@ struct MeetCoarse {
   [[nodiscard]] ABUT_HD CoarseSphere<Dim> coarse_sphere(std::uint64_t k) const noexcept {
     CoarseSphere<Dim> coarse{};
     coarse.number = records[level.end_slot + k].number;
-    coarse.sphere = elements[coarse.number];
-    const double own = coarse.sphere.radius * scale + scaled_margin;
+    const exact::Sphere<Dim> sphere = elements[coarse.number];
+    const double own = sphere.radius * scale + scaled_margin;
     const double farthest = own + level.largest_radius;
     coarse.own_reach = static_cast<float>(own * level.units_of_one);
     coarse.slack =
@@ -87,7 +87,7 @@ struct MeetCoarse {
     coarse.in_double = !(farthest * level.units_of_one <= widest_ball);
     double center[Dim];
     for (int axis = 0; axis < Dim; ++axis) {
-      center[axis] = coarse.sphere.center[axis] * scale;
+      center[axis] = sphere.center[axis] * scale;
       const double units = (center[axis] - level.axes[axis].lower) * level.units_of_one;
       coarse.in_double = coarse.in_double || level.axes[axis].stretches != nullptr ||
                          !(std::fabs(units) <= farthest_center);
@@ -117,9 +117,11 @@ struct MeetCoarse {
   [[nodiscard]] ABUT_HD SlotRun row_of(const CellBox<Dim>& box, std::uint64_t row) const noexcept {
     std::uint64_t cell[Dim];
     cell[0] = box.first[0];
-    const std::uint64_t rows_of_layer = box.last[1] - box.first[1] + 1;
-    cell[1] = box.first[1] + row % rows_of_layer;
-    if constexpr (Dim == 3) cell[2] = box.first[2] + row / rows_of_layer;
+    // There are no more rows than elements, of which there are fewer than 2^32.
+    const auto number = static_cast<std::uint32_t>(row);
+    const auto rows_of_layer = static_cast<std::uint32_t>(box.last[1] - box.first[1] + 1);
+    cell[1] = box.first[1] + number % rows_of_layer;
+    if constexpr (Dim == 3) cell[2] = box.first[2] + number / rows_of_layer;
     const std::uint64_t key = key_of(level, cell);
     return directory.cells(key, key + box.last[0] - box.first[0]);
   }
@@ -135,12 +137,13 @@ struct MeetCoarse {
   }
 
   template <class Sink>
-  ABUT_HD void compare_in_double(const CoarseSphere<Dim>& coarse, const SlotRun& run,
+  ABUT_HD void compare_in_double(std::uint32_t own_number, const SlotRun& run,
                                  Sink& sink) const noexcept {
+    const exact::Sphere<Dim> own = elements[own_number];
     for (std::uint32_t k = run.first; k < run.end; ++k) {
       const std::uint32_t number = records[k].number;
-      const FilterVerdict verdict = filter(coarse.sphere, elements[number], margin);
-      if (verdict != FilterVerdict::apart) sink.take(coarse.number, number, verdict);
+      const FilterVerdict verdict = filter(own, elements[number], margin);
+      if (verdict != FilterVerdict::apart) sink.take(own_number, number, verdict);
     }
   }
 };

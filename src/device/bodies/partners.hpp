@@ -9,10 +9,16 @@
 
 namespace abut::device {
 
-/// How many partners one item has: those within reach for certain, and those in doubt.
+/// Pairs within reach for certain, and pairs in doubt.
 struct PartnerCount {
   std::uint64_t certain = 0;
   std::uint64_t doubtful = 0;
+};
+
+/// Counts the partners of one item, of which there are fewer than 2^32.
+struct PartnerCounter {
+  std::uint32_t certain = 0;
+  std::uint32_t doubtful = 0;
 
   ABUT_HD void take(std::uint32_t, std::uint32_t, FilterVerdict verdict) noexcept {
     if (verdict == FilterVerdict::within) ++certain;
@@ -48,7 +54,7 @@ struct CountPartners {
   PartnerPlaces counts;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
-    PartnerCount count;
+    PartnerCounter count;
     if (k < items) search.partners_of(first_item + k, count);
     counts.certain[k] = count.certain;
     counts.doubtful[k] = count.doubtful;

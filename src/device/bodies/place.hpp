@@ -79,7 +79,7 @@ struct GatherRadius {
   float* radii;
 
   ABUT_HD void operator()(std::uint64_t slot) const noexcept {
-    const double radius = elements[numbers[slot]].radius;
+    const double radius = elements.radius(numbers[slot]);
     const SizeLevel<Dim>& level = frame.levels[level_of(frame, radius)];
     radii[slot] = static_cast<float>(radius * frame.scale * level.units_of_one);
   }

@@ -36,7 +36,7 @@ struct SizeClassOf {
   std::uint32_t largest_half_octave;
 
   [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint64_t k) const noexcept {
-    return size_class_of(elements[static_cast<std::uint32_t>(k)].radius, largest_half_octave);
+    return size_class_of(elements.radius(static_cast<std::uint32_t>(k)), largest_half_octave);
   }
 };
 

@@ -26,10 +26,14 @@ struct SphereColumns {
   double common_radius;  ///< of all, if there are no radii
   std::uint32_t count;
 
+  [[nodiscard]] ABUT_HD double radius(std::uint32_t k) const noexcept {
+    return radii.first == nullptr ? common_radius : radii[k];
+  }
+
   [[nodiscard]] ABUT_HD exact::Sphere<Dim> operator[](std::uint32_t k) const noexcept {
     exact::Sphere<Dim> sphere{};
     for (int axis = 0; axis < Dim; ++axis) sphere.center[axis] = center[axis][k];
-    sphere.radius = radii.first == nullptr ? common_radius : radii[k];
+    sphere.radius = radius(k);
     return sphere;
   }
 };

@@ -37,9 +37,9 @@ struct CoordinateInLevel {
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     const auto number = static_cast<std::uint32_t>(k);
-    const exact::Sphere<Dim> sphere = elements[number];
-    const bool is_here = level_of(frame, sphere.radius) == level;
-    coordinates[k] = is_here ? ordered_bits(sphere.center[axis] * frame.scale) : ~std::uint64_t{0};
+    const bool is_here = level_of(frame, elements.radius(number)) == level;
+    coordinates[k] =
+        is_here ? ordered_bits(elements.center[axis][number] * frame.scale) : ~std::uint64_t{0};
     numbers[k] = number;
   }
 };

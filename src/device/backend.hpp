@@ -1,0 +1,52 @@
+#pragma once
+
+#include "base/progress_reporter.hpp"
+#include "device/device_request.hpp"
+
+#include <abut/device.hpp>
+#include <abut/element_view.hpp>
+#include <abut/pair.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace abut::device {
+
+/// What a build has of a processor with memory of its own. There is one file that defines the two
+/// functions below for CUDA, and one for a build without.
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  Backend(const Backend&) = delete;
+  Backend& operator=(const Backend&) = delete;
+
+  /// What a detection leaves: `pairs` is memory of the device, valid until the next detection.
+  struct Answer {
+    const ContactPair* pairs = nullptr;
+    std::uint64_t count = 0;
+    std::uint64_t exact_decisions = 0;
+    std::uint64_t peak_bytes = 0;
+  };
+
+  [[nodiscard]] virtual Answer list(const ElementView& spheres, const DeviceRequest& request,
+                                    std::uint64_t max_bytes, const Stream& stream,
+                                    base::ProgressReporter& progress) = 0;
+  [[nodiscard]] virtual Answer count(const ElementView& spheres, const DeviceRequest& request,
+                                     std::uint64_t max_bytes, const Stream& stream,
+                                     base::ProgressReporter& progress) = 0;
+
+  /// Copies pairs of the last answer; waits for them.
+  virtual void copy_to_host(ContactPair* target, const ContactPair* pairs, std::uint64_t count) = 0;
+
+ protected:
+  Backend() = default;
+};
+
+/// Throws Error{unavailable} with the reason.
+[[nodiscard]] std::unique_ptr<Backend> open_backend(int device);
+
+/// The devices of this machine; none where there is no driver, or no CUDA in this build.
+[[nodiscard]] std::vector<DeviceInfo> found_devices();
+
+}  // namespace abut::device

@@ -1,0 +1,209 @@
+#pragma once
+
+#include "base/memory_meter.hpp"
+#include "device/cuda/cuda_error.hpp"
+#include "device/cuda/tuning.hpp"
+#include "device/executor.hpp"
+
+#include <abut/pair.hpp>
+
+#include <cuda_runtime.h>
+#include <thrust/iterator/counting_iterator.h>
+#include <thrust/iterator/transform_iterator.h>
+#include <cub/device/device_histogram.cuh>
+#include <cub/device/device_radix_sort.cuh>
+#include <cub/device/device_scan.cuh>
+#include <cub/device/device_select.cuh>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace abut::device {
+
+template <int Dim, class T>
+struct DecideOpen;
+
+template <class Body>
+__global__ void __launch_bounds__(threads_of_block, blocks_at_once)
+    run_items(std::uint64_t count, Body body) {
+  const std::uint64_t stride = std::uint64_t{gridDim.x} * blockDim.x;
+  for (std::uint64_t k = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; k < count;
+       k += stride) {
+    body(k);
+  }
+}
+
+/// Body: joins what a body gives for the items part, part + parts, part + 2 parts ...
+template <class T, class Body, class Join>
+struct JoinPart {
+  std::uint64_t count;
+  std::uint64_t parts;
+  T none;
+  Body body;
+  Join join;
+  T* joined;
+
+  __device__ void operator()(std::uint64_t part) const {
+    T sum = none;
+    for (std::uint64_t k = part; k < count; k += parts) sum = join(sum, body(k));
+    joined[part] = sum;
+  }
+};
+
+/// Body: entry k of an array.
+template <class T>
+struct EntryOf {
+  const T* values;
+
+  __device__ T operator()(std::uint64_t k) const { return values[k]; }
+};
+
+/// Runs a pipeline in a stream of the current device: one generic kernel, and CUB.
+class CudaExecutor {
+ public:
+  CudaExecutor(base::MemoryMeter& memory, cudaStream_t stream) : memory_(memory), stream_(stream) {}
+
+  CudaExecutor(const CudaExecutor&) = delete;
+  CudaExecutor& operator=(const CudaExecutor&) = delete;
+
+  template <class Body>
+  void for_each(std::uint64_t count, const Body& body) {
+    run(count, body);
+  }
+
+  /// The long accumulator takes memory of each thread. It is compiled apart (decide_open.cu), so
+  /// that the compiler can refuse that of all other bodies.
+  template <int Dim, class T>
+  void for_each(std::uint64_t count, const DecideOpen<Dim, T>& body);
+
+  /// In two steps and a last one on the host: extents are too large for what CUB keeps of each
+  /// thread in registers, and the order in which parts are joined does not matter.
+  template <class T, class Body, class Join>
+  [[nodiscard]] T reduce(std::uint64_t count, T none, const Body& body, const Join& join) {
+    const std::uint64_t parts = std::min<std::uint64_t>(count, parts_of_reduction);
+    const std::uint64_t few = std::min<std::uint64_t>(parts, parts_on_host);
+    const Buffer<T, CudaExecutor> joined(*this, parts);
+    const Buffer<T, CudaExecutor> last(*this, few);
+    for_each(parts, JoinPart<T, Body, Join>{count, parts, none, body, join, joined.data()});
+    for_each(few,
+             JoinPart<T, EntryOf<T>, Join>{parts, few, none, {joined.data()}, join, last.data()});
+    T on_host[parts_on_host];
+    copy_to_host(on_host, last.data(), few);
+    T sum = none;
+    for (std::uint64_t k = 0; k < few; ++k) sum = join(sum, on_host[k]);
+    return sum;
+  }
+
+  void exclusive_scan(std::uint64_t* values, std::uint64_t count) {
+    with_scratch([&](void* scratch, std::size_t& bytes) {
+      return cub::DeviceScan::ExclusiveSum(scratch, bytes, values, values, count, stream_);
+    });
+  }
+
+  template <class Key>
+  void sort_by_key(TwinBuffer<Key, CudaExecutor>& keys,
+                   TwinBuffer<std::uint32_t, CudaExecutor>& numbers, std::uint64_t count,
+                   int bits) {
+    cub::DoubleBuffer<Key> key_buffers(keys.current.data(), keys.other.data());
+    cub::DoubleBuffer<std::uint32_t> number_buffers(numbers.current.data(), numbers.other.data());
+    with_scratch([&](void* scratch, std::size_t& bytes) {
+      return cub::DeviceRadixSort::SortPairs(scratch, bytes, key_buffers, number_buffers, count, 0,
+                                             bits, stream_);
+    });
+    take_current(keys, key_buffers.Current());
+    take_current(numbers, number_buffers.Current());
+  }
+
+  /// A pair is a number of 64 bits, the first element in the lower half.
+  void sort_pairs(TwinBuffer<ContactPair, CudaExecutor>& pairs, std::uint64_t count, int first_bit,
+                  int end_bit) {
+    using Word = unsigned long long;
+    static_assert(sizeof(ContactPair) == sizeof(Word));
+    cub::DoubleBuffer<Word> buffers(reinterpret_cast<Word*>(pairs.current.data()),
+                                    reinterpret_cast<Word*>(pairs.other.data()));
+    with_scratch([&](void* scratch, std::size_t& bytes) {
+      return cub::DeviceRadixSort::SortKeys(scratch, bytes, buffers, count, first_bit, end_bit,
+                                            stream_);
+    });
+    take_current(pairs, reinterpret_cast<ContactPair*>(buffers.Current()));
+  }
+
+  template <class T, class Predicate>
+  [[nodiscard]] std::uint64_t select(const T* from, T* to, std::uint64_t count,
+                                     const Predicate& predicate) {
+    Buffer<std::uint64_t, CudaExecutor> taken(*this, 1);
+    with_scratch([&](void* scratch, std::size_t& bytes) {
+      return cub::DeviceSelect::If(scratch, bytes, from, to, taken.data(), count, predicate,
+                                   stream_);
+    });
+    std::uint64_t result = 0;
+    copy_to_host(&result, taken.data(), 1);
+    return result;
+  }
+
+  template <class Body>
+  void histogram(std::uint64_t* bins, std::uint32_t bin_count, std::uint64_t count,
+                 const Body& body) {
+    static_assert(sizeof(unsigned long long) == sizeof(std::uint64_t));
+    const auto samples =
+        thrust::make_transform_iterator(thrust::counting_iterator<std::uint64_t>(0), body);
+    with_scratch([&](void* scratch, std::size_t& bytes) {
+      return cub::DeviceHistogram::HistogramEven(
+          scratch, bytes, samples, reinterpret_cast<unsigned long long*>(bins),
+          static_cast<int>(bin_count) + 1, std::uint32_t{0}, bin_count,
+          static_cast<std::int64_t>(count), stream_);
+    });
+  }
+
+  template <class T>
+  void copy_to_host(T* target, const T* source, std::uint64_t count) {
+    require(cudaMemcpyAsync(target, source, count * sizeof(T), cudaMemcpyDeviceToHost, stream_),
+            "copy to the host");
+    require(cudaStreamSynchronize(stream_), "finish its work");
+  }
+
+  [[nodiscard]] void* allocate(std::uint64_t bytes) {
+    memory_.take(bytes);
+    void* block = nullptr;
+    const cudaError_t result = cudaMallocAsync(&block, bytes, stream_);
+    if (result == cudaSuccess) return block;
+    memory_.give_back(bytes);
+    if (result == cudaErrorMemoryAllocation) report_lack_of_device_memory(bytes);
+    require(result, "allocate memory");
+    return nullptr;
+  }
+
+  void release(void* block, std::uint64_t bytes) noexcept {
+    static_cast<void>(cudaFreeAsync(block, stream_));
+    memory_.give_back(bytes);
+  }
+
+ private:
+  template <class Body>
+  void run(std::uint64_t count, const Body& body) {
+    if (count == 0) return;
+    const std::uint64_t blocks = (count + threads_of_block - 1) / threads_of_block;
+    const auto taken = static_cast<unsigned>(std::min<std::uint64_t>(blocks, most_blocks));
+    run_items<<<taken, threads_of_block, 0, stream_>>>(count, body);
+    require(cudaGetLastError(), "start a kernel");
+  }
+
+  /// Calls an operation of CUB twice: for the bytes that it needs, and with them.
+  template <class Operation>
+  void with_scratch(const Operation& operation) {
+    std::size_t bytes = 0;
+    require(operation(nullptr, bytes), "plan an operation");
+    const Buffer<char, CudaExecutor> scratch(*this, std::max<std::size_t>(bytes, 1));
+    require(operation(scratch.data(), bytes), "start an operation");
+  }
+
+  template <class T>
+  static void take_current(TwinBuffer<T, CudaExecutor>& buffers, const T* current) {
+    if (buffers.current.data() != current) buffers.current.swap(buffers.other);
+  }
+
+  base::MemoryMeter& memory_;
+  cudaStream_t stream_;
+};
+
+}  // namespace abut::device

@@ -1,0 +1,10 @@
+#include "device/cuda/detection-inl.cuh"
+
+namespace abut::device {
+
+template FoundList<CudaExecutor> list_on_device(CudaExecutor&, const SphereColumns<2, double>&,
+                                                const DeviceRequest&, base::ProgressReporter&);
+template FoundList<CudaExecutor> count_on_device(CudaExecutor&, const SphereColumns<2, double>&,
+                                                 const DeviceRequest&, base::ProgressReporter&);
+
+}  // namespace abut::device

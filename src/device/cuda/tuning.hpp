@@ -1,0 +1,15 @@
+#pragma once
+
+namespace abut::device {
+
+/// Threads of a block. Not measured yet: no device has run this.
+inline constexpr unsigned threads_of_block = 256;
+/// Blocks that fit into a multiprocessor at once, at least: no more than 80 registers a thread.
+inline constexpr unsigned blocks_at_once = 3;
+/// More items than blocks of threads are taken in strides.
+inline constexpr unsigned most_blocks = 1U << 20;
+/// Threads that a reduction begins with, and results that are left to the host.
+inline constexpr unsigned parts_of_reduction = 1U << 17;
+inline constexpr unsigned parts_on_host = 128;
+
+}  // namespace abut::device

@@ -1,0 +1,99 @@
+#include "base/float_environment.hpp"
+#include "base/lack_of_memory.hpp"
+#include "base/progress_reporter.hpp"
+#include "device/backend.hpp"
+#include "device/validate_request.hpp"
+
+#include <abut/device.hpp>
+#include <abut/error.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace abut::device {
+namespace {
+
+Statistics statistics_of(const Backend::Answer& answer, const ElementView& elements) {
+  Statistics statistics;
+  statistics.algorithm = Algorithm::rows;
+  statistics.reason = "the algorithm of devices";
+  statistics.elements = elements.size();
+  statistics.dimensions = elements.dimensions();
+  statistics.contact_pairs = answer.count;
+  statistics.exact_decisions = answer.exact_decisions;
+  statistics.peak_bytes = answer.peak_bytes;
+  return statistics;
+}
+
+}  // namespace
+
+struct Detector::State {
+  Options options;
+  std::unique_ptr<Backend> backend;
+  PairList list;
+
+  /// Asks the backend through `call(request, max_bytes, progress)`.
+  template <class Call>
+  Backend::Answer answer(const ElementView& elements, const Domain& domain, Call&& call) const {
+    const base::FloatEnvironment environment;
+    return base::reporting_lack_of_memory([&] {
+      validate_request(options, elements, domain);
+      base::ProgressReporter progress(options.progress);
+      const std::uint64_t max_bytes = options.max_bytes == automatic_memory_bound
+                                          ? std::numeric_limits<std::uint64_t>::max()
+                                          : options.max_bytes;
+      return call(DeviceRequest{.margin = options.margin, .max_pairs = options.max_pairs},
+                  max_bytes, progress);
+    });
+  }
+};
+
+abut::PairList PairList::to_host() const {
+  return base::reporting_lack_of_memory([&] {
+    PairArray pairs(size());
+    if (!empty()) backend_->copy_to_host(pairs.data(), pairs_, size());
+    return abut::PairList(std::move(pairs), statistics_);
+  });
+}
+
+Detector::Detector(Options options, Device device)
+    : state_(std::make_unique<State>(State{std::move(options), open_backend(device.number), {}})) {
+  state_->list.backend_ = state_->backend.get();
+}
+
+Detector::~Detector() = default;
+Detector::Detector(Detector&&) noexcept = default;
+Detector& Detector::operator=(Detector&&) noexcept = default;
+
+const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain,
+                                             Stream stream) {
+  state_->list.pairs_ = nullptr;
+  state_->list.statistics_ = {};
+  const Backend::Answer answer = state_->answer(
+      elements, domain,
+      [&](const DeviceRequest& request, std::uint64_t max_bytes, base::ProgressReporter& progress) {
+        return state_->backend->list(elements, request, max_bytes, stream, progress);
+      });
+  state_->list.pairs_ = answer.pairs;
+  state_->list.statistics_ = statistics_of(answer, elements);
+  return state_->list;
+}
+
+Statistics Detector::count_contact_pairs(const ElementView& elements, const Domain& domain,
+                                         Stream stream) {
+  const Backend::Answer answer = state_->answer(
+      elements, domain,
+      [&](const DeviceRequest& request, std::uint64_t max_bytes, base::ProgressReporter& progress) {
+        return state_->backend->count(elements, request, max_bytes, stream, progress);
+      });
+  return statistics_of(answer, elements);
+}
+
+std::vector<DeviceInfo> devices() {
+  return base::reporting_lack_of_memory([] { return found_devices(); });
+}
+
+}  // namespace abut::device

@@ -1,0 +1,22 @@
+// What a build without CUDA has of devices: none.
+
+#include "device/backend.hpp"
+
+#include <abut/error.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace abut::device {
+
+std::unique_ptr<Backend> open_backend(int) {
+  throw Error(ErrorCode::unavailable,
+              "this build of abut has no CUDA, hence no device; build it with -DABUT_CUDA=ON, or "
+              "take abut::Detector");
+}
+
+std::vector<DeviceInfo> found_devices() {
+  return {};
+}
+
+}  // namespace abut::device

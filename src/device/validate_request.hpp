@@ -1,0 +1,13 @@
+#pragma once
+
+#include <abut/domain.hpp>
+#include <abut/element_view.hpp>
+#include <abut/options.hpp>
+
+namespace abut::device {
+
+/// Throws Error for what a device does not do yet (wrong_usage, with what to take instead), for an
+/// option out of range, and for too many elements.
+void validate_request(const Options& options, const ElementView& elements, const Domain& domain);
+
+}  // namespace abut::device

@@ -1,0 +1,62 @@
+// What a device does not do yet is refused by name, and told what to take instead.
+
+#include "device/validate_request.hpp"
+
+#include "scenes/box_scene.hpp"
+#include "support/box_oracle.hpp"
+#include "support/error_expectations.hpp"
+#include "support/scene_view.hpp"
+
+#include <abut/error.hpp>
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <limits>
+#include <string_view>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Scene;
+
+void expect_refused(std::initializer_list<std::string_view> words, const Options& options,
+                    const Domain& domain = Domain::open()) {
+  const Scene scene = scenes::scene_named("dense").make(10, 1);
+  expect_error(ErrorCode::wrong_usage, words,
+               [&] { device::validate_request(options, view_of(scene), domain); });
+}
+
+TEST(DeviceRequests, WhatWorksIsTaken) {
+  const Scene scene = scenes::scene_named("dense").make(10, 1);
+  for (const Algorithm algorithm : {Algorithm::automatic, Algorithm::rows}) {
+    for (const Order order : {Order::canonical, Order::as_found}) {
+      const Options options{
+          .algorithm = algorithm, .order = order, .margin = 0.5, .max_pairs = 3, .max_bytes = 1};
+      EXPECT_NO_THROW(device::validate_request(options, view_of(scene), Domain::open()));
+    }
+  }
+}
+
+TEST(DeviceRequests, WhatWaitsIsRefusedByName) {
+  expect_refused({"periodic domains", "abut::Detector"}, {}, Domain::periodic({9.0, 9.0, 9.0}));
+  expect_refused({"stored shifts", "abut::Detector"}, {.shifts = Shifts::stored});
+  expect_refused({"quantities", "abut::Detector"}, {.quantities = Quantity::gap});
+  expect_refused({"sorting_array", "rows"}, {.algorithm = Algorithm::sorting_array});
+  const scenes::BoxScene boxes = scenes::boxes_in(scenes::scene_named("dense").make(10, 1), 1);
+  expect_error(ErrorCode::wrong_usage, {"boxes", "abut::Detector"},
+               [&] { device::validate_request({}, view_of(boxes), Domain::open()); });
+}
+
+TEST(DeviceRequests, MarginsAreThoseOfTheLibrary) {
+  const Scene scene = scenes::scene_named("dense").make(10, 1);
+  for (const double margin :
+       {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    expect_error(ErrorCode::invalid_input, {"margin = ", "finite and not negative"}, [&] {
+      device::validate_request({.margin = margin}, view_of(scene), Domain::open());
+    });
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

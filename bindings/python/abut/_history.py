@@ -63,12 +63,14 @@ class History:
     @property
     def kept(self) -> int:
         """Number of contacts that the previous step had, too."""
-        return self._matcher.kept
+        kept: int = self._matcher.kept
+        return kept
 
     @property
     def born(self) -> npt.NDArray[np.uint64]:
         """Positions in the list of the contacts that are new, ascending."""
-        return self._matcher.born()
+        born: npt.NDArray[np.uint64] = self._matcher.born()
+        return born
 
     @property
     def lost(self) -> npt.NDArray[Any]:
@@ -137,7 +139,8 @@ class ContactHistory(History):
     def flipped(self) -> npt.NDArray[np.uint64]:
         """Positions of kept contacts whose elements have changed roles: i was j. Values that point
         from one to the other must be turned around."""
-        return self._matcher.flipped()
+        flipped: npt.NDArray[np.uint64] = self._matcher.flipped()
+        return flipped
 
 
 def ids_of(given: npt.ArrayLike | None) -> npt.NDArray[np.uint64] | None:

@@ -150,9 +150,10 @@ MEMBERS_ELSEWHERE = {
 
 
 def text_of(header):
-    """A header without its comments and without namespace detail."""
+    """A header without its comments and without namespaces that Python leaves out: detail, and
+    device, a library of its own for programs that keep their elements in the memory of a GPU."""
     text = (HEADERS / header).read_text()
-    if "namespace abut::detail {" in text:
+    if "namespace abut::detail {" in text or "namespace abut::device {" in text:
         return ""
     text = re.sub(r"^namespace detail \{.*?^\}  // namespace detail", "", text, flags=re.S | re.M)
     return re.sub(r"//[^\n]*", "", text)

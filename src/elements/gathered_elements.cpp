@@ -34,6 +34,33 @@ exact::Sphere<Dim> read_sphere(const ElementView& elements, std::size_t k) {
   return sphere;
 }
 
+/// Reads as many spheres as `target` has, from number `first` on. What is the same for all of them
+/// is looked up once, and each number is written by itself: a record that is copied as a whole just
+/// after its numbers were written waits for these.
+template <int Dim, Real T>
+void read_spheres_of(const ElementView& elements, std::size_t first,
+                     std::span<exact::Sphere<Dim>> target) {
+  for (int axis = 0; axis < Dim; ++axis) {
+    const NumberReader<T> centers(elements.center(axis));
+    for (std::size_t k = 0; k < target.size(); ++k) target[k].center[axis] = centers[first + k];
+  }
+  if (elements.has_common_radius()) {
+    const double radius = elements.common_radius();
+    for (exact::Sphere<Dim>& sphere : target) sphere.radius = radius;
+  } else {
+    const NumberReader<T> radii(elements.radii());
+    for (std::size_t k = 0; k < target.size(); ++k) target[k].radius = radii[first + k];
+  }
+}
+
+template <int Dim>
+void read_spheres(const ElementView& elements, std::size_t first,
+                  std::span<exact::Sphere<Dim>> target) {
+  elements.precision() == Precision::float32
+      ? read_spheres_of<Dim, float>(elements, first, target)
+      : read_spheres_of<Dim, double>(elements, first, target);
+}
+
 template <int Dim, Real T>
 exact::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
   exact::Box<Dim> box{};
@@ -120,12 +147,11 @@ class Gatherer {
   void read_spheres(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
     std::size_t k = first;
     if (columns_) k += pack(first, last - first, bounds);
+    elements::read_spheres<Dim>(elements_, k, spheres_.subspan(k, last - k));
     for (; k < last; ++k) {
-      const exact::Sphere<Dim> sphere = sphere_at<Dim>(elements_, k);
-      if (!valid(sphere)) reject_element(k, sphere);
-      bounds.include_center(sphere);
-      bounds.include_radius(sphere.radius);
-      spheres_[k] = sphere;
+      if (!valid(spheres_[k])) reject_element(k, spheres_[k]);
+      bounds.include_center(spheres_[k]);
+      bounds.include_radius(spheres_[k].radius);
     }
   }
 
@@ -203,8 +229,8 @@ double SphereReader::read(std::size_t first, std::span<exact::Sphere<3>> target)
     });
     if (k > 0) largest_radius = bounds.largest_radius;
   }
+  read_spheres<3>(spheres_, first + k, target.subspan(k));
   for (; k < target.size(); ++k) {
-    target[k] = sphere_at<3>(spheres_, first + k);
     if (!valid(target[k])) reject_element(first + k, target[k]);
     largest_radius = std::max(largest_radius, target[k].radius);
   }

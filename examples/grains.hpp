@@ -8,11 +8,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <span>
 #include <string>
 #include <utility>
@@ -90,6 +90,9 @@ inline Vec contact_force(double overlap, const Vec& normal, const Sliding& slidi
 /// What a step spends its time on.
 enum Phase { search, geometry, history, forces, integration, phases };
 
+/// One thread: the loop over forces has no more.
+inline const abut::Options options{.threads = 1};
+
 class Grains {
  public:
   /// The walls turn around the axis x with `turning` radians in a unit of time.
@@ -110,7 +113,7 @@ class Grains {
 
   /// Velocity Verlet.
   void step() {
-    last_lap_ = Clock::now();
+    last_lap_ = std::clock();
     push();
     for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = x_[k] + dt_ * v_[k];
     ++steps_;
@@ -127,15 +130,16 @@ class Grains {
   /// Forces where the elements are, `dt` after the last ones: velocities are those of the middle of
   /// the step, and damping sees what they will be at its end. Needed once before the first step.
   void find_forces(double dt = 0.0) {
-    last_lap_ = Clock::now();
+    last_lap_ = std::clock();
     const abut::ElementView spheres = abut::spheres(x_, radius_);
     const abut::PairList& pairs = detector_.find_contact_pairs(spheres);
     const abut::MeshContactList& walls = detector_.find_mesh_contacts(spheres, walls_);
     lap(search);
     resize(pair_geometry_, pairs.size());
-    abut::measure(spheres, pairs, {.gaps = pair_geometry_.gaps, .normals = pair_geometry_.normals});
+    abut::measure(spheres, pairs, {.gaps = pair_geometry_.gaps, .normals = pair_geometry_.normals},
+                  abut::Domain::open(), options);
     resize(wall_geometry_, walls.size());
-    abut::measure(spheres, walls_, walls, wall_geometry_.spans());
+    abut::measure(spheres, walls_, walls, wall_geometry_.spans(), abut::Domain::open(), options);
     lap(geometry);
     choose(walls);
     history_.update(pairs, spheres);
@@ -175,7 +179,7 @@ class Grains {
         scale > 0 ? length(momentum - start_momentum_) / scale : 0);
   }
 
-  /// Seconds since the start that went into each phase.
+  /// Seconds of processor time that went into each phase.
   [[nodiscard]] const std::array<double, phases>& seconds() const { return seconds_; }
   void forget_seconds() { seconds_ = {}; }
 
@@ -233,11 +237,9 @@ class Grains {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void lap(Phase phase) {
-    const Clock::time_point now = Clock::now();
-    seconds_[phase] += std::chrono::duration<double>(now - last_lap_).count();
+    const std::clock_t now = std::clock();
+    seconds_[phase] += static_cast<double>(now - last_lap_) / CLOCKS_PER_SEC;
     last_lap_ = now;
   }
 
@@ -334,7 +336,7 @@ class Grains {
   double turning_;
   std::vector<Vec> x_, v_, spin_, force_, torque_, foretold_, foretold_spin_;
   std::vector<double> radius_, mass_;
-  abut::Detector detector_;
+  abut::Detector detector_{options};
   abut::PairGeometry pair_geometry_, wall_geometry_;
   std::vector<abut::MeshContact> touching_;  ///< the deepest contacts with walls
   std::vector<std::size_t> places_;          ///< of each its place in the list of all
@@ -346,7 +348,7 @@ class Grains {
   Vec start_momentum_{};
   double start_ = 0.0, range_ = 1.0;
   std::array<double, phases> seconds_{};
-  Clock::time_point last_lap_;
+  std::clock_t last_lap_ = 0;
 };
 
 /// Multiples of 2^-31 in [-1, 1), the same everywhere.

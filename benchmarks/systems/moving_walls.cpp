@@ -1,5 +1,6 @@
-// A drum of triangles that turns around a dense packing: what its contacts take of processor time
-// beside those of the spheres, in the same steps. Lists are compared with the free function's.
+// A drum of triangles that turns around a dense packing: what its contacts, and a history of them,
+// take of processor time beside the contacts of the spheres, in the same steps. Lists are compared
+// with the free function's.
 
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
@@ -24,6 +25,7 @@ struct Settings {
   std::size_t count = 1000000;
   std::size_t triangles = 10000;
   int steps = 10;
+  double angle = 0.02;  ///< of a step
   int threads = 1;
   bool with_quantities = false;
 };
@@ -80,13 +82,29 @@ TriangleMesh drum_of(double radius, std::size_t triangles) {
   return TriangleMesh(vertices, faces);
 }
 
-Motion turn_of(int step) {
-  const double c = std::cos(0.02 * step), s = std::sin(0.02 * step);
+Motion turned_by(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
   return {{{{1.0, 0.0, 0.0}, {0.0, c, -s}, {0.0, s, c}}}, {}};
 }
 
 bool are_same(const MeshContactList& a, const MeshContactList& b) {
   return std::ranges::equal(a.contacts(), b.contacts()) && std::ranges::equal(a.gaps(), b.gaps());
+}
+
+/// Seconds of processor time in each step.
+struct Seconds {
+  std::vector<double> pairs, walls, motion, history;
+};
+
+void print(std::size_t spheres, std::size_t pairs, std::size_t triangles, std::size_t contacts,
+           const Seconds& seconds) {
+  const double in_pairs = median(seconds.pairs), in_walls = median(seconds.walls);
+  const double in_history = median(seconds.history);
+  std::printf("%zu spheres, %zu pairs: %.2f ms\n", spheres, pairs, 1e3 * in_pairs);
+  std::printf("%zu triangles, %zu contacts: %.2f ms, moving %.2f ms, history %.2f ms\n", triangles,
+              contacts, 1e3 * in_walls, 1e3 * median(seconds.motion), 1e3 * in_history);
+  std::printf("walls / pairs: %.3f, history / walls: %.3f\n", in_walls / in_pairs,
+              in_history / in_walls);
 }
 
 int run(const Settings& settings) {
@@ -99,30 +117,33 @@ int run(const Settings& settings) {
   Options options{.threads = settings.threads};
   if (settings.with_quantities) options.quantities = Quantity::gap | Quantity::normal;
   Detector detector(options);
-  std::vector<double> of_pairs, of_walls, of_motion;
+  MeshContactHistory<std::array<double, 3>> history;
+  Seconds seconds;
   std::size_t pairs = 0, contacts = 0;
   for (int step = 0; step <= settings.steps; ++step) {
     for (double& x : packing.x) x += random.uniform(-1e-3, 1e-3);
-    const double motion = processor_seconds([&] { drum.move(turn_of(step)); });
+    const double motion = processor_seconds([&] { drum.move(turned_by(settings.angle * step)); });
     const double sphere =
         processor_seconds([&] { pairs = detector.find_contact_pairs(elements).size(); });
+    const MeshContactList* list = nullptr;
     const double wall =
-        processor_seconds([&] { contacts = detector.find_mesh_contacts(elements, drum).size(); });
+        processor_seconds([&] { list = &detector.find_mesh_contacts(elements, drum); });
+    const double carrying = processor_seconds([&] { history.update(*list, elements, drum); });
+    contacts = list->size();
     if (step == 0 || step == settings.steps) {
       const bool same = are_same(detector.find_mesh_contacts(elements, drum),
                                  find_mesh_contacts(elements, drum, options));
       if (!same) return different_answers;
     }
     if (step == 0) continue;  // builds the grid
-    of_motion.push_back(motion);
-    of_pairs.push_back(sphere);
-    of_walls.push_back(wall);
+    seconds.motion.push_back(motion);
+    seconds.pairs.push_back(sphere);
+    seconds.walls.push_back(wall);
+    seconds.history.push_back(carrying);
   }
-  const double in_pairs = median(of_pairs), in_walls = median(of_walls);
-  std::printf("%zu spheres, %zu pairs: %.2f ms\n", packing.x.size(), pairs, 1e3 * in_pairs);
-  std::printf("%zu triangles, %zu contacts: %.2f ms, moving %.2f ms\n", drum.size(), contacts,
-              1e3 * in_walls, 1e3 * median(of_motion));
-  std::printf("walls / pairs: %.3f\n", in_walls / in_pairs);
+  print(packing.x.size(), pairs, drum.size(), contacts, seconds);
+  std::printf("history of walls: %zu of %zu contacts kept, %zu of them handed over\n",
+              static_cast<std::size_t>(history.kept()), contacts, history.passed_on().size());
   return 0;
 }
 
@@ -132,6 +153,7 @@ int body(int argc, char** argv) {
   app.add_option("--count", settings.count, "spheres, about");
   app.add_option("--triangles", settings.triangles, "triangles, about");
   app.add_option("--steps", settings.steps, "steps that are timed")->check(CLI::PositiveNumber);
+  app.add_option("--angle", settings.angle, "by which the drum turns in a step");
   app.add_option("--threads", settings.threads, "threads");
   app.add_flag("--quantities", settings.with_quantities, "measure gaps and normals, too");
   CLI11_PARSE(app, argc, argv);

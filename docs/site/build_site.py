@@ -35,6 +35,7 @@ REFERENCE = {
         "wall_history",
     ],
     "Algorithms and instruction sets": ["algorithm", "simd"],
+    "Devices": ["device"],
     "A look inside": ["trace", "version"],
 }
 REFERENCE_HEAD = """The C++ interface
@@ -42,7 +43,7 @@ REFERENCE_HEAD = """The C++ interface
 
 Everything that ``#include <abut/abut.hpp>`` declares, from the comments of the headers. The name
 space is ``abut``; names in ``abut::detail`` are not part of the interface. ``abut::trace`` needs
-``#include <abut/trace.hpp>``.
+``#include <abut/trace.hpp>``, and ``abut::device`` ``<abut/device.hpp>``.
 
 .. toctree::
    :maxdepth: 2

@@ -13,8 +13,9 @@
 #endif
 
 namespace abut::base {
+namespace {
 
-std::uint64_t machine_memory() {
+std::uint64_t memory_of_system() {
 #if defined(_WIN32)
   MEMORYSTATUSEX status{};
   status.dwLength = sizeof status;
@@ -27,6 +28,14 @@ std::uint64_t machine_memory() {
   }
 #endif
   return std::numeric_limits<std::uint64_t>::max();
+}
+
+}  // namespace
+
+// Asked once: a call of the system costs as much as the contacts of some elements.
+std::uint64_t machine_memory() {
+  static const std::uint64_t bytes = memory_of_system();
+  return bytes;
 }
 
 }  // namespace abut::base

@@ -29,7 +29,7 @@ class HostExecutor {
   void for_each(std::uint64_t count, const Body& body) {
     const ItemSequence sequence(order_, count);
     const std::uint64_t pieces = (count + piece - 1) / piece;
-    base::for_each_index(workers_, pieces, [&](std::size_t, std::uint64_t k) {
+    base::for_each_index(pieces > 1 ? workers_ : 1, pieces, [&](std::size_t, std::uint64_t k) {
       const std::uint64_t end = count < (k + 1) * piece ? count : (k + 1) * piece;
       for (std::uint64_t item = k * piece; item < end; ++item) body(sequence[item]);
     });

@@ -88,8 +88,8 @@ struct WallMatcher::State {
   std::vector<PairCount> next_passed_on;
 
   template <class Contact>
-  void read(const ContactSpans<Contact>& contacts, const ElementView& spheres,
-            const Domain& domain);
+  [[gnu::visibility("hidden")]] void read(const ContactSpans<Contact>& contacts,
+                                          const ElementView& spheres, const Domain& domain);
   void carry(const ElementView& spheres, const Domain& domain,
              std::span<const std::uint64_t> given);
   void merge();

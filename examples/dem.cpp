@@ -3,7 +3,7 @@
 //
 //   dem settle N STEPS DT [FRAMES]   rain into a box         dem column ...   a column collapses
 //   dem fly ...                      a cloud without walls   dem restart ...  settle, halfway anew
-//   dem profile ...                  settle, then what 100 more steps spend their time on
+//   dem profile ...                  a flat bed; then what 100 more steps spend their time on
 //
 // FRAMES: a prefix of VTP files for ParaView.
 #include "grains.hpp"
@@ -48,10 +48,16 @@ void fill(Grains& dem, int count, int side, double speed) {
 }
 
 Grains make(const std::string& what, int count, double dt) {
-  const int side = std::max(2, static_cast<int>(std::cbrt(count / (what == "column" ? 3.0 : 1.5))));
+  const bool flat = what == "profile";  // a bed of eight layers, which comes to rest soon
+  const double share = count / (what == "column" ? 3.0 : 1.5);
+  const int side = std::max(2, static_cast<int>(flat ? std::sqrt(count / 8.0) : std::cbrt(share)));
   const double wall = spacing * side, height = spacing * (count / side / side + 20);
   const bool flies = what == "fly", collapses = what == "column";
-  Grains dem(dt, flies ? Vec{} : Vec{0.0, 0.0, -1.0},
+  Grains dem(dt,
+             Vec{0.0, 0.0,
+                 flies  ? 0.0
+                 : flat ? -10.0
+                        : -1.0},
              flies       ? box(0.0, wall, -1.0)
              : collapses ? box(-50.0 * wall, 51.0 * wall, 0.0)
                          : box(0.0, wall, height));

@@ -172,7 +172,8 @@ class MeshContactHistory : public detail::WallHistory<T, LostMeshContact<T>> {
   /// Throws Error, and then nothing has changed:
   ///
   /// * `wrong_usage`: contacts in another order, without shifts, or not of these spheres and this
-  ///   mesh; a mesh of other triangles than the one before (`clear()` makes the history forget it);
+  ///   mesh; a mesh of more or fewer triangles, edges or vertices than the one before (`clear()`
+  ///   makes the history forget it; that other triangles are as many is not seen);
   /// * `invalid_input`: ids of another number than spheres; an id that comes twice;
   /// * `limit_exceeded`: memory ran out.
   void update(const ContactSpans<MeshContact>& contacts, const ElementView& spheres,

@@ -65,7 +65,8 @@ class MeshContactHistory(History):
         InputError, InputTypeError
             No contacts with a mesh; ids of another number than spheres, or twice the same.
         UsageError
-            Shifts that were not stored; a mesh of other triangles than the one before.
+            Shifts that were not stored; a mesh of more or fewer triangles, edges or vertices
+            than the one before. Other triangles, as many, are not seen.
         """
         if not isinstance(contacts, MeshContacts):
             raise InputTypeError(f"contacts with a mesh are needed, not {type(contacts).__name__}")

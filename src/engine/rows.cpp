@@ -68,22 +68,19 @@ void rows(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
   sink.expect_workers(settings.workers);
   const kernels::TileKernels kernels = kernels::tile_kernels(settings.simd);
   const kernels::ElementKernels element_kernels = kernels::element_kernels(settings.simd);
+  const kernels::LayerKernels layer_kernels = kernels::layer_kernels(settings.simd);
   const OpenDecider<Dim> decider(elements, settings.margin, kernels::tie_kernels(settings.simd));
+  const auto input = [&](const exact::Elements<Dim>& as_mapped, double margin) {
+    return SearchInput<Dim>{as_mapped, decider,         margin,        0.0,
+                            kernels,   element_kernels, layer_kernels, settings.layers,
+                            sink,      context.progress};
+  };
   if (grid::largest_number(bounds, settings.margin) <= grid::largest_unscaled) {
-    const SearchInput<Dim> input{elements,        decider, settings.margin, 0.0, kernels,
-                                 element_kernels, sink,    context.progress};
-    return search(input, bounds, settings.workers, workspace, context);
+    return search(input(elements, settings.margin), bounds, settings.workers, workspace, context);
   }
   const ScaledElements<Dim> smaller(elements, context.memory);
-  const SearchInput<Dim> input{smaller.elements(),
-                               decider,
-                               settings.margin * scale_down,
-                               0.0,
-                               kernels,
-                               element_kernels,
-                               sink,
-                               context.progress};
-  search(input, bounds_of<Dim>(smaller.elements()), settings.workers, workspace, context);
+  search(input(smaller.elements(), settings.margin * scale_down),
+         bounds_of<Dim>(smaller.elements()), settings.workers, workspace, context);
 }
 
 template void rows(const exact::Elements<2>&, const grid::Bounds<2>&, const RowsSettings&,

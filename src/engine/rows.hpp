@@ -2,6 +2,7 @@
 
 #include "base/detection_context.hpp"
 #include "base/pair_sink.hpp"
+#include "engine/layers/layer_grid.hpp"
 #include "engine/workspace.hpp"
 #include "exact/elements.hpp"
 #include "grid/bounds.hpp"
@@ -17,6 +18,7 @@ struct RowsSettings {
   double margin = 0.0;
   std::size_t workers = 1;
   Simd simd = Simd::scalar;  ///< an available level
+  LayerLimits layers = {};
 };
 
 /// The production algorithm: Munjiza's rows, contiguous and in tiles (docs/algorithms/rows.md).

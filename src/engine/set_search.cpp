@@ -2,6 +2,7 @@
 
 #include "base/asking_workers.hpp"
 #include "engine/divide.hpp"
+#include "engine/layers/layer_search.hpp"
 #include "engine/size_cut.hpp"
 
 #include <algorithm>
@@ -164,7 +165,15 @@ void SetSearch<Dim>::search_divided(const SearchSet<Dim>& set, double cut, const
 
 template <int Dim>
 void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& at) {
-  const TileGrid<Dim> grid = cut_into_tiles(set, cell_size_for(set.bounds, input_));
+  const double cell = cell_size_for(set.bounds, input_);
+  if (at.worker == nullptr) {
+    if (const auto layers = choose_layers(set, input_, cell, workspace_.occupancy)) {
+      LayerSearch<Dim> search(input_, workspace_, worker_count_, context_);
+      next_unit_ = search.search(set, *layers, next_unit_);
+      return;
+    }
+  }
+  const TileGrid<Dim> grid = cut_into_tiles(set, cell);
   Tiles<Dim>& tiles = at.levels.at(at.depth).tiles;
   if (at.worker != nullptr) {
     tiles.partition(input_.elements, set, grid, input_.margin, input_.element_kernels, 1,

@@ -144,6 +144,12 @@ void TileSearcher<Dim>::search(const SortedTile<Dim>& tile, const kernels::Layer
 }
 
 template <int Dim>
+void TileSearcher<Dim>::search(const kernels::LayerPair& layers) {
+  input_->layer_kernels.search(layers, job_, Dim);
+  tell();
+}
+
+template <int Dim>
 void TileSearcher<Dim>::test_coarse(const TileFrame<Dim>& frame,
                                     std::span<const std::uint32_t> coarse_elements) {
   if (coarse_elements.empty()) return;

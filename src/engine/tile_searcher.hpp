@@ -3,8 +3,10 @@
 #include "base/pair_sink.hpp"
 #include "base/progress_reporter.hpp"
 #include "engine/exact_decider.hpp"
+#include "engine/layers/layer_grid.hpp"
 #include "engine/worker_scratch.hpp"
 #include "kernels/element_kernels.hpp"
+#include "kernels/layers/layer_kernels.hpp"
 #include "kernels/tile_search.hpp"
 
 #include <cstdint>
@@ -21,6 +23,8 @@ struct SearchInput {
   double least_cell;              ///< positions are not known well enough for smaller
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
+  kernels::LayerKernels layer_kernels;
+  LayerLimits layer_limits;
   base::PairSink& sink;
   base::ProgressReporter& progress;
 };
@@ -55,6 +59,9 @@ class TileSearcher {
   /// Finds the pairs of some layers of a tile, which may be another worker's. All layers one after
   /// the other give the pairs of the tile in the order of search().
   void search(const SortedTile<Dim>& tile, const kernels::Layers& layers, double unit);
+
+  /// Finds the pairs of a layer with itself and the next one.
+  void search(const kernels::LayerPair& layers);
 
   /// Finds the pairs of the tile's own elements with the coarse elements.
   void test_coarse(const TileFrame<Dim>& frame, std::span<const std::uint32_t> coarse_elements);

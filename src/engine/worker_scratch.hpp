@@ -2,6 +2,7 @@
 
 #include "base/array.hpp"
 #include "engine/cross_level_runs.hpp"
+#include "engine/layers/sorted_layers.hpp"
 #include "engine/radius_histogram.hpp"
 #include "engine/search_set.hpp"
 #include "engine/sorted_tile.hpp"
@@ -77,12 +78,14 @@ struct WorkerScratch {
         cross_level(memory),
         block(base::make_array_for_overwrite<float>(memory, 0)),
         block_number(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+        layers(memory),
         levels(memory) {}
 
   SortedTile<Dim> tile;
   CrossLevelRuns<Dim> cross_level;
   base::Array<float> block;  ///< scratch of the kernels
   base::Array<std::uint32_t> block_number;
+  SortedLayers<Dim> layers;
   RecursionLevels<Dim> levels;
   RadiusHistogram histogram;
 };

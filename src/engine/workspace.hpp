@@ -1,6 +1,8 @@
 #pragma once
 
 #include "base/memory_meter.hpp"
+#include "engine/layers/layer_records.hpp"
+#include "engine/layers/occupancy_sample.hpp"
 #include "engine/tile_searcher.hpp"
 #include "engine/worker_scratch.hpp"
 
@@ -14,7 +16,8 @@ namespace abut::engine {
 /// allocations.
 template <int Dim>
 struct Workspace {
-  explicit Workspace(base::MemoryMeter& meter) : memory(meter), levels(meter) {}
+  explicit Workspace(base::MemoryMeter& meter)
+      : memory(meter), levels(meter), layer_records(meter), occupancy(meter) {}
 
   void expect_workers(std::size_t count) {
     while (workers.size() < count) {
@@ -24,6 +27,8 @@ struct Workspace {
 
   base::MemoryMeter& memory;
   RecursionLevels<Dim> levels;  ///< for search sets that all workers search together
+  LayerRecords<Dim> layer_records;
+  OccupancySample occupancy;
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;
   std::vector<std::unique_ptr<Members>>

@@ -5,6 +5,7 @@
 #include "kernels/displacement_kernels.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/image_kernels.hpp"
+#include "kernels/layers/layer_kernels.hpp"
 #include "kernels/measure_kernels.hpp"
 #include "kernels/tie_kernels.hpp"
 #include "kernels/tile_search.hpp"
@@ -133,6 +134,14 @@ TileKernels tile_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return scalar_tile_kernels();
+}
+
+LayerKernels layer_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_layer_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return scalar_layer_kernels();
 }
 
 ElementKernels element_kernels(Simd level) {

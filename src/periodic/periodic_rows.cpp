@@ -198,6 +198,8 @@ void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
                                        images.least_cell(),
                                        kernels::tile_kernels(settings.simd),
                                        kernels::element_kernels(settings.simd),
+                                       kernels::layer_kernels(settings.simd),
+                                       settings.layers,
                                        own.image_sink,
                                        context.progress};
   engine::SearchSet<Dim> set = search_set_of(images);

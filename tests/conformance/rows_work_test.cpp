@@ -41,10 +41,10 @@ TEST(RowsWork, EqualSizesNeedTwentyTestsAtMost) {
   }
 }
 
-/// Where cells are far wider than the reach, the rows that an element does not lie near are left
-/// out.
-TEST(RowsWork, NearlyEmptySpaceNeedsLessThanOne) {
-  EXPECT_LT(tests_of(scenes::scene_named("sparse"), 30000), 1.0);
+/// Where cells are far wider than the reach, a tile leaves out the rows that an element does not
+/// lie near. Layers, which more elements are sorted into, look at all: that is faster.
+TEST(RowsWork, NearlyEmptySpaceNeedsLessThanOneInATile) {
+  EXPECT_LT(tests_of(scenes::scene_named("sparse"), 8000), 1.0);
 }
 
 }  // namespace

@@ -1,0 +1,123 @@
+#include "engine/layers/layer_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace abut::engine {
+namespace {
+
+constexpr double units_of_cell = 1 << kernels::cell_bits;
+
+/// Columns are cells / 2^k: so narrow that two runs seldom have more elements than a vector has
+/// lanes, so wide that their table is not longer than the elements' own columns.
+constexpr int most_halvings = 2;
+/// Cells that are wider than the reach by more than this have half as many columns.
+constexpr double wide_cell = 1.5;
+
+/// Elements of a strip in 2D, which is sorted within the nearest caches.
+constexpr double elements_of_strip = 8192.0;
+
+/// Returns the size of cells, at least `least`, of which the box has no more than elements.
+template <int Dim>
+double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements) {
+  double cell = least;
+  // Axes shorter than a cell count as one cell; others may become so.
+  for (int round = 0; round < Dim; ++round) {
+    double cells = 1.0;
+    int long_axes = 0;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      const double along = (bounds.upper[axis] - bounds.lower[axis]) / cell;
+      if (along <= 1.0) continue;
+      cells *= along;
+      ++long_axes;
+    }
+    if (!(cells > elements)) break;
+    cell *= std::pow(cells / elements, 1.0 / long_axes);
+  }
+  return cell;
+}
+
+/// The axes, the shortest first.
+template <int Dim>
+std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
+  std::array<std::size_t, Dim> axes{};
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
+    return bounds.upper[a] - bounds.lower[a] < bounds.upper[b] - bounds.lower[b];
+  });
+  return axes;
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& bounds, double reach,
+                                                   double least_cell, std::size_t elements) {
+  LayerGrid grid;
+  const double cell = cell_size(bounds, least_cell, static_cast<double>(elements));
+  if (!grid.lay_out(bounds, cell)) return std::nullopt;
+  grid.cut_rows(reach, cell);
+  if constexpr (Dim == 2) grid.join_rows(elements);
+  return grid;
+}
+
+template <int Dim>
+bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double cell) {
+  map_.units_of_one = units_of_cell / cell;
+  std::array<std::uint32_t, Dim> cells{};
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    map_.lower[axis] = bounds.lower[axis];
+    const double last = (bounds.upper[axis] - bounds.lower[axis]) * map_.units_of_one;
+    if (!(last < kernels::end_of_positions)) return false;
+    cells[axis] = (static_cast<std::uint32_t>(last) >> kernels::cell_bits) + 1;
+  }
+  const std::array<std::size_t, Dim> axes = axes_by_extent(bounds);
+  const std::size_t layer_axis = axes[Dim - 1];
+  map_.layer_axis = static_cast<int>(layer_axis);
+  map_.layer_shift = kernels::cell_bits;
+  row_axis_ = axes[Dim - 2];
+  rows_axis_ = Dim == 2 ? layer_axis : axes[0];
+  layers_ = cells[layer_axis];
+  rows_ = cells[rows_axis_];
+  columns_ = cells[row_axis_];
+  return true;
+}
+
+template <int Dim>
+void LayerGrid<Dim>::cut_rows(double reach, double cell) {
+  const int halvings = cell > wide_cell * reach ? most_halvings - 1 : most_halvings;
+  column_shift_ = kernels::cell_bits - halvings;
+  columns_ <<= halvings;
+  const double units = reach * map_.units_of_one;
+  const double column = std::ldexp(1.0, column_shift_);
+  columns_in_reach_ =
+      static_cast<std::uint32_t>((units + 2.0 * double{kernels::layer_slack}) / column) + 1;
+  const float farthest = static_cast<float>(units) + kernels::layer_slack;
+  const float nearest = std::max(static_cast<float>(units) - kernels::layer_slack, 0.0f);
+  outer_ = farthest * farthest;
+  inner_ = nearest * nearest;
+}
+
+/// Joins rows to strips of 2^k rows each.
+template <int Dim>
+void LayerGrid<Dim>::join_rows(std::size_t elements) {
+  const double in_row = static_cast<double>(elements) / static_cast<double>(rows_);
+  int bits = 0;
+  while (in_row * std::ldexp(1.0, bits + 1) <= elements_of_strip) ++bits;
+  layers_ = ((rows_ - 1) >> bits) + 1;
+  row_mask_ = (std::uint32_t{1} << bits) - 1;
+  map_.layer_shift += bits;
+  rows_ = std::uint32_t{1} << bits;
+}
+
+template <int Dim>
+double LayerGrid<Dim>::cells_joined() const noexcept {
+  const double columns = 2.0 * columns_in_reach_ + 1.0;
+  return 2.0 * std::ldexp(columns, column_shift_ - kernels::cell_bits);
+}
+
+template class LayerGrid<2>;
+template class LayerGrid<3>;
+
+}  // namespace abut::engine

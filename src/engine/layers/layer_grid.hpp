@@ -1,0 +1,115 @@
+#pragma once
+
+#include "exact/sphere.hpp"
+#include "grid/bounds.hpp"
+#include "kernels/layers/layer_kernels.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace abut::engine {
+
+/// What layers are worth.
+struct LayerLimits {
+  /// Fewer elements are searched as fast in one tile.
+  std::size_t least_elements = 1 << 13;
+  /// Beside the work for an element there is work for a row and for a layer.
+  double least_elements_of_layer = 256.0;
+  /// Two runs that are joined in a vector of eight have fewer elements than this, on average.
+  double most_joined = 6.0;
+};
+
+/// Positions, columns, rows and layers of elements of one reach.
+///
+/// The axis with the most cells goes from layer to layer (in 2D from row to row), the next one
+/// along the rows. Cells are cubes, 2^20 units wide; along a row they are cut into columns. In 2D a
+/// layer is a strip of rows.
+template <int Dim>
+class LayerGrid {
+ public:
+  /// Returns the grid over the box of some elements, or none where it would have too many cells
+  /// along an axis. `least_cell` is the size of a cell that the reach needs.
+  [[nodiscard]] static std::optional<LayerGrid> over(const grid::Bounds<Dim>& bounds, double reach,
+                                                     double least_cell, std::size_t elements);
+
+  [[nodiscard]] const kernels::PositionMap& map() const noexcept { return map_; }
+
+  [[nodiscard]] kernels::PositionRecord record(const exact::Sphere<Dim>& sphere,
+                                               std::uint32_t number) const noexcept {
+    kernels::PositionRecord record{{0, 0, 0}, number};
+    for (std::size_t axis = 0; axis < Dim; ++axis) record.position[axis] = position(sphere, axis);
+    return record;
+  }
+
+  /// Layer of a sphere, and of its record.
+  [[nodiscard]] std::uint32_t layer(const exact::Sphere<Dim>& sphere) const noexcept {
+    return layer_at(position(sphere, static_cast<std::size_t>(map_.layer_axis)));
+  }
+  [[nodiscard]] std::uint32_t layer(const kernels::PositionRecord& record) const noexcept {
+    return layer_at(record.position[map_.layer_axis]);
+  }
+
+  [[nodiscard]] std::uint32_t row(const kernels::PositionRecord& record) const noexcept {
+    return static_cast<std::uint32_t>(record.position[rows_axis_]) >> kernels::cell_bits &
+           row_mask_;
+  }
+  [[nodiscard]] std::uint32_t column(const kernels::PositionRecord& record) const noexcept {
+    return static_cast<std::uint32_t>(record.position[row_axis_]) >> column_shift_;
+  }
+
+  /// Number of the cell of a sphere, which no other cell has.
+  [[nodiscard]] std::uint64_t cell(const exact::Sphere<Dim>& sphere) const noexcept {
+    std::uint64_t cell = 0;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      const auto along = static_cast<std::uint32_t>(position(sphere, axis)) >> kernels::cell_bits;
+      cell = cell << (32 - kernels::cell_bits) | along;
+    }
+    return cell;
+  }
+
+  [[nodiscard]] std::uint32_t layer_count() const noexcept { return layers_; }
+  [[nodiscard]] std::uint32_t row_count() const noexcept { return rows_; }
+  [[nodiscard]] std::uint32_t column_count() const noexcept { return columns_; }
+  /// Columns, on one side of an element, that may hold what is within its reach.
+  [[nodiscard]] std::uint32_t columns_in_reach() const noexcept { return columns_in_reach_; }
+  [[nodiscard]] int column_shift() const noexcept { return column_shift_; }
+  /// The axis along which rows go.
+  [[nodiscard]] std::size_t row_axis() const noexcept { return row_axis_; }
+
+  /// Squares of the reach less and plus the slack, in units.
+  [[nodiscard]] float inner() const noexcept { return inner_; }
+  [[nodiscard]] float outer() const noexcept { return outer_; }
+
+  /// Cells of two runs that are joined in a vector.
+  [[nodiscard]] double cells_joined() const noexcept;
+
+ private:
+  [[nodiscard]] std::int32_t position(const exact::Sphere<Dim>& sphere,
+                                      std::size_t axis) const noexcept {
+    const double from_lower = sphere.center[axis] - map_.lower[axis];
+    return static_cast<std::int32_t>(from_lower * map_.units_of_one);
+  }
+  [[nodiscard]] std::uint32_t layer_at(std::int32_t position) const noexcept {
+    return static_cast<std::uint32_t>(position) >> map_.layer_shift;
+  }
+
+  [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double cell);
+  void cut_rows(double reach, double cell);
+  void join_rows(std::size_t elements);
+
+  kernels::PositionMap map_{};
+  std::size_t row_axis_ = 0;
+  std::size_t rows_axis_ = 1;  ///< from row to row
+  std::uint32_t layers_ = 0;
+  std::uint32_t rows_ = 0;
+  std::uint32_t columns_ = 0;
+  std::uint32_t columns_in_reach_ = 0;
+  std::uint32_t row_mask_ = ~std::uint32_t{0};
+  int column_shift_ = kernels::cell_bits;
+  float inner_ = 0.0f;
+  float outer_ = 0.0f;
+};
+
+}  // namespace abut::engine

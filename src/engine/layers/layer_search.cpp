@@ -1,0 +1,92 @@
+#include "engine/layers/layer_search.hpp"
+
+#include "base/asking_workers.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace abut::engine {
+namespace {
+
+/// Stretches of layers for each of several workers: layers differ in what they hold. The first
+/// layer of each but one is sorted twice.
+constexpr std::size_t stretches_for_each = 6;
+
+template <int Dim>
+bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
+  return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
+                                            const SearchInput<Dim>& input, double least_cell,
+                                            OccupancySample& sample) {
+  const grid::Bounds<Dim>& bounds = set.bounds;
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (input.elements.are_boxes() || bounds.smallest_radius != bounds.largest_radius ||
+      !pair_with_none_but_each_other(set) || !set.locals.are_the_first() ||
+      elements < limits.least_elements) {
+    return std::nullopt;
+  }
+  const double reach = bounds.largest_radius + bounds.second_largest_radius + input.margin;
+  const auto grid = LayerGrid<Dim>::over(bounds, reach, least_cell, elements);
+  if (!grid || limits.least_elements_of_layer * grid->layer_count() > static_cast<double>(elements))
+    return std::nullopt;
+  const double occupancy = sample.mean_occupancy(*grid, input.elements.spheres.first(elements));
+  if ((occupancy - 1.0) * grid->cells_joined() > limits.most_joined) return std::nullopt;
+  return grid;
+}
+
+template <int Dim>
+std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGrid<Dim>& grid,
+                                       std::uint64_t unit) {
+  LayerRecords<Dim>& records = workspace_.layer_records;
+  base::WorkCounter& work = workspace_.workers[0]->work();
+  records.sort(input_.elements.spheres.first(set.locals.size()), grid, input_.layer_kernels,
+               worker_count_, work);
+  const std::size_t layers = grid.layer_count();
+  const std::size_t stretches =
+      worker_count_ == 1 ? 1 : std::min(layers, stretches_for_each * worker_count_);
+  base::for_each_index(worker_count_, stretches, work,
+                       [&](std::size_t w, std::size_t stretch, base::WorkCounter& its_work) {
+                         const auto [first, last] = base::share_of(stretch, stretches, layers);
+                         TileSearcher<Dim>& worker = *workspace_.workers[w];
+                         worker.begin_unit(unit + stretch);
+                         search_stretch(grid, first, last, worker, its_work);
+                         if (worker_count_ > 1) worker.finish_unit();
+                       });
+  context_.progress.poll();
+  return unit + stretches;
+}
+
+template <int Dim>
+void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t first,
+                                      std::size_t last, TileSearcher<Dim>& worker,
+                                      base::WorkCounter& work) {
+  const LayerRecords<Dim>& records = workspace_.layer_records;
+  SortedLayers<Dim>& sorted = worker.scratch().layers;
+  sorted.start(grid, records.largest_layer());
+  const auto sort = [&](std::size_t k) {
+    const bool is_layer = k < grid.layer_count();
+    sorted.sort(grid, k, is_layer ? records.layer(k) : std::span<const kernels::PositionRecord>(),
+                input_.layer_kernels, work);
+  };
+  sort(first);
+  for (std::size_t k = first; k < last; ++k) {
+    sort(k + 1);
+    worker.search(sorted.pair(grid, k));
+    context_.progress.advance(records.layer(k).size());
+  }
+}
+
+template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const SearchInput<2>&,
+                                                   double, OccupancySample&);
+template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const SearchInput<3>&,
+                                                   double, OccupancySample&);
+template class LayerSearch<2>;
+template class LayerSearch<3>;
+
+}  // namespace abut::engine

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "engine/layers/layer_grid.hpp"
+#include "engine/layers/occupancy_sample.hpp"
+#include "engine/search_set.hpp"
+#include "engine/tile_searcher.hpp"
+#include "engine/workspace.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace abut::engine {
+
+/// Returns the grid of layers for a search set if they suit it: spheres of one radius, spread
+/// evenly enough, that meet none but each other.
+template <int Dim>
+[[nodiscard]] std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
+                                                          const SearchInput<Dim>& input,
+                                                          double least_cell,
+                                                          OccupancySample& sample);
+
+/// Searches a search set layer by layer, by all workers, each of which takes stretches of layers
+/// that follow each other.
+template <int Dim>
+class LayerSearch {
+ public:
+  LayerSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspace, std::size_t workers,
+              base::DetectionContext& context)
+      : input_(input), workspace_(workspace), worker_count_(workers), context_(context) {}
+
+  /// Units of work are counted on from `unit`; returns the next one.
+  [[nodiscard]] std::uint64_t search(const SearchSet<Dim>& set, const LayerGrid<Dim>& grid,
+                                     std::uint64_t unit);
+
+ private:
+  void search_stretch(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,
+                      TileSearcher<Dim>& worker, base::WorkCounter& work);
+
+  const SearchInput<Dim>& input_;
+  Workspace<Dim>& workspace_;
+  std::size_t worker_count_;
+  base::DetectionContext& context_;
+};
+
+}  // namespace abut::engine

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "engine/layers/layer_grid.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace abut::engine {
+
+/// Estimates how crowded cells are from some elements drawn at random, which are the same each
+/// time.
+class OccupancySample {
+ public:
+  explicit OccupancySample(base::MemoryMeter& memory);
+
+  /// The mean occupancy of the elements' cells, sum of n^2 / N over cells of n elements: the chance
+  /// that two elements drawn share a cell, times N. Elements that are spread at random, one for a
+  /// cell, have 2.
+  template <int Dim>
+  [[nodiscard]] double mean_occupancy(const LayerGrid<Dim>& grid,
+                                      std::span<const exact::Sphere<Dim>> spheres);
+
+ private:
+  base::Array<std::uint64_t> cells_;  ///< of the elements drawn
+};
+
+}  // namespace abut::engine

@@ -1,0 +1,137 @@
+#include "engine/layers/sorted_layers.hpp"
+
+#include <algorithm>
+
+namespace abut::engine {
+namespace {
+
+/// Places behind the last element of a layer that vectors read.
+constexpr std::size_t tail = kernels::row_padding + kernels::widest_vector;
+
+/// Places before the first layer: a run of the next layer is read from up to a vector before its
+/// begin on, where it is joined with another run.
+constexpr std::size_t lead = kernels::widest_vector;
+
+kernels::PositionRecord no_element(std::size_t row_axis) {
+  kernels::PositionRecord record{};
+  record.position[row_axis] = kernels::far_position;
+  return record;
+}
+
+}  // namespace
+
+template <int Dim>
+SortedLayers<Dim>::SortedLayers(base::MemoryMeter& memory)
+    : tables_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+      entry_of_(tables_),
+      placed_(base::make_array_for_overwrite<kernels::PositionRecord>(memory, 0)),
+      positions_(base::make_array_for_overwrite<std::int32_t>(memory, 0)),
+      numbers_(tables_),
+      columns_(tables_) {}
+
+template <int Dim>
+void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_layer) {
+  const std::size_t rows = grid.row_count();
+  half_ = largest_layer + rows * kernels::row_padding + tail + kernels::widest_vector;
+  row_length_ = grid.column_count() + 2 * grid.columns_in_reach() + 2;
+  table_size_ = (rows + 2) * row_length_;
+  base::make_room(tables_, 2 * table_size_);
+  base::make_room(entry_of_, largest_layer);
+  base::make_room(placed_, half_);
+  base::make_room(numbers_, lead + 2 * half_);
+  base::make_room(columns_, numbers_.size());
+  base::make_room(positions_, 3 * numbers_.size());
+  length_ = positions_.size() / 3;
+}
+
+template <int Dim>
+void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
+                             std::span<const kernels::PositionRecord> records,
+                             const kernels::LayerKernels& kernels, base::WorkCounter& work) {
+  std::uint32_t* const table = this->table(k);
+  count(grid, table, records, work);
+  const auto begin = static_cast<std::uint32_t>(lead + k % 2 * half_);
+  const std::uint32_t end = lay_out(grid, table, begin);
+  kernels::PositionRecord* const placed = placed_.data();
+  work.in_pieces(0, records.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t r = first; r < last; ++r) placed[table[entry_of_[r]]++ - begin] = records[r];
+  });
+  pad(grid, table, placed - begin, end);
+  const std::size_t size = end - begin + tail;
+  const kernels::LayerColumns columns{
+      {positions_.data() + begin, positions_.data() + length_ + begin,
+       positions_.data() + 2 * length_ + begin},
+      numbers_.data() + begin,
+      columns_.data() + begin,
+      static_cast<int>(grid.row_axis()),
+      grid.column_shift()};
+  kernels.split(placed, size, columns);
+  work.did(size + table_size_);
+}
+
+/// Counts the records of each column, an entry further on than `lay_out` wants it.
+template <int Dim>
+void SortedLayers<Dim>::count(const LayerGrid<Dim>& grid, std::uint32_t* table,
+                              std::span<const kernels::PositionRecord> records,
+                              base::WorkCounter& work) {
+  std::fill_n(table, table_size_, std::uint32_t{0});
+  const auto first = static_cast<std::uint32_t>(row_length_ + grid.columns_in_reach() + 1);
+  const auto row_length = static_cast<std::uint32_t>(row_length_);
+  std::uint32_t* const entry_of = entry_of_.data();
+  work.in_pieces(0, records.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const std::uint32_t entry =
+          grid.row(records[r]) * row_length + grid.column(records[r]) + first;
+      entry_of[r] = entry;
+      ++table[entry];
+    }
+  });
+}
+
+/// Turns counts into first places and returns the end of the layer. When its elements are placed,
+/// an entry is the end of its column, which is the begin of the next one.
+template <int Dim>
+std::uint32_t SortedLayers<Dim>::lay_out(const LayerGrid<Dim>& grid, std::uint32_t* table,
+                                         std::uint32_t begin) const noexcept {
+  std::uint32_t place = begin;
+  for (std::size_t row = 0; row < grid.row_count() + std::size_t{2}; ++row) {
+    for (std::size_t c = 0; c < row_length_; ++c) {
+      const std::uint32_t count = *table;
+      *table++ = place;
+      place += count;
+    }
+    if (row > 0 && row <= grid.row_count()) place += kernels::row_padding;
+  }
+  return place;
+}
+
+template <int Dim>
+void SortedLayers<Dim>::pad(const LayerGrid<Dim>& grid, const std::uint32_t* table,
+                            kernels::PositionRecord* placed, std::uint32_t end) const noexcept {
+  const kernels::PositionRecord none = no_element(grid.row_axis());
+  for (std::size_t row = 1; row <= grid.row_count(); ++row) {
+    const std::uint32_t end_of_row = table[(row + 1) * row_length_ - 1];
+    std::fill_n(placed + end_of_row, kernels::row_padding, none);
+  }
+  std::fill_n(placed + end, tail, none);
+}
+
+template <int Dim>
+kernels::LayerPair SortedLayers<Dim>::pair(const LayerGrid<Dim>& grid,
+                                           std::size_t k) const noexcept {
+  return {{positions_.data(), positions_.data() + length_, positions_.data() + 2 * length_},
+          numbers_.data(),
+          columns_.data(),
+          table(k),
+          table(k + 1),
+          grid.row_count(),
+          static_cast<std::uint32_t>(row_length_),
+          2 * grid.columns_in_reach() + 1,
+          grid.inner(),
+          grid.outer()};
+}
+
+template class SortedLayers<2>;
+template class SortedLayers<3>;
+
+}  // namespace abut::engine

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "base/progress_reporter.hpp"
+#include "engine/layers/layer_grid.hpp"
+#include "kernels/layers/layer_kernels.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace abut::engine {
+
+/// Two layers sorted by row and column, which take turns: while one is searched with the next, the
+/// next but one replaces it. Both stand in the same columns (kernels::LayerPair), one in each half,
+/// kept from search to search.
+template <int Dim>
+class SortedLayers {
+ public:
+  explicit SortedLayers(base::MemoryMeter& memory);
+
+  /// Makes room for layers of at most so many elements.
+  void start(const LayerGrid<Dim>& grid, std::size_t largest_layer);
+
+  /// Sorts the records of layer k, by counting, into its half.
+  void sort(const LayerGrid<Dim>& grid, std::size_t k,
+            std::span<const kernels::PositionRecord> records, const kernels::LayerKernels& kernels,
+            base::WorkCounter& work);
+
+  /// Layer k and the one above it, both of which must have been sorted.
+  [[nodiscard]] kernels::LayerPair pair(const LayerGrid<Dim>& grid, std::size_t k) const noexcept;
+
+ private:
+  void count(const LayerGrid<Dim>& grid, std::uint32_t* table,
+             std::span<const kernels::PositionRecord> records, base::WorkCounter& work);
+  [[nodiscard]] std::uint32_t lay_out(const LayerGrid<Dim>& grid, std::uint32_t* table,
+                                      std::uint32_t begin) const noexcept;
+  void pad(const LayerGrid<Dim>& grid, const std::uint32_t* table, kernels::PositionRecord* placed,
+           std::uint32_t end) const noexcept;
+
+  [[nodiscard]] std::uint32_t* table(std::size_t k) noexcept {
+    return tables_.data() + k % 2 * table_size_;
+  }
+  [[nodiscard]] const std::uint32_t* table(std::size_t k) const noexcept {
+    return tables_.data() + k % 2 * table_size_;
+  }
+
+  base::Array<std::uint32_t> tables_;
+  base::Array<std::uint32_t> entry_of_;  ///< of the records being sorted, in the table
+  base::Array<kernels::PositionRecord> placed_;
+  base::Array<std::int32_t> positions_;  ///< by axis
+  base::Array<std::uint32_t> numbers_;
+  base::Array<std::uint32_t> columns_;
+  std::size_t half_ = 0;
+  std::size_t length_ = 0;  ///< of a column
+  std::size_t table_size_ = 0;
+  std::size_t row_length_ = 0;
+};
+
+}  // namespace abut::engine

@@ -1,0 +1,195 @@
+// Layers in vectors, compiled once for each instruction set (Highway).
+//
+// Differences of positions are exact. Their squares are summed in single precision; `inner` and
+// `outer` bound what that is off, so that
+//   d^2 < inner  is certainly a contact pair,
+//   d^2 > outer  is certainly none,
+// and what lies between is decided exactly on the original numbers
+// (docs/derivations/layer_filter.md). Products are not fused with sums: the same lanes are
+// undecided on every processor.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/layers/layer_search_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "kernels/compress_table.hpp"
+#include "kernels/layers/layer_kernels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+HWY_BEFORE_NAMESPACE();
+namespace abut::kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Two runs have seven elements: wider vectors would be mostly empty.
+using FloatTag = hn::CappedTag<float, 8>;
+using NumberTag = hn::RebindToUnsigned<FloatTag>;
+using IntegerTag = hn::RebindToSigned<FloatTag>;
+using Floats = hn::Vec<FloatTag>;
+using Numbers = hn::Vec<NumberTag>;
+using Integers = hn::Vec<IntegerTag>;
+constexpr FloatTag floats{};
+constexpr NumberTag numbers{};
+constexpr IntegerTag integers{};
+constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
+
+/// Candidates in a vector, or in two where a vector has four lanes.
+constexpr std::uint32_t candidates = row_padding;
+
+/// A lane is a bit.
+using Bits = std::uint32_t;
+constexpr Bits all_lanes = (1u << lanes) - 1;
+
+template <class MaskOfLanes>
+HWY_INLINE Bits bits_of(MaskOfLanes mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(floats, mask, bits);
+  return bits[0];
+}
+
+/// The lanes of the set, in order, then the others.
+HWY_INLINE Numbers compress(Numbers values, Bits set) {
+  const auto order = hn::PromoteTo(
+      numbers, hn::LoadU(hn::Rebind<std::uint8_t, NumberTag>(), compress_table[set].data()));
+  return hn::TableLookupLanes(values, hn::IndicesFromVec(numbers, order));
+}
+
+#include "kernels/layers/runs_of_row-inl.hpp"
+
+#include "kernels/layers/simd_joined_runs-inl.hpp"
+
+#include "kernels/layers/simd_layer_tester-inl.hpp"
+
+#if HWY_TARGET == HWY_SCALAR
+std::size_t scatter(const double*, std::size_t, int, const PositionMap&, std::uint32_t,
+                    std::uint64_t*, PositionRecord*) {
+  return 0;
+}
+#else
+/// Up to four doubles of an element from that one on: its center, its radius, in 2D the next.
+using DoubleTag = hn::CappedTag<double, 4>;
+using Doubles = hn::Vec<DoubleTag>;
+constexpr DoubleTag doubles{};
+using WordTag = hn::FixedTag<std::int32_t, 4>;
+using Words = hn::Vec<WordTag>;
+constexpr WordTag words{};
+
+/// Positions of an element, made in one part or two; what is no axis becomes 0.
+template <std::size_t parts>
+class PositionLanes {
+ public:
+  HWY_INLINE PositionLanes(const PositionMap& map, int dimensions) {
+    double lower[4] = {};
+    double units[4] = {};
+    for (int axis = 0; axis < dimensions; ++axis) {
+      lower[axis] = map.lower[axis];
+      units[axis] = map.units_of_one;
+    }
+    for (std::size_t k = 0; k < parts; ++k) {
+      lower_[k] = hn::LoadU(doubles, lower + k * width);
+      units_[k] = hn::LoadU(doubles, units + k * width);
+    }
+  }
+
+  [[nodiscard]] HWY_INLINE Words of(const double* sphere) const {
+    if constexpr (parts == 1) {
+      return part(sphere, 0);
+    } else {
+      return hn::Combine(words, part(sphere, 1), part(sphere, 0));
+    }
+  }
+
+ private:
+  static constexpr std::size_t width = 4 / parts;
+
+  [[nodiscard]] HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, DoubleTag> > part(const double* sphere,
+                                                                              std::size_t k) const {
+    const Doubles from_lower = hn::Sub(hn::LoadU(doubles, sphere + k * width), lower_[k]);
+    return hn::DemoteTo(hn::Rebind<std::int32_t, DoubleTag>(), hn::Mul(from_lower, units_[k]));
+  }
+
+  Doubles lower_[parts];
+  Doubles units_[parts];
+};
+
+template <int Dim>
+std::size_t scatter_in(const double* spheres, std::size_t count, const PositionMap& map,
+                       std::uint32_t first_number, std::uint64_t* cursors,
+                       PositionRecord* records) {
+  const PositionLanes<4 / hn::MaxLanes(DoubleTag())> positions(map, Dim);
+  // In 2D the last one has no next.
+  const std::size_t end = Dim == 2 && count > 0 ? count - 1 : count;
+  std::int32_t lane[4] = {0, 0, 0, static_cast<std::int32_t>(first_number)};
+  Words number = hn::LoadU(words, lane);
+  lane[3] = 1;
+  const Words one = hn::LoadU(words, lane);
+  const double* const along_layers = spheres + map.layer_axis;
+  const double lower = map.lower[map.layer_axis];
+  for (std::size_t k = 0; k < end; ++k) {
+    const auto position =
+        static_cast<std::int32_t>((along_layers[k * (Dim + 1)] - lower) * map.units_of_one);
+    std::uint64_t& place = cursors[static_cast<std::uint32_t>(position) >> map.layer_shift];
+    hn::StoreU(hn::Or(positions.of(spheres + k * (Dim + 1)), number), words,
+               records[place++].position);
+    number = hn::Add(number, one);
+  }
+  return end;
+}
+
+std::size_t scatter(const double* spheres, std::size_t count, int dimensions,
+                    const PositionMap& map, std::uint32_t first_number, std::uint64_t* cursors,
+                    PositionRecord* records) {
+  return dimensions == 2 ? scatter_in<2>(spheres, count, map, first_number, cursors, records)
+                         : scatter_in<3>(spheres, count, map, first_number, cursors, records);
+}
+#endif
+
+void split(const PositionRecord* records, std::size_t count, const LayerColumns& columns) {
+  for (std::size_t k = 0; k < count; k += lanes) {
+    Integers position[3];
+    Integers number;
+    hn::LoadInterleaved4(integers, records[k].position, position[0], position[1], position[2],
+                         number);
+    for (int axis = 0; axis < 3; ++axis) {
+      hn::StoreU(position[axis], integers, columns.position[axis] + k);
+    }
+    hn::StoreU(hn::BitCast(numbers, number), numbers, columns.number + k);
+    const Integers along_row = hn::LoadU(integers, columns.position[columns.row_axis] + k);
+    hn::StoreU(hn::ShiftRightSame(hn::BitCast(numbers, along_row), columns.column_shift), numbers,
+               columns.column + k);
+  }
+}
+
+void search_layers(const LayerPair& layers, SearchJob& job, int dimensions) {
+  if (dimensions == 2) {
+    SimdLayerTester<2>(layers, job).search();
+  } else {
+    SimdLayerTester<3>(layers, job).search();
+  }
+}
+
+}  // namespace abut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace abut::kernels {
+
+HWY_EXPORT(scatter);
+HWY_EXPORT(split);
+HWY_EXPORT(search_layers);
+
+LayerKernels simd_layer_kernels(std::int64_t target) {
+  hwy::ChosenTarget chosen;
+  chosen.Update(target);
+  return {HWY_DISPATCH_TABLE(scatter)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(split)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(search_layers)[chosen.GetIndex()]};
+}
+
+}  // namespace abut::kernels
+#endif

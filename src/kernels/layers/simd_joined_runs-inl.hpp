@@ -1,0 +1,55 @@
+// Candidates of one element in eight lanes, taken from one run or joined from two, included once
+// for each instruction set into the namespace of layer_search_simd.cpp, whose names it uses: no
+// include guard, and no includes.
+
+/// Up to eight candidates: lanes 0 .. first - 1 are the first run, the lanes behind it the second.
+/// An unaligned load of the one, one of the other that begins `first` places early, and a blend:
+///
+///   lane     0   1   2   3   4   5   6   7
+///   first    a   b   c   .   .   .   .   .      first = 3
+///   second   .   .   .   p   q   r   s   t
+///
+/// What follows the second run is a reach or more away along the row, or padding.
+class JoinedRuns {
+ public:
+  HWY_INLINE JoinedRuns(const Run& first, const Run& second)
+      : begin_(first.begin),
+        shifted_(second.begin - (first.end - first.begin)),
+        first_(static_cast<std::int32_t>(first.end - first.begin)),
+        size_(first.end - first.begin + (second.end - second.begin)) {}
+
+  [[nodiscard]] HWY_INLINE std::uint32_t size() const { return size_; }
+
+  template <class Tag, class Number>
+  [[nodiscard]] HWY_INLINE hn::Vec<Tag> load(Tag tag, const Number* column,
+                                             std::size_t lane) const {
+    const auto from_first =
+        hn::Lt(hn::Iota(integers, static_cast<std::int32_t>(lane)), hn::Set(integers, first_));
+    return hn::IfThenElse(hn::RebindMask(tag, from_first), hn::LoadU(tag, column + begin_ + lane),
+                          hn::LoadU(tag, column + std::size_t{shifted_} + lane));
+  }
+
+ private:
+  std::uint32_t begin_;
+  std::uint32_t shifted_;
+  std::int32_t first_;
+  std::uint32_t size_;
+};
+
+/// Up to eight candidates of a single run.
+class SingleRun {
+ public:
+  HWY_INLINE explicit SingleRun(const Run& run) : begin_(run.begin), size_(run.end - run.begin) {}
+
+  [[nodiscard]] HWY_INLINE std::uint32_t size() const { return size_; }
+
+  template <class Tag, class Number>
+  [[nodiscard]] HWY_INLINE hn::Vec<Tag> load(Tag tag, const Number* column,
+                                             std::size_t lane) const {
+    return hn::LoadU(tag, column + begin_ + lane);
+  }
+
+ private:
+  std::uint32_t begin_;
+  std::uint32_t size_;
+};

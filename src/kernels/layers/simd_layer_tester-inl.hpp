@@ -1,0 +1,212 @@
+// The elements of a layer and their candidates in vectors, included like
+// simd_joined_runs-inl.hpp.
+
+template <int Dim>
+class SimdLayerTester {
+ public:
+  HWY_INLINE SimdLayerTester(const LayerPair& layers, SearchJob& job)
+      : layers_(layers),
+        job_(job),
+        hits_(*job.hits),
+        inner_(hn::Set(floats, layers.inner)),
+        band_(hn::BitCast(numbers, hn::Sub(hn::Set(floats, layers.outer), inner_))) {}
+
+  HWY_INLINE void search() {
+    for (std::uint32_t row = 1; row <= layers_.rows; ++row) {
+      const RunsOfRow<Dim> ahead(layers_, row);
+      const Run elements = ahead.elements();
+      for (std::uint32_t p = elements.begin; p < elements.end; p += batch_size) {
+        test_batch(ahead, {p, std::min(elements.end, p + batch_size)});
+        take_now_and_then();
+      }
+    }
+    job_.candidate_tests += std::exchange(candidate_tests_, 0);
+  }
+
+ private:
+  static constexpr std::uint32_t batch_size = 64;
+  static constexpr std::uint32_t vectors = Dim == 2 ? 1 : 3;
+  static constexpr std::uint32_t most_hits = vectors * candidates;
+
+  /// In place of hits: the runs are too long for their vectors, or the filter leaves some
+  /// undecided.
+  static constexpr Bits with_care = Bits{1} << 31;
+
+  /// The candidates of the elements of a batch, and which of them are hits: bit 8 v + k for lane k
+  /// of vector v.
+  struct Batch {
+    std::uint32_t number[batch_size][most_hits];
+    Bits hits[batch_size];
+  };
+
+  /// First the distances of all, then the pairs: two loops that do not wait for each other, each
+  /// short enough for the processor to have several elements under way. Neither branches on what
+  /// is common.
+  HWY_INLINE void test_batch(const RunsOfRow<Dim>& ahead, const Run& elements) {
+    Batch batch;
+    std::uint64_t tests = 0;
+    for (std::uint32_t k = 0; k < elements.end - elements.begin; ++k) {
+      batch.hits[k] = filter(ahead, elements.begin + k, batch.number[k], tests);
+    }
+    candidate_tests_ += tests;
+    std::size_t found = hits_.found;
+    for (std::uint32_t k = 0; k < elements.end - elements.begin; ++k) {
+      const Bits hits = batch.hits[k];
+      if (hits == 0) continue;
+      if (HWY_UNLIKELY(hits >= with_care)) {
+        hits_.found = found;
+        test_with_care(ahead, elements.begin + k);
+        take_now_and_then();
+        found = hits_.found;
+        continue;
+      }
+      if (HWY_UNLIKELY(found + most_hits > HitBuffer::size)) {
+        hits_.found = found;
+        take();
+        found = hits_.found;
+      }
+      found += write(elements.begin + k, hits, batch.number[k], found);
+    }
+    hits_.found = found;
+  }
+
+  /// Returns the hits, or some number from `with_care` on; adds the tests that need no care.
+  HWY_INLINE Bits filter(const RunsOfRow<Dim>& ahead, std::uint32_t p, std::uint32_t* number,
+                         std::uint64_t& tests) const {
+    const std::uint32_t column = layers_.column[p];
+    LayerProbe probe(layers_, p, inner_);
+    const JoinedRuns first(ahead.template run<0>(p, column), ahead.template run<1>(p, column));
+    Bits hits = probe.test(first, number);
+    std::uint32_t size = first.size();
+    std::uint32_t excess = first.size() + (candidates - 1);
+    if constexpr (Dim == 3) {
+      const JoinedRuns second(ahead.template run<2>(p, column), ahead.template run<3>(p, column));
+      const SingleRun third(ahead.template run<4>(p, column));
+      hits |= probe.test(second, number + candidates) << candidates;
+      hits |= probe.test(third, number + 2 * candidates) << (2 * candidates);
+      size += second.size() + third.size();
+      excess |= (second.size() + (candidates - 1)) | (third.size() + (candidates - 1));
+    }
+    const auto needs_care =
+        static_cast<std::uint32_t>((excess >= 2 * candidates) | !probe.is_decided(band_));
+    tests += size & (needs_care - 1);
+    return hits | needs_care * with_care;
+  }
+
+  /// One element in all lanes.
+  class LayerProbe {
+   public:
+    HWY_INLINE LayerProbe(const LayerPair& layers, std::uint32_t p, Floats inner)
+        : layers_(layers), inner_(inner), nearest_(hn::Set(numbers, ~std::uint32_t{0})) {
+      for (int axis = 0; axis < Dim; ++axis) {
+        position_[axis] = hn::Set(integers, layers.position[axis][p]);
+      }
+    }
+
+    /// The candidates that are certainly within reach; writes down the numbers of all.
+    template <class Runs>
+    HWY_INLINE Bits test(const Runs& runs, std::uint32_t* number) {
+      Bits hits = 0;
+      for (std::size_t k = 0; k < candidates; k += lanes) {
+        Floats beyond = hn::Zero(floats);
+        for (int axis = 0; axis < Dim; ++axis) {
+          const Floats difference = hn::ConvertTo(
+              floats, hn::Sub(runs.load(integers, layers_.position[axis], k), position_[axis]));
+          const Floats square = hn::Mul(difference, difference);
+          beyond = axis == 0 ? square : hn::Add(beyond, square);
+        }
+        beyond = hn::Sub(beyond, inner_);
+        hits |= bits_of(hn::Lt(beyond, hn::Zero(floats))) << k;
+        // As whole numbers without a sign, negative floats are the largest.
+        nearest_ = hn::Min(nearest_, hn::BitCast(numbers, beyond));
+        hn::StoreU(runs.load(numbers, layers_.number, k), numbers, number + k);
+      }
+      return hits;
+    }
+
+    /// Tells whether none is as little beyond the inner bound as `band`.
+    [[nodiscard]] HWY_INLINE bool is_decided(Numbers band) const {
+      return hn::AllFalse(numbers, hn::Eq(hn::Min(nearest_, band), nearest_));
+    }
+
+   private:
+    const LayerPair& layers_;
+    Floats inner_;
+    Numbers nearest_;
+    Integers position_[Dim];
+  };
+
+  /// Writes the hits to that place of the buffer and returns how many there are. Whole vectors: the
+  /// excess is overwritten.
+  HWY_INLINE std::size_t write(std::uint32_t p, Bits hits, const std::uint32_t* number,
+                               std::size_t place) const {
+    std::uint32_t* const begin = hits_.partner + place;
+    std::uint32_t* end = begin;
+    for (std::size_t k = 0; k < most_hits; k += lanes) {
+      const Bits set = hits >> k & all_lanes;
+      hn::StoreU(compress(hn::LoadU(numbers, number + k), set), numbers, end);
+      end += std::popcount(set);
+    }
+    const auto count = static_cast<std::size_t>(end - begin);
+    const Numbers own = hn::Set(numbers, layers_.number[p]);
+    for (std::size_t k = 0; k < count; k += lanes) {
+      hn::StoreU(own, numbers, hits_.element + place + k);
+    }
+    return count;
+  }
+
+  /// An element with runs of any length, and notes of what the filter cannot decide.
+  HWY_NOINLINE void test_with_care(const RunsOfRow<Dim>& ahead, std::uint32_t p) {
+    const std::uint32_t column = layers_.column[p];
+    for (std::size_t k = 0; k < RunsOfRow<Dim>::size; ++k) {
+      test_with_care(p, ahead.run(k, p, column));
+    }
+  }
+
+  HWY_INLINE void test_with_care(std::uint32_t p, const Run& run) {
+    candidate_tests_ += run.end - run.begin;
+    const Floats outer = hn::Set(floats, layers_.outer);
+    for (std::uint32_t q = run.begin; q < run.end; q += lanes) {
+      if (HWY_UNLIKELY(hits_.found + lanes > HitBuffer::size)) take();
+      Floats distance_squared = hn::Zero(floats);
+      for (int axis = 0; axis < Dim; ++axis) {
+        const Floats difference =
+            hn::ConvertTo(floats, hn::Sub(hn::LoadU(integers, layers_.position[axis] + q),
+                                          hn::Set(integers, layers_.position[axis][p])));
+        distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
+      }
+      const Bits within = run.end - q < lanes ? (1u << (run.end - q)) - 1 : all_lanes;
+      const Bits hits = bits_of(hn::Le(distance_squared, outer)) & within;
+      note_undecided(hits, hits & ~bits_of(hn::Lt(distance_squared, inner_)));
+      hn::StoreU(hn::Set(numbers, layers_.number[p]), numbers, hits_.element + hits_.found);
+      hn::StoreU(compress(hn::LoadU(numbers, layers_.number + q), hits), numbers,
+                 hits_.partner + hits_.found);
+      hits_.found += static_cast<std::size_t>(std::popcount(hits));
+    }
+  }
+
+  /// The undecided ones among the hits that are about to be written.
+  HWY_INLINE void note_undecided(Bits hits, Bits undecided) {
+    for (; undecided != 0; undecided &= undecided - 1) {
+      const Bits below = (undecided & (0u - undecided)) - 1;
+      const std::size_t place = hits_.found + static_cast<std::size_t>(std::popcount(hits & below));
+      hits_.undecided[hits_.undecided_count++] = static_cast<std::uint32_t>(place);
+    }
+  }
+
+  HWY_INLINE void take_now_and_then() {
+    if (HWY_UNLIKELY(candidate_tests_ >= tests_between_takes)) take();
+  }
+
+  HWY_NOINLINE void take() {
+    job_.candidate_tests += std::exchange(candidate_tests_, 0);
+    job_.take(job_);
+  }
+
+  const LayerPair& layers_;
+  SearchJob& job_;
+  HitBuffer& hits_;
+  Floats inner_;
+  Numbers band_;
+  std::uint64_t candidate_tests_ = 0;
+};

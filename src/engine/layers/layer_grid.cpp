@@ -38,13 +38,14 @@ double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements)
   return cell;
 }
 
-/// The axes, the shortest first.
+/// The axes, the shortest first; of equal ones the first.
 template <int Dim>
 std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
   std::array<std::size_t, Dim> axes{};
   std::iota(axes.begin(), axes.end(), std::size_t{0});
-  std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
-    return bounds.upper[a] - bounds.lower[a] < bounds.upper[b] - bounds.lower[b];
+  const auto extent = [&](std::size_t axis) { return bounds.upper[axis] - bounds.lower[axis]; };
+  std::sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
+    return extent(a) != extent(b) ? extent(a) < extent(b) : a < b;
   });
   return axes;
 }

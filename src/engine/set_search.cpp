@@ -124,6 +124,28 @@ SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspa
 template <int Dim>
 void SetSearch<Dim>::search(const SearchSet<Dim>& set) {
   search(set, SearchPlace{nullptr, workspace_.levels, workspace_.histogram, 0});
+  finish();
+}
+
+template <int Dim>
+bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
+  if (!take_layers(set)) return false;
+  finish();
+  return true;
+}
+
+template <int Dim>
+bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
+  const auto layers =
+      choose_layers(set, input_, cell_size_for(set.bounds, input_), workspace_.occupancy);
+  if (!layers) return false;
+  LayerSearch<Dim> search(input_, workspace_, worker_count_, context_);
+  next_unit_ = search.search(set, *layers, next_unit_);
+  return true;
+}
+
+template <int Dim>
+void SetSearch<Dim>::finish() {
   for (const auto& worker : workspace_.workers) {
     worker->finish_unit();
     context_.candidate_tests += worker->candidate_tests();
@@ -165,15 +187,8 @@ void SetSearch<Dim>::search_divided(const SearchSet<Dim>& set, double cut, const
 
 template <int Dim>
 void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& at) {
-  const double cell = cell_size_for(set.bounds, input_);
-  if (at.worker == nullptr) {
-    if (const auto layers = choose_layers(set, input_, cell, workspace_.occupancy)) {
-      LayerSearch<Dim> search(input_, workspace_, worker_count_, context_);
-      next_unit_ = search.search(set, *layers, next_unit_);
-      return;
-    }
-  }
-  const TileGrid<Dim> grid = cut_into_tiles(set, cell);
+  if (at.worker == nullptr && take_layers(set)) return;
+  const TileGrid<Dim> grid = cut_into_tiles(set, cell_size_for(set.bounds, input_));
   Tiles<Dim>& tiles = at.levels.at(at.depth).tiles;
   if (at.worker != nullptr) {
     tiles.partition(input_.elements, set, grid, input_.margin, input_.element_kernels, 1,

@@ -24,6 +24,9 @@ class SetSearch {
 
   void search(const SearchSet<Dim>& set);
 
+  /// Searches the set in layers if they suit it; returns whether it did.
+  [[nodiscard]] bool search_in_layers(const SearchSet<Dim>& set);
+
  private:
   /// The workers that search the pairs of a tile: the one that sorts it, or all.
   enum class Parallel { tiles, layers };
@@ -56,6 +59,8 @@ class SetSearch {
     return (at.worker != nullptr ? at.worker : workspace_.workers[0].get())->work();
   }
 
+  void finish();
+  [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
   void search(const SearchSet<Dim>& set, const SearchPlace& at);
   void search(const CrowdedTile& part, const SearchPlace& at);
   void search_divided(const SearchSet<Dim>& set, double cut, const SearchPlace& at);

@@ -21,25 +21,37 @@
 namespace abut::periodic {
 namespace {
 
-/// The search set of locals and ghosts. Where ghosts lie around the box of the locals, as halo
-/// elements do, they are no more than copies in its outer tiles. Elsewhere the search takes all
-/// alike, and pairs of ghosts are dropped.
+/// The search set that takes locals and ghosts alike; pairs of ghosts are dropped.
 template <int Dim>
-engine::SearchSet<Dim> search_set_of(const Images<Dim>& images) {
-  const std::size_t locals = images.locals().size();
-  const std::size_t ghosts = images.ghosts().size();
+engine::SearchSet<Dim> set_of_all(const exact::Elements<Dim>& moved, const Images<Dim>& images) {
   engine::SearchSet<Dim> set;
+  set.locals = engine::Numbers(images.locals().size() + images.ghosts().size());
   set.bounds = images.local_bounds();
   set.bounds.include(images.ghost_bounds());
-  if (!images.ghosts_are_outside()) {
-    set.locals = engine::Numbers(locals + ghosts);
-    return set;
-  }
+  if (moved.are_boxes()) set.bounds.count_largest_twice();
+  return set;
+}
+
+/// The search set of locals with ghosts that lie around their box, as halo elements do: no more
+/// than copies in its outer tiles.
+template <int Dim>
+engine::SearchSet<Dim> set_with_halo(const exact::Elements<Dim>& moved, const Images<Dim>& images) {
+  const std::size_t locals = images.locals().size();
+  engine::SearchSet<Dim> set = set_of_all(moved, images);
   set.locals = engine::Numbers(locals);
-  set.halo = engine::Numbers::from(static_cast<std::uint32_t>(locals), ghosts);
+  set.halo = engine::Numbers::from(static_cast<std::uint32_t>(locals), images.ghosts().size());
   set.bounds.lower = images.local_bounds().lower;
   set.bounds.upper = images.local_bounds().upper;
   return set;
+}
+
+/// Layers take all alike; in tiles ghosts are halo elements where they can be.
+template <int Dim>
+void search(engine::SetSearch<Dim>& search, const exact::Elements<Dim>& moved,
+            const Images<Dim>& images) {
+  const engine::SearchSet<Dim> all = set_of_all(moved, images);
+  if (!images.ghosts_are_outside()) return search.search(all);
+  if (!search.search_in_layers(all)) search.search(set_with_halo(moved, images));
 }
 
 /// Tests every local element against the locals behind it, and against every ghost, which is not
@@ -202,9 +214,8 @@ void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
                                        settings.layers,
                                        own.image_sink,
                                        context.progress};
-  engine::SearchSet<Dim> set = search_set_of(images);
-  if (!boxes.empty()) set.bounds.count_largest_twice();
-  engine::SetSearch<Dim>(input, workspace, settings.workers, context).search(set);
+  engine::SetSearch<Dim> set_search(input, workspace, settings.workers, context);
+  search(set_search, input.elements, images);
 }
 
 template void periodic_rows(base::Array<exact::Sphere<2>>&, const PeriodicInput<2>&,

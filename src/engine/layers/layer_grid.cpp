@@ -18,22 +18,37 @@ constexpr double wide_cell = 1.5;
 /// Elements of a strip in 2D, which is sorted within the nearest caches.
 constexpr double elements_of_strip = 8192.0;
 
-/// Returns the size of cells, at least `least`, of which the box has no more than elements.
+/// Cells of the size that the reach needs, for each element, up to which they are not widened: that
+/// many empty ones cost less than elements that share cells.
+constexpr double most_cells_of_element = 3.0;
+
+/// Cells along all axes of a box; an axis shorter than a cell counts as one.
 template <int Dim>
-double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements) {
-  double cell = least;
-  // Axes shorter than a cell count as one cell; others may become so.
-  for (int round = 0; round < Dim; ++round) {
-    double cells = 1.0;
-    int long_axes = 0;
+struct BoxInCells {
+  BoxInCells(const grid::Bounds<Dim>& bounds, double cell) {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       const double along = (bounds.upper[axis] - bounds.lower[axis]) / cell;
       if (along <= 1.0) continue;
       cells *= along;
       ++long_axes;
     }
-    if (!(cells > elements)) break;
-    cell *= std::pow(cells / elements, 1.0 / long_axes);
+  }
+
+  double cells = 1.0;
+  int long_axes = 0;
+};
+
+/// Returns the size of cells: `least`, or where most would be empty, such that the box has about as
+/// many as elements.
+template <int Dim>
+double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements) {
+  double cell = least;
+  if (BoxInCells<Dim>(bounds, cell).cells <= most_cells_of_element * elements) return cell;
+  // Axes may become shorter than a cell.
+  for (int round = 0; round < Dim; ++round) {
+    const BoxInCells<Dim> box(bounds, cell);
+    if (!(box.cells > elements)) break;
+    cell *= std::pow(box.cells / elements, 1.0 / box.long_axes);
   }
   return cell;
 }

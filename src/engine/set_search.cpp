@@ -129,7 +129,8 @@ void SetSearch<Dim>::search(const SearchSet<Dim>& set) {
 
 template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
-  if (!take_layers(set)) return false;
+  const SearchPlace at{nullptr, workspace_.levels, workspace_.histogram, 0};
+  if (size_cut_for(set, at) || !take_layers(set)) return false;
   finish();
   return true;
 }
@@ -157,18 +158,20 @@ template <int Dim>
 void SetSearch<Dim>::search(const SearchSet<Dim>& set, const SearchPlace& at) {
   if (set.locals.empty()) return;
   if (set.wanted == Wanted::pairs_of_coarse && set.coarse_elements.empty()) return;
-  if (set.bounds.smallest_radius < set.bounds.largest_radius) {
-    at.histogram.clear();
-    count_radii(at.histogram, input_.elements, set.locals, work_at(at));
-    count_radii(at.histogram, input_.elements, set.halo, work_at(at));
-    const double cell = cell_size_for(set.bounds, input_);
-    const double volume = volume_in_cells(set.bounds, cell);
-    if (const auto cut =
-            choose_size_cut<Dim>(at.histogram, sizes_of(set.bounds, input_.margin, volume))) {
-      return search_divided(set, *cut, at);
-    }
-  }
+  if (const auto cut = size_cut_for(set, at)) return search_divided(set, *cut, at);
   search_tiles(set, at);
+}
+
+/// The radius at which it pays to divide the set, if there is one.
+template <int Dim>
+std::optional<double> SetSearch<Dim>::size_cut_for(const SearchSet<Dim>& set,
+                                                   const SearchPlace& at) {
+  if (set.bounds.smallest_radius == set.bounds.largest_radius) return std::nullopt;
+  at.histogram.clear();
+  count_radii(at.histogram, input_.elements, set.locals, work_at(at));
+  count_radii(at.histogram, input_.elements, set.halo, work_at(at));
+  const double volume = volume_in_cells(set.bounds, cell_size_for(set.bounds, input_));
+  return choose_size_cut<Dim>(at.histogram, sizes_of(set.bounds, input_.margin, volume));
 }
 
 template <int Dim>

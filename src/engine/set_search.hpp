@@ -61,6 +61,8 @@ class SetSearch {
 
   void finish();
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
+  [[nodiscard]] std::optional<double> size_cut_for(const SearchSet<Dim>& set,
+                                                   const SearchPlace& at);
   void search(const SearchSet<Dim>& set, const SearchPlace& at);
   void search(const CrowdedTile& part, const SearchPlace& at);
   void search_divided(const SearchSet<Dim>& set, double cut, const SearchPlace& at);

@@ -16,7 +16,7 @@ constexpr int most_halvings = 2;
 constexpr double wide_cell = 1.5;
 
 /// Elements of a strip in 2D, which is sorted within the nearest caches.
-constexpr double elements_of_strip = 8192.0;
+constexpr double elements_of_strip = 4096.0;
 
 /// Cells of the size that the reach needs, for each element, up to which they are not widened: that
 /// many empty ones cost less than elements that share cells.
@@ -68,12 +68,12 @@ std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
 }  // namespace
 
 template <int Dim>
-std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& bounds, double reach,
+std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& bounds, double margin,
                                                    double least_cell, std::size_t elements) {
   LayerGrid grid;
   const double cell = cell_size(bounds, least_cell, static_cast<double>(elements));
   if (!grid.lay_out(bounds, cell)) return std::nullopt;
-  grid.cut_rows(reach, cell);
+  grid.cut_rows(bounds, margin, cell);
   if constexpr (Dim == 2) grid.join_rows(elements);
   return grid;
 }
@@ -101,7 +101,8 @@ bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double cell) {
 }
 
 template <int Dim>
-void LayerGrid<Dim>::cut_rows(double reach, double cell) {
+void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, double cell) {
+  const double reach = bounds.largest_radius + bounds.second_largest_radius + margin;
   const int halvings = cell > wide_cell * reach ? most_halvings - 1 : most_halvings;
   column_shift_ = kernels::cell_bits - halvings;
   columns_ <<= halvings;
@@ -109,10 +110,22 @@ void LayerGrid<Dim>::cut_rows(double reach, double cell) {
   const double column = std::ldexp(1.0, column_shift_);
   columns_in_reach_ =
       static_cast<std::uint32_t>((units + 2.0 * double{kernels::layer_slack}) / column) + 1;
-  const float farthest = static_cast<float>(units) + kernels::layer_slack;
-  const float nearest = std::max(static_cast<float>(units) - kernels::layer_slack, 0.0f);
-  outer_ = farthest * farthest;
-  inner_ = nearest * nearest;
+  reach_ = static_cast<float>(units);
+  margin_ = units_of(margin);
+  has_equal_radii_ = bounds.smallest_radius == bounds.largest_radius;
+}
+
+template <int Dim>
+void LayerGrid<Dim>::set_reach(kernels::LayerPair& layers) const noexcept {
+  constexpr float slack = kernels::layer_slack;
+  layers.nearest_margin = margin_ - slack;
+  layers.farthest_margin = margin_ + slack;
+  const float nearest = std::max(reach_ - slack, 0.0f);
+  const float farthest = reach_ + slack;
+  layers.inner = nearest * nearest;
+  layers.outer = farthest * farthest;
+  // (s + 4)^2 - (s - 4)^2 = 16 s; roundings add less than s / 2, and s below the slack 64.
+  layers.band = has_equal_radii_ ? layers.outer - layers.inner : 17.0f * reach_ + 64.0f;
 }
 
 /// Joins rows to strips of 2^k rows each.

@@ -31,10 +31,15 @@ class LayerGrid {
  public:
   /// Returns the grid over the box of some elements, or none where it would have too many cells
   /// along an axis. `least_cell` is the size of a cell that the reach needs.
-  [[nodiscard]] static std::optional<LayerGrid> over(const grid::Bounds<Dim>& bounds, double reach,
+  [[nodiscard]] static std::optional<LayerGrid> over(const grid::Bounds<Dim>& bounds, double margin,
                                                      double least_cell, std::size_t elements);
 
   [[nodiscard]] const kernels::PositionMap& map() const noexcept { return map_; }
+
+  /// A radius in units.
+  [[nodiscard]] float units_of(double radius) const noexcept {
+    return static_cast<float>(radius * map_.units_of_one);
+  }
 
   [[nodiscard]] kernels::PositionRecord record(const exact::Sphere<Dim>& sphere,
                                                std::uint32_t number) const noexcept {
@@ -78,9 +83,10 @@ class LayerGrid {
   /// The axis along which rows go.
   [[nodiscard]] std::size_t row_axis() const noexcept { return row_axis_; }
 
-  /// Squares of the reach less and plus the slack, in units.
-  [[nodiscard]] float inner() const noexcept { return inner_; }
-  [[nodiscard]] float outer() const noexcept { return outer_; }
+  [[nodiscard]] bool has_equal_radii() const noexcept { return has_equal_radii_; }
+
+  /// The fields of a pair of layers that bound the reach.
+  void set_reach(kernels::LayerPair& layers) const noexcept;
 
   /// Cells of two runs that are joined in a vector.
   [[nodiscard]] double cells_joined() const noexcept;
@@ -96,7 +102,7 @@ class LayerGrid {
   }
 
   [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double cell);
-  void cut_rows(double reach, double cell);
+  void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double cell);
   void join_rows(std::size_t elements);
 
   kernels::PositionMap map_{};
@@ -108,8 +114,9 @@ class LayerGrid {
   std::uint32_t columns_in_reach_ = 0;
   std::uint32_t row_mask_ = ~std::uint32_t{0};
   int column_shift_ = kernels::cell_bits;
-  float inner_ = 0.0f;
-  float outer_ = 0.0f;
+  float reach_ = 0.0f;   ///< the largest, in units
+  float margin_ = 0.0f;  ///< in units
+  bool has_equal_radii_ = true;
 };
 
 }  // namespace abut::engine

@@ -9,6 +9,7 @@ namespace abut::engine {
 template <int Dim>
 LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
     : records_(base::make_array_for_overwrite<kernels::PositionRecord>(memory, 0)),
+      radii_(base::make_array_for_overwrite<float>(memory, 0)),
       begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       cursors_(begin_) {}
 
@@ -19,6 +20,8 @@ void LayerRecords<Dim>::sort(std::span<const exact::Sphere<Dim>> spheres,
   const std::size_t layers = grid.layer_count();
   base::make_room(cursors_, workers * layers);
   base::make_room(records_, spheres.size());
+  has_radii_ = !grid.has_equal_radii();
+  if (has_radii_) base::make_room(radii_, spheres.size());
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     std::uint64_t* const counts = cursors_.data() + worker * layers;
     std::fill_n(counts, layers, std::uint64_t{0});
@@ -29,16 +32,16 @@ void LayerRecords<Dim>::sort(std::span<const exact::Sphere<Dim>> spheres,
   });
   lay_out(layers, workers);
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
-    std::uint64_t* const cursors = cursors_.data() + worker * layers;
+    const kernels::RecordsByLayer to{cursors_.data() + worker * layers, records_.data(),
+                                     has_radii_ ? radii_.data() : nullptr};
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      std::size_t k =
-          begin + kernels.scatter(spheres[begin].center, end - begin, Dim, grid.map(),
-                                  static_cast<std::uint32_t>(begin), cursors, records_.data());
+      std::size_t k = begin + kernels.scatter(spheres[begin].center, end - begin, Dim, grid.map(),
+                                              static_cast<std::uint32_t>(begin), to);
       for (; k < end; ++k) {
-        const kernels::PositionRecord record =
-            grid.record(spheres[k], static_cast<std::uint32_t>(k));
-        records_[cursors[grid.layer(record)]++] = record;
+        const std::uint64_t place = to.cursors[grid.layer(spheres[k])]++;
+        to.records[place] = grid.record(spheres[k], static_cast<std::uint32_t>(k));
+        if (has_radii_) to.radii[place] = grid.units_of(spheres[k].radius);
       }
     });
   });

@@ -23,16 +23,13 @@ template <int Dim>
 std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
                                             const SearchInput<Dim>& input, double least_cell,
                                             OccupancySample& sample) {
-  const grid::Bounds<Dim>& bounds = set.bounds;
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  if (input.elements.are_boxes() || bounds.smallest_radius != bounds.largest_radius ||
-      !pair_with_none_but_each_other(set) || !set.locals.are_the_first() ||
-      elements < limits.least_elements) {
+  if (input.elements.are_boxes() || !pair_with_none_but_each_other(set) ||
+      !set.locals.are_the_first() || elements < limits.least_elements) {
     return std::nullopt;
   }
-  const double reach = bounds.largest_radius + bounds.second_largest_radius + input.margin;
-  const auto grid = LayerGrid<Dim>::over(bounds, reach, least_cell, elements);
+  const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);
   if (!grid || limits.least_elements_of_layer * grid->layer_count() > static_cast<double>(elements))
     return std::nullopt;
   const double occupancy = sample.mean_occupancy(*grid, input.elements.spheres.first(elements));
@@ -71,14 +68,13 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
   sorted.start(grid, records.largest_layer());
   const auto sort = [&](std::size_t k) {
     const bool is_layer = k < grid.layer_count();
-    sorted.sort(grid, k, is_layer ? records.layer(k) : std::span<const kernels::PositionRecord>(),
-                input_.layer_kernels, work);
+    sorted.sort(grid, k, is_layer ? records.layer(k) : LayerElements{}, input_.layer_kernels, work);
   };
   sort(first);
   for (std::size_t k = first; k < last; ++k) {
     sort(k + 1);
     worker.search(sorted.pair(grid, k));
-    context_.progress.advance(records.layer(k).size());
+    context_.progress.advance(records.layer(k).records.size());
   }
 }
 

@@ -27,7 +27,8 @@ SortedLayers<Dim>::SortedLayers(base::MemoryMeter& memory)
       placed_(base::make_array_for_overwrite<kernels::PositionRecord>(memory, 0)),
       positions_(base::make_array_for_overwrite<std::int32_t>(memory, 0)),
       numbers_(tables_),
-      columns_(tables_) {}
+      columns_(tables_),
+      radii_(base::make_array_for_overwrite<float>(memory, 0)) {}
 
 template <int Dim>
 void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_layer) {
@@ -40,23 +41,21 @@ void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_la
   base::make_room(placed_, half_);
   base::make_room(numbers_, lead + 2 * half_);
   base::make_room(columns_, numbers_.size());
+  if (!grid.has_equal_radii()) base::make_room(radii_, numbers_.size());
   base::make_room(positions_, 3 * numbers_.size());
   length_ = positions_.size() / 3;
 }
 
 template <int Dim>
 void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
-                             std::span<const kernels::PositionRecord> records,
-                             const kernels::LayerKernels& kernels, base::WorkCounter& work) {
+                             const LayerElements& elements, const kernels::LayerKernels& kernels,
+                             base::WorkCounter& work) {
   std::uint32_t* const table = this->table(k);
-  count(grid, table, records, work);
+  count(grid, table, elements.records, work);
   const auto begin = static_cast<std::uint32_t>(lead + k % 2 * half_);
   const std::uint32_t end = lay_out(grid, table, begin);
-  kernels::PositionRecord* const placed = placed_.data();
-  work.in_pieces(0, records.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t r = first; r < last; ++r) placed[table[entry_of_[r]]++ - begin] = records[r];
-  });
-  pad(grid, table, placed - begin, end);
+  place(elements, table, begin, work);
+  pad(grid, table, placed_.data() - begin, end);
   const std::size_t size = end - begin + tail;
   const kernels::LayerColumns columns{
       {positions_.data() + begin, positions_.data() + length_ + begin,
@@ -65,7 +64,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
       columns_.data() + begin,
       static_cast<int>(grid.row_axis()),
       grid.column_shift()};
-  kernels.split(placed, size, columns);
+  kernels.split(placed_.data(), size, columns);
   work.did(size + table_size_);
 }
 
@@ -105,30 +104,56 @@ std::uint32_t SortedLayers<Dim>::lay_out(const LayerGrid<Dim>& grid, std::uint32
   return place;
 }
 
+/// Brings the records into the order of their columns, radii at once to where they stay.
+template <int Dim>
+void SortedLayers<Dim>::place(const LayerElements& elements, std::uint32_t* table,
+                              std::uint32_t begin, base::WorkCounter& work) {
+  kernels::PositionRecord* const placed = placed_.data();
+  float* const radii = radii_.data();
+  const auto place_all = [&](const auto& place_radius) {
+    work.in_pieces(0, elements.records.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t r = first; r < last; ++r) {
+        const std::uint32_t place = table[entry_of_[r]]++;
+        placed[place - begin] = elements.records[r];
+        place_radius(place, r);
+      }
+    });
+  };
+  if (elements.radii.empty()) return place_all([](std::uint32_t, std::size_t) {});
+  place_all([&](std::uint32_t place, std::size_t r) { radii[place] = elements.radii[r]; });
+}
+
 template <int Dim>
 void SortedLayers<Dim>::pad(const LayerGrid<Dim>& grid, const std::uint32_t* table,
-                            kernels::PositionRecord* placed, std::uint32_t end) const noexcept {
+                            kernels::PositionRecord* placed, std::uint32_t end) noexcept {
   const kernels::PositionRecord none = no_element(grid.row_axis());
+  const auto put = [&](std::uint32_t place, std::size_t count) {
+    std::fill_n(placed + place, count, none);
+    if (!grid.has_equal_radii()) std::fill_n(radii_.data() + place, count, 0.0f);
+  };
   for (std::size_t row = 1; row <= grid.row_count(); ++row) {
-    const std::uint32_t end_of_row = table[(row + 1) * row_length_ - 1];
-    std::fill_n(placed + end_of_row, kernels::row_padding, none);
+    put(table[(row + 1) * row_length_ - 1], kernels::row_padding);
   }
-  std::fill_n(placed + end, tail, none);
+  put(end, tail);
 }
 
 template <int Dim>
 kernels::LayerPair SortedLayers<Dim>::pair(const LayerGrid<Dim>& grid,
                                            std::size_t k) const noexcept {
-  return {{positions_.data(), positions_.data() + length_, positions_.data() + 2 * length_},
-          numbers_.data(),
-          columns_.data(),
-          table(k),
-          table(k + 1),
-          grid.row_count(),
-          static_cast<std::uint32_t>(row_length_),
-          2 * grid.columns_in_reach() + 1,
-          grid.inner(),
-          grid.outer()};
+  kernels::LayerPair layers{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    layers.position[axis] = positions_.data() + axis * length_;
+  }
+  layers.number = numbers_.data();
+  layers.column = columns_.data();
+  layers.radius = grid.has_equal_radii() ? nullptr : radii_.data();
+  layers.own = table(k);
+  layers.next = table(k + 1);
+  layers.rows = grid.row_count();
+  layers.row_length = static_cast<std::uint32_t>(row_length_);
+  layers.end_of_run = 2 * grid.columns_in_reach() + 1;
+  grid.set_reach(layers);
+  return layers;
 }
 
 template class SortedLayers<2>;

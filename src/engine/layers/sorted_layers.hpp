@@ -3,6 +3,7 @@
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
 #include "engine/layers/layer_grid.hpp"
+#include "engine/layers/layer_records.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 
 #include <array>
@@ -24,9 +25,8 @@ class SortedLayers {
   void start(const LayerGrid<Dim>& grid, std::size_t largest_layer);
 
   /// Sorts the records of layer k, by counting, into its half.
-  void sort(const LayerGrid<Dim>& grid, std::size_t k,
-            std::span<const kernels::PositionRecord> records, const kernels::LayerKernels& kernels,
-            base::WorkCounter& work);
+  void sort(const LayerGrid<Dim>& grid, std::size_t k, const LayerElements& elements,
+            const kernels::LayerKernels& kernels, base::WorkCounter& work);
 
   /// Layer k and the one above it, both of which must have been sorted.
   [[nodiscard]] kernels::LayerPair pair(const LayerGrid<Dim>& grid, std::size_t k) const noexcept;
@@ -36,8 +36,10 @@ class SortedLayers {
              std::span<const kernels::PositionRecord> records, base::WorkCounter& work);
   [[nodiscard]] std::uint32_t lay_out(const LayerGrid<Dim>& grid, std::uint32_t* table,
                                       std::uint32_t begin) const noexcept;
+  void place(const LayerElements& elements, std::uint32_t* table, std::uint32_t begin,
+             base::WorkCounter& work);
   void pad(const LayerGrid<Dim>& grid, const std::uint32_t* table, kernels::PositionRecord* placed,
-           std::uint32_t end) const noexcept;
+           std::uint32_t end) noexcept;
 
   [[nodiscard]] std::uint32_t* table(std::size_t k) noexcept {
     return tables_.data() + k % 2 * table_size_;
@@ -52,6 +54,7 @@ class SortedLayers {
   base::Array<std::int32_t> positions_;  ///< by axis
   base::Array<std::uint32_t> numbers_;
   base::Array<std::uint32_t> columns_;
+  base::Array<float> radii_;
   std::size_t half_ = 0;
   std::size_t length_ = 0;  ///< of a column
   std::size_t table_size_ = 0;

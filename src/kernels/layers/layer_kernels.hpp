@@ -39,6 +39,13 @@ struct PositionMap {
   int layer_shift;
 };
 
+/// Records sorted by layer while they are written.
+struct RecordsByLayer {
+  std::uint64_t* cursors;  ///< next place, by layer
+  PositionRecord* records;
+  float* radii;  ///< in units; null where all are equal
+};
+
 /// Columns that hold sorted records, field by field.
 struct LayerColumns {
   std::int32_t* position[3];
@@ -58,22 +65,26 @@ struct LayerPair {
   const std::int32_t* position[3];
   const std::uint32_t* number;
   const std::uint32_t* column;
+  const float* radius;        ///< in units; null where all are equal
   const std::uint32_t* own;   ///< table of the layer whose elements are tested
   const std::uint32_t* next;  ///< table of the layer above
   std::uint32_t rows;
   std::uint32_t row_length;
   std::uint32_t end_of_run;  ///< 2 K + 1
   float inner;               ///< squared distances below are certainly within reach,
-  float outer;               ///< those above are certainly apart
+  float outer;               ///< those above are certainly apart: of equal spheres,
+  float nearest_margin;      ///< of others the margin less
+  float farthest_margin;     ///< and plus the slack, which a radius each comes to
+  float band;                ///< not less than any difference of the two squares
 };
 
 /// The kernels of layers for one instruction set. All give the same pairs in the same order.
 struct LayerKernels {
-  /// Writes the record of sphere k, whose number is first_number + k, to records[cursors[layer]++].
-  /// Treats spheres from the front and returns how many it treated.
+  /// Writes the record of sphere k, whose number is first_number + k, to the next place of its
+  /// layer. Treats spheres from the front and returns how many it treated.
   std::size_t (*scatter)(const double* spheres, std::size_t count, int dimensions,
-                         const PositionMap& map, std::uint32_t first_number, std::uint64_t* cursors,
-                         PositionRecord* records);
+                         const PositionMap& map, std::uint32_t first_number,
+                         const RecordsByLayer& to);
 
   /// Splits records into columns. Records are readable, and columns writable, up to widest_vector
   /// beyond the last.

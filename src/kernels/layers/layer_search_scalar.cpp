@@ -40,8 +40,23 @@ class ScalarLayerTester {
             static_cast<float>(layers_.position[axis][q] - layers_.position[axis][p]);
         distance_squared += difference * difference;
       }
-      if (distance_squared <= layers_.outer) push(p, q, distance_squared < layers_.inner);
+      const ReachSquares reach = squares_of(p, q);
+      if (distance_squared <= reach.outer) push(p, q, distance_squared < reach.inner);
     }
+  }
+
+  /// Squares of the reach less and plus the slack.
+  struct ReachSquares {
+    float inner;
+    float outer;
+  };
+
+  [[nodiscard]] ReachSquares squares_of(std::uint32_t p, std::uint32_t q) const {
+    if (layers_.radius == nullptr) return {layers_.inner, layers_.outer};
+    const float other = layers_.radius[q];
+    const float nearest = std::max((layers_.radius[p] + layers_.nearest_margin) + other, 0.0f);
+    const float farthest = (layers_.radius[p] + layers_.farthest_margin) + other;
+    return {nearest * nearest, farthest * farthest};
   }
 
   void push(std::uint32_t p, std::uint32_t q, bool is_sure) {
@@ -64,7 +79,7 @@ class ScalarLayerTester {
 };
 
 std::size_t scatter(const double*, std::size_t, int, const PositionMap&, std::uint32_t,
-                    std::uint64_t*, PositionRecord*) {
+                    const RecordsByLayer&) {
   return 0;
 }
 

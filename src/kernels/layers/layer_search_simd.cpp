@@ -63,11 +63,13 @@ HWY_INLINE Numbers compress(Numbers values, Bits set) {
 
 #include "kernels/layers/simd_joined_runs-inl.hpp"
 
+#include "kernels/layers/simd_layer_reach-inl.hpp"
+
 #include "kernels/layers/simd_layer_tester-inl.hpp"
 
 #if HWY_TARGET == HWY_SCALAR
 std::size_t scatter(const double*, std::size_t, int, const PositionMap&, std::uint32_t,
-                    std::uint64_t*, PositionRecord*) {
+                    const RecordsByLayer&) {
   return 0;
 }
 #else
@@ -119,8 +121,7 @@ class PositionLanes {
 
 template <int Dim>
 std::size_t scatter_in(const double* spheres, std::size_t count, const PositionMap& map,
-                       std::uint32_t first_number, std::uint64_t* cursors,
-                       PositionRecord* records) {
+                       std::uint32_t first_number, const RecordsByLayer& to) {
   const PositionLanes<4 / hn::MaxLanes(DoubleTag())> positions(map, Dim);
   // In 2D the last one has no next.
   const std::size_t end = Dim == 2 && count > 0 ? count - 1 : count;
@@ -133,19 +134,22 @@ std::size_t scatter_in(const double* spheres, std::size_t count, const PositionM
   for (std::size_t k = 0; k < end; ++k) {
     const auto position =
         static_cast<std::int32_t>((along_layers[k * (Dim + 1)] - lower) * map.units_of_one);
-    std::uint64_t& place = cursors[static_cast<std::uint32_t>(position) >> map.layer_shift];
-    hn::StoreU(hn::Or(positions.of(spheres + k * (Dim + 1)), number), words,
-               records[place++].position);
+    const std::uint64_t place =
+        to.cursors[static_cast<std::uint32_t>(position) >> map.layer_shift]++;
+    const double* const sphere = spheres + k * (Dim + 1);
+    hn::StoreU(hn::Or(positions.of(sphere), number), words, to.records[place].position);
+    if (to.radii != nullptr) {
+      to.radii[place] = static_cast<float>(sphere[Dim] * map.units_of_one);
+    }
     number = hn::Add(number, one);
   }
   return end;
 }
 
 std::size_t scatter(const double* spheres, std::size_t count, int dimensions,
-                    const PositionMap& map, std::uint32_t first_number, std::uint64_t* cursors,
-                    PositionRecord* records) {
-  return dimensions == 2 ? scatter_in<2>(spheres, count, map, first_number, cursors, records)
-                         : scatter_in<3>(spheres, count, map, first_number, cursors, records);
+                    const PositionMap& map, std::uint32_t first_number, const RecordsByLayer& to) {
+  return dimensions == 2 ? scatter_in<2>(spheres, count, map, first_number, to)
+                         : scatter_in<3>(spheres, count, map, first_number, to);
 }
 #endif
 
@@ -165,11 +169,20 @@ void split(const PositionRecord* records, std::size_t count, const LayerColumns&
   }
 }
 
+template <int Dim>
+void search_in(const LayerPair& layers, SearchJob& job) {
+  if (layers.radius == nullptr) {
+    SimdLayerTester<Dim, CommonReach>(layers, job).search();
+  } else {
+    SimdLayerTester<Dim, SummedReach>(layers, job).search();
+  }
+}
+
 void search_layers(const LayerPair& layers, SearchJob& job, int dimensions) {
   if (dimensions == 2) {
-    SimdLayerTester<2>(layers, job).search();
+    search_in<2>(layers, job);
   } else {
-    SimdLayerTester<3>(layers, job).search();
+    search_in<3>(layers, job);
   }
 }
 

@@ -1,15 +1,14 @@
 // The elements of a layer and their candidates in vectors, included like
 // simd_joined_runs-inl.hpp.
 
-template <int Dim>
+template <int Dim, class Reach>
 class SimdLayerTester {
  public:
   HWY_INLINE SimdLayerTester(const LayerPair& layers, SearchJob& job)
       : layers_(layers),
         job_(job),
         hits_(*job.hits),
-        inner_(hn::Set(floats, layers.inner)),
-        band_(hn::BitCast(numbers, hn::Sub(hn::Set(floats, layers.outer), inner_))) {}
+        band_(hn::BitCast(numbers, hn::Set(floats, layers.band))) {}
 
   HWY_INLINE void search() {
     for (std::uint32_t row = 1; row <= layers_.rows; ++row) {
@@ -74,7 +73,7 @@ class SimdLayerTester {
   HWY_INLINE Bits filter(const RunsOfRow<Dim>& ahead, std::uint32_t p, std::uint32_t* number,
                          std::uint64_t& tests) const {
     const std::uint32_t column = layers_.column[p];
-    LayerProbe probe(layers_, p, inner_);
+    LayerProbe probe(layers_, p);
     const JoinedRuns first(ahead.template run<0>(p, column), ahead.template run<1>(p, column));
     Bits hits = probe.test(first, number);
     std::uint32_t size = first.size();
@@ -96,8 +95,8 @@ class SimdLayerTester {
   /// One element in all lanes.
   class LayerProbe {
    public:
-    HWY_INLINE LayerProbe(const LayerPair& layers, std::uint32_t p, Floats inner)
-        : layers_(layers), inner_(inner), nearest_(hn::Set(numbers, ~std::uint32_t{0})) {
+    HWY_INLINE LayerProbe(const LayerPair& layers, std::uint32_t p)
+        : layers_(layers), reach_(layers, p), nearest_(hn::Set(numbers, ~std::uint32_t{0})) {
       for (int axis = 0; axis < Dim; ++axis) {
         position_[axis] = hn::Set(integers, layers.position[axis][p]);
       }
@@ -108,14 +107,7 @@ class SimdLayerTester {
     HWY_INLINE Bits test(const Runs& runs, std::uint32_t* number) {
       Bits hits = 0;
       for (std::size_t k = 0; k < candidates; k += lanes) {
-        Floats beyond = hn::Zero(floats);
-        for (int axis = 0; axis < Dim; ++axis) {
-          const Floats difference = hn::ConvertTo(
-              floats, hn::Sub(runs.load(integers, layers_.position[axis], k), position_[axis]));
-          const Floats square = hn::Mul(difference, difference);
-          beyond = axis == 0 ? square : hn::Add(beyond, square);
-        }
-        beyond = hn::Sub(beyond, inner_);
+        const Floats beyond = hn::Sub(distance_squared(runs, k), reach_.inner(runs, k));
         hits |= bits_of(hn::Lt(beyond, hn::Zero(floats))) << k;
         // As whole numbers without a sign, negative floats are the largest.
         nearest_ = hn::Min(nearest_, hn::BitCast(numbers, beyond));
@@ -129,9 +121,23 @@ class SimdLayerTester {
       return hn::AllFalse(numbers, hn::Eq(hn::Min(nearest_, band), nearest_));
     }
 
+    template <class Runs>
+    [[nodiscard]] HWY_INLINE Floats distance_squared(const Runs& runs, std::size_t k) const {
+      Floats sum = hn::Zero(floats);
+      for (int axis = 0; axis < Dim; ++axis) {
+        const Floats difference = hn::ConvertTo(
+            floats, hn::Sub(runs.load(integers, layers_.position[axis], k), position_[axis]));
+        const Floats square = hn::Mul(difference, difference);
+        sum = axis == 0 ? square : hn::Add(sum, square);
+      }
+      return sum;
+    }
+
+    [[nodiscard]] HWY_INLINE const Reach& reach() const { return reach_; }
+
    private:
     const LayerPair& layers_;
-    Floats inner_;
+    Reach reach_;
     Numbers nearest_;
     Integers position_[Dim];
   };
@@ -165,21 +171,19 @@ class SimdLayerTester {
 
   HWY_INLINE void test_with_care(std::uint32_t p, const Run& run) {
     candidate_tests_ += run.end - run.begin;
-    const Floats outer = hn::Set(floats, layers_.outer);
-    for (std::uint32_t q = run.begin; q < run.end; q += lanes) {
+    const LayerProbe probe(layers_, p);
+    const SingleRun candidate(run);
+    for (std::uint32_t k = 0; k < candidate.size(); k += lanes) {
       if (HWY_UNLIKELY(hits_.found + lanes > HitBuffer::size)) take();
-      Floats distance_squared = hn::Zero(floats);
-      for (int axis = 0; axis < Dim; ++axis) {
-        const Floats difference =
-            hn::ConvertTo(floats, hn::Sub(hn::LoadU(integers, layers_.position[axis] + q),
-                                          hn::Set(integers, layers_.position[axis][p])));
-        distance_squared = hn::Add(distance_squared, hn::Mul(difference, difference));
-      }
-      const Bits within = run.end - q < lanes ? (1u << (run.end - q)) - 1 : all_lanes;
-      const Bits hits = bits_of(hn::Le(distance_squared, outer)) & within;
-      note_undecided(hits, hits & ~bits_of(hn::Lt(distance_squared, inner_)));
+      const Floats distance_squared = probe.distance_squared(candidate, k);
+      const std::uint32_t left = candidate.size() - k;
+      const Bits within = left < lanes ? (1u << left) - 1 : all_lanes;
+      const Bits hits =
+          bits_of(hn::Le(distance_squared, probe.reach().outer(candidate, k))) & within;
+      const Bits sure = bits_of(hn::Lt(distance_squared, probe.reach().inner(candidate, k)));
+      note_undecided(hits, hits & ~sure);
       hn::StoreU(hn::Set(numbers, layers_.number[p]), numbers, hits_.element + hits_.found);
-      hn::StoreU(compress(hn::LoadU(numbers, layers_.number + q), hits), numbers,
+      hn::StoreU(compress(candidate.load(numbers, layers_.number, k), hits), numbers,
                  hits_.partner + hits_.found);
       hits_.found += static_cast<std::size_t>(std::popcount(hits));
     }
@@ -206,7 +210,6 @@ class SimdLayerTester {
   const LayerPair& layers_;
   SearchJob& job_;
   HitBuffer& hits_;
-  Floats inner_;
   Numbers band_;
   std::uint64_t candidate_tests_ = 0;
 };

@@ -19,6 +19,9 @@ class ExactDecider {
   /// The verdicts on all undecided pairs.
   virtual void decide(kernels::HitBuffer& hits, std::uint64_t& exact_decisions) const = 0;
 
+  /// The spheres that decide, packed, if vectors decide on them.
+  [[nodiscard]] virtual const double* spheres() const noexcept { return nullptr; }
+
  protected:
   ExactDecider() = default;
   ~ExactDecider() = default;
@@ -68,6 +71,10 @@ class OpenDecider final : public ExactDecider {
     decide_each(hits, treated, exact_decisions, [this](std::uint32_t element) {
       __builtin_prefetch(&originals_.spheres[element]);
     });
+  }
+
+  [[nodiscard]] const double* spheres() const noexcept override {
+    return originals_.are_boxes() ? nullptr : originals_.spheres.data()->center;
   }
 
  private:

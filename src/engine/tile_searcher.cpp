@@ -33,6 +33,8 @@ void TileSearcher<Dim>::start(const SearchInput<Dim>& input) {
   origin_.unit = 0;
   hits_.found = 0;
   hits_.undecided_count = 0;
+  hits_.copies = nullptr;
+  job_.has_many_undecided = false;
   job_.candidate_tests = 0;
   pairs_ = {};
   filled_ = 0;

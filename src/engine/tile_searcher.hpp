@@ -63,6 +63,9 @@ class TileSearcher {
   /// Finds the pairs of a layer with itself and the next one.
   void search(const kernels::LayerPair& layers);
 
+  /// Tells whether most elements of the layer searched last had an undecided pair, as on lattices.
+  [[nodiscard]] bool has_many_undecided() const noexcept { return job_.has_many_undecided; }
+
   /// Finds the pairs of the tile's own elements with the coarse elements.
   void test_coarse(const TileFrame<Dim>& frame, std::span<const std::uint32_t> coarse_elements);
 

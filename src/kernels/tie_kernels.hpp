@@ -11,7 +11,7 @@ namespace abut::kernels {
 
 /// Elements of hits are fetched so many pairs ahead of their decision: enough to hide the way to
 /// memory.
-inline constexpr std::size_t hits_fetched_ahead = 8;
+inline constexpr std::size_t hits_fetched_ahead = 32;
 
 /// Decisions about spheres in vectors of pairs.
 struct TieKernels {

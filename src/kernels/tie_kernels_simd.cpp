@@ -140,16 +140,14 @@ HWY_INLINE void write(const Decision& decision, Verdict* verdict) {
   }
 }
 
-template <int Dim>
-std::size_t decide_in(const double* spheres, double margin, HitBuffer& hits,
-                      std::uint64_t& exact_decisions) {
-  const auto at = [&](const std::uint32_t* side, std::size_t k) {
-    return spheres + std::size_t{side[hits.undecided[k]]} * (Dim + 1);
-  };
+/// Decides pairs whose spheres `element(k)` and `partner(k)` point to.
+template <int Dim, class Element, class Partner>
+std::size_t decide_pairs(const Element& element, const Partner& partner, double margin,
+                         HitBuffer& hits, std::uint64_t& exact_decisions) {
   const auto fetch = [&](std::size_t k) {
     if (k >= hits.undecided_count) return;
-    __builtin_prefetch(at(hits.element, k));
-    __builtin_prefetch(at(hits.partner, k));
+    __builtin_prefetch(element(k));
+    __builtin_prefetch(partner(k));
   };
   for (std::size_t k = 0; k < hits_fetched_ahead; ++k) fetch(k);
   std::size_t k = 0;
@@ -158,8 +156,8 @@ std::size_t decide_in(const double* spheres, double margin, HitBuffer& hits,
     const double* partners[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       fetch(k + hits_fetched_ahead + lane);
-      elements[lane] = at(hits.element, k + lane);
-      partners[lane] = at(hits.partner, k + lane);
+      elements[lane] = element(k + lane);
+      partners[lane] = partner(k + lane);
     }
     const Spheres<Dim> a = load<Dim>(elements);
     const Spheres<Dim> b = load<Dim>(partners);
@@ -172,6 +170,24 @@ std::size_t decide_in(const double* spheres, double margin, HitBuffer& hits,
     write(decision, hits.verdict + k);
   }
   return k;
+}
+
+template <int Dim>
+std::size_t decide_in(const double* spheres, double margin, HitBuffer& hits,
+                      std::uint64_t& exact_decisions) {
+  const auto sphere = [](const double* of, std::uint32_t place) {
+    return of + std::size_t{place} * (Dim + 1);
+  };
+  if (hits.copies != nullptr) {
+    return decide_pairs<Dim>(
+        [&](std::size_t k) { return sphere(hits.copies, hits.element_place[k]); },
+        [&](std::size_t k) { return sphere(hits.copies, hits.partner_place[k]); }, margin, hits,
+        exact_decisions);
+  }
+  return decide_pairs<Dim>(
+      [&](std::size_t k) { return sphere(spheres, hits.element[hits.undecided[k]]); },
+      [&](std::size_t k) { return sphere(spheres, hits.partner[hits.undecided[k]]); }, margin, hits,
+      exact_decisions);
 }
 
 std::size_t decide(const double* spheres, int dimensions, double margin, HitBuffer& hits,

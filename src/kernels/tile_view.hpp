@@ -80,6 +80,12 @@ struct HitBuffer {
   Verdict verdict[size];  ///< of each undecided pair, once it is decided
   std::size_t found = 0;
   std::size_t undecided_count = 0;
+
+  /// Copies of the spheres in the order of a search, and where in it the elements of each undecided
+  /// pair stand; null where the originals are to be read, by number.
+  const double* copies = nullptr;
+  std::uint32_t element_place[size + widest_vector];
+  std::uint32_t partner_place[size + widest_vector];
 };
 
 /// Bounds the error of a distance that is computed in single precision, relative to the largest
@@ -94,6 +100,7 @@ struct SearchJob {
   float* block[6];              ///< scratch for candidates: centers by axis, sizes
   std::uint32_t* block_number;  ///< each with room for the rows that a row meets + widest_vector
   std::uint64_t candidate_tests;
+  bool has_many_undecided;  ///< most elements of the layer that was searched last
   void* owner;
   /// Empties the hits, and tells how many tests were made. It may throw, to stop the search.
   void (*take)(SearchJob& job);

@@ -66,9 +66,12 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
   const LayerRecords<Dim>& records = workspace_.layer_records;
   SortedLayers<Dim>& sorted = worker.scratch().layers;
   sorted.start(grid, records.largest_layer());
+  const double* const spheres = input_.decider.spheres();
   const auto sort = [&](std::size_t k) {
     const bool is_layer = k < grid.layer_count();
-    sorted.sort(grid, k, is_layer ? records.layer(k) : LayerElements{}, input_.layer_kernels, work);
+    // Where most pairs are decided by the spheres themselves, these are sorted along.
+    sorted.sort(grid, k, is_layer ? records.layer(k) : LayerElements{},
+                worker.has_many_undecided() ? spheres : nullptr, input_.layer_kernels, work);
   };
   sort(first);
   for (std::size_t k = first; k < last; ++k) {

@@ -28,10 +28,12 @@ SortedLayers<Dim>::SortedLayers(base::MemoryMeter& memory)
       positions_(base::make_array_for_overwrite<std::int32_t>(memory, 0)),
       numbers_(tables_),
       columns_(tables_),
-      radii_(base::make_array_for_overwrite<float>(memory, 0)) {}
+      radii_(base::make_array_for_overwrite<float>(memory, 0)),
+      copies_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)) {}
 
 template <int Dim>
 void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_layer) {
+  has_copies_ = {};
   const std::size_t rows = grid.row_count();
   half_ = largest_layer + rows * kernels::row_padding + tail + kernels::widest_vector;
   row_length_ = grid.column_count() + 2 * grid.columns_in_reach() + 2;
@@ -48,8 +50,8 @@ void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_la
 
 template <int Dim>
 void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
-                             const LayerElements& elements, const kernels::LayerKernels& kernels,
-                             base::WorkCounter& work) {
+                             const LayerElements& elements, const double* spheres,
+                             const kernels::LayerKernels& kernels, base::WorkCounter& work) {
   std::uint32_t* const table = this->table(k);
   count(grid, table, elements.records, work);
   const auto begin = static_cast<std::uint32_t>(lead + k % 2 * half_);
@@ -65,6 +67,8 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
       static_cast<int>(grid.row_axis()),
       grid.column_shift()};
   kernels.split(placed_.data(), size, columns);
+  has_copies_[k % 2] = spheres != nullptr;
+  if (spheres != nullptr) copy(spheres, begin, size, work);
   work.did(size + table_size_);
 }
 
@@ -123,6 +127,21 @@ void SortedLayers<Dim>::place(const LayerElements& elements, std::uint32_t* tabl
   place_all([&](std::uint32_t place, std::size_t r) { radii[place] = elements.radii[r]; });
 }
 
+/// Copies spheres to the places of their records, padding those of anyone.
+template <int Dim>
+void SortedLayers<Dim>::copy(const double* spheres, std::uint32_t begin, std::size_t size,
+                             base::WorkCounter& work) {
+  constexpr std::size_t fetched_ahead = 16;
+  base::make_room(copies_, lead + 2 * half_);
+  const auto* const packed = reinterpret_cast<const exact::Sphere<Dim>*>(spheres);
+  work.in_pieces(0, size, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      if (k + fetched_ahead < size) __builtin_prefetch(packed + placed_[k + fetched_ahead].number);
+      copies_[begin + k] = packed[placed_[k].number];
+    }
+  });
+}
+
 template <int Dim>
 void SortedLayers<Dim>::pad(const LayerGrid<Dim>& grid, const std::uint32_t* table,
                             kernels::PositionRecord* placed, std::uint32_t end) noexcept {
@@ -147,6 +166,7 @@ kernels::LayerPair SortedLayers<Dim>::pair(const LayerGrid<Dim>& grid,
   layers.number = numbers_.data();
   layers.column = columns_.data();
   layers.radius = grid.has_equal_radii() ? nullptr : radii_.data();
+  layers.copies = has_copies_[0] && has_copies_[1] ? copies_.data()->center : nullptr;
   layers.own = table(k);
   layers.next = table(k + 1);
   layers.rows = grid.row_count();

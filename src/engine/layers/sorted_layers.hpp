@@ -24,9 +24,10 @@ class SortedLayers {
   /// Makes room for layers of at most so many elements.
   void start(const LayerGrid<Dim>& grid, std::size_t largest_layer);
 
-  /// Sorts the records of layer k, by counting, into its half.
+  /// Sorts the records of layer k, by counting, into its half, with copies of their spheres unless
+  /// `spheres`, packed, is null.
   void sort(const LayerGrid<Dim>& grid, std::size_t k, const LayerElements& elements,
-            const kernels::LayerKernels& kernels, base::WorkCounter& work);
+            const double* spheres, const kernels::LayerKernels& kernels, base::WorkCounter& work);
 
   /// Layer k and the one above it, both of which must have been sorted.
   [[nodiscard]] kernels::LayerPair pair(const LayerGrid<Dim>& grid, std::size_t k) const noexcept;
@@ -38,6 +39,7 @@ class SortedLayers {
                                       std::uint32_t begin) const noexcept;
   void place(const LayerElements& elements, std::uint32_t* table, std::uint32_t begin,
              base::WorkCounter& work);
+  void copy(const double* spheres, std::uint32_t begin, std::size_t size, base::WorkCounter& work);
   void pad(const LayerGrid<Dim>& grid, const std::uint32_t* table, kernels::PositionRecord* placed,
            std::uint32_t end) noexcept;
 
@@ -55,6 +57,8 @@ class SortedLayers {
   base::Array<std::uint32_t> numbers_;
   base::Array<std::uint32_t> columns_;
   base::Array<float> radii_;
+  base::Array<exact::Sphere<Dim>> copies_;
+  std::array<bool, 2> has_copies_{};
   std::size_t half_ = 0;
   std::size_t length_ = 0;  ///< of a column
   std::size_t table_size_ = 0;

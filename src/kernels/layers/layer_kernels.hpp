@@ -66,6 +66,7 @@ struct LayerPair {
   const std::uint32_t* number;
   const std::uint32_t* column;
   const float* radius;        ///< in units; null where all are equal
+  const double* copies;       ///< of the spheres, place by place; null where there are none
   const std::uint32_t* own;   ///< table of the layer whose elements are tested
   const std::uint32_t* next;  ///< table of the layer above
   std::uint32_t rows;

@@ -59,6 +59,11 @@ HWY_INLINE Numbers compress(Numbers values, Bits set) {
   return hn::TableLookupLanes(values, hn::IndicesFromVec(numbers, order));
 }
 
+/// first, first + 1, ... (Highway 1.0.3 makes a variable Iota in memory.)
+HWY_INLINE Numbers numbers_from(std::uint32_t first) {
+  return hn::Add(hn::Iota(numbers, 0), hn::Set(numbers, first));
+}
+
 #include "kernels/layers/runs_of_row-inl.hpp"
 
 #include "kernels/layers/simd_joined_runs-inl.hpp"

@@ -23,13 +23,23 @@ class JoinedRuns {
   template <class Tag, class Number>
   [[nodiscard]] HWY_INLINE hn::Vec<Tag> load(Tag tag, const Number* column,
                                              std::size_t lane) const {
-    const auto from_first =
-        hn::Lt(hn::Iota(integers, static_cast<std::int32_t>(lane)), hn::Set(integers, first_));
+    const auto from_first = lanes_of_first(static_cast<std::int32_t>(lane));
     return hn::IfThenElse(hn::RebindMask(tag, from_first), hn::LoadU(tag, column + begin_ + lane),
                           hn::LoadU(tag, column + std::size_t{shifted_} + lane));
   }
 
+  /// The places from which `load` takes.
+  [[nodiscard]] HWY_INLINE Numbers places(std::uint32_t lane) const {
+    const auto from_first = lanes_of_first(static_cast<std::int32_t>(lane));
+    return hn::IfThenElse(hn::RebindMask(numbers, from_first), numbers_from(begin_ + lane),
+                          numbers_from(shifted_ + lane));
+  }
+
  private:
+  [[nodiscard]] HWY_INLINE hn::Mask<IntegerTag> lanes_of_first(std::int32_t lane) const {
+    return hn::Lt(hn::Iota(integers, 0), hn::Set(integers, first_ - lane));
+  }
+
   std::uint32_t begin_;
   std::uint32_t shifted_;
   std::int32_t first_;
@@ -47,6 +57,10 @@ class SingleRun {
   [[nodiscard]] HWY_INLINE hn::Vec<Tag> load(Tag tag, const Number* column,
                                              std::size_t lane) const {
     return hn::LoadU(tag, column + begin_ + lane);
+  }
+
+  [[nodiscard]] HWY_INLINE Numbers places(std::uint32_t lane) const {
+    return numbers_from(begin_ + lane);
   }
 
  private:

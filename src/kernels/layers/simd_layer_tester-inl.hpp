@@ -11,6 +11,9 @@ class SimdLayerTester {
         band_(hn::BitCast(numbers, hn::Set(floats, layers.band))) {}
 
   HWY_INLINE void search() {
+    // Places are those of these layers: undecided pairs of others, or for others, are taken.
+    if (layers_.copies != nullptr && hits_.undecided_count > 0) take();
+    hits_.copies = layers_.copies;
     for (std::uint32_t row = 1; row <= layers_.rows; ++row) {
       const RunsOfRow<Dim> ahead(layers_, row);
       const Run elements = ahead.elements();
@@ -19,7 +22,10 @@ class SimdLayerTester {
         take_now_and_then();
       }
     }
+    if (layers_.copies != nullptr && hits_.undecided_count > 0) take();
+    hits_.copies = nullptr;
     job_.candidate_tests += std::exchange(candidate_tests_, 0);
+    job_.has_many_undecided = expects_care_;
   }
 
  private:
@@ -42,8 +48,10 @@ class SimdLayerTester {
   /// short enough for the processor to have several elements under way. Neither branches on what
   /// is common.
   HWY_INLINE void test_batch(const RunsOfRow<Dim>& ahead, const Run& elements) {
+    if (HWY_UNLIKELY(expects_care_)) return test_batch_with_care(ahead, elements);
     Batch batch;
     std::uint64_t tests = 0;
+    std::uint32_t number_with_care = 0;
     for (std::uint32_t k = 0; k < elements.end - elements.begin; ++k) {
       batch.hits[k] = filter(ahead, elements.begin + k, batch.number[k], tests);
     }
@@ -57,6 +65,7 @@ class SimdLayerTester {
         test_with_care(ahead, elements.begin + k);
         take_now_and_then();
         found = hits_.found;
+        ++number_with_care;
         continue;
       }
       if (HWY_UNLIKELY(found + most_hits > HitBuffer::size)) {
@@ -67,6 +76,7 @@ class SimdLayerTester {
       found += write(elements.begin + k, hits, batch.number[k], found);
     }
     hits_.found = found;
+    expects_care_ = is_most(number_with_care, elements);
   }
 
   /// Returns the hits, or some number from `with_care` on; adds the tests that need no care.
@@ -161,41 +171,77 @@ class SimdLayerTester {
     return count;
   }
 
+  /// The elements of a batch most of which have an undecided pair, as on a lattice.
+  HWY_NOINLINE void test_batch_with_care(const RunsOfRow<Dim>& ahead, const Run& elements) {
+    std::uint32_t number_with_care = 0;
+    for (std::uint32_t p = elements.begin; p < elements.end; ++p) {
+      const std::size_t undecided_before = hits_.undecided_count;
+      test_with_care(ahead, p);
+      number_with_care += hits_.undecided_count != undecided_before ? 1 : 0;
+      take_now_and_then();
+    }
+    expects_care_ = is_most(number_with_care, elements);
+  }
+
+  [[nodiscard]] static HWY_INLINE bool is_most(std::uint32_t count, const Run& elements) {
+    return 2 * count > elements.end - elements.begin;
+  }
+
   /// An element with runs of any length, and notes of what the filter cannot decide.
   HWY_NOINLINE void test_with_care(const RunsOfRow<Dim>& ahead, std::uint32_t p) {
     const std::uint32_t column = layers_.column[p];
-    for (std::size_t k = 0; k < RunsOfRow<Dim>::size; ++k) {
-      test_with_care(p, ahead.run(k, p, column));
+    const LayerProbe probe(layers_, p);
+    test_two_runs(probe, p, ahead.template run<0>(p, column), ahead.template run<1>(p, column));
+    if constexpr (Dim == 3) {
+      test_two_runs(probe, p, ahead.template run<2>(p, column), ahead.template run<3>(p, column));
+      test_lanes(probe, p, SingleRun(ahead.template run<4>(p, column)));
     }
   }
 
-  HWY_INLINE void test_with_care(std::uint32_t p, const Run& run) {
-    candidate_tests_ += run.end - run.begin;
-    const LayerProbe probe(layers_, p);
-    const SingleRun candidate(run);
-    for (std::uint32_t k = 0; k < candidate.size(); k += lanes) {
+  HWY_INLINE void test_two_runs(const LayerProbe& probe, std::uint32_t p, const Run& first,
+                                const Run& second) {
+    const JoinedRuns joined(first, second);
+    if (HWY_LIKELY(joined.size() <= candidates)) return test_lanes(probe, p, joined);
+    test_lanes(probe, p, SingleRun(first));
+    test_lanes(probe, p, SingleRun(second));
+  }
+
+  template <class Runs>
+  HWY_INLINE void test_lanes(const LayerProbe& probe, std::uint32_t p, const Runs& runs) {
+    candidate_tests_ += runs.size();
+    for (std::uint32_t k = 0; k < runs.size(); k += lanes) {
       if (HWY_UNLIKELY(hits_.found + lanes > HitBuffer::size)) take();
-      const Floats distance_squared = probe.distance_squared(candidate, k);
-      const std::uint32_t left = candidate.size() - k;
+      const Floats distance_squared = probe.distance_squared(runs, k);
+      const std::uint32_t left = runs.size() - k;
       const Bits within = left < lanes ? (1u << left) - 1 : all_lanes;
-      const Bits hits =
-          bits_of(hn::Le(distance_squared, probe.reach().outer(candidate, k))) & within;
-      const Bits sure = bits_of(hn::Lt(distance_squared, probe.reach().inner(candidate, k)));
-      note_undecided(hits, hits & ~sure);
+      const auto is_hit = hn::Le(distance_squared, probe.reach().outer(runs, k));
+      const auto is_sure = hn::Lt(distance_squared, probe.reach().inner(runs, k));
+      const Bits hits = bits_of(is_hit) & within;
+      note_undecided(hits, hn::VecFromMask(numbers, hn::RebindMask(numbers, hn::Not(is_sure))), p,
+                     runs.places(k));
       hn::StoreU(hn::Set(numbers, layers_.number[p]), numbers, hits_.element + hits_.found);
-      hn::StoreU(compress(candidate.load(numbers, layers_.number, k), hits), numbers,
+      hn::StoreU(compress(runs.load(numbers, layers_.number, k), hits), numbers,
                  hits_.partner + hits_.found);
       hits_.found += static_cast<std::size_t>(std::popcount(hits));
     }
   }
 
-  /// The undecided ones among the hits that are about to be written.
-  HWY_INLINE void note_undecided(Bits hits, Bits undecided) {
-    for (; undecided != 0; undecided &= undecided - 1) {
-      const Bits below = (undecided & (0u - undecided)) - 1;
-      const std::size_t place = hits_.found + static_cast<std::size_t>(std::popcount(hits & below));
-      hits_.undecided[hits_.undecided_count++] = static_cast<std::uint32_t>(place);
+  /// Notes the places of the undecided ones among the hits that are about to be written. Without a
+  /// branch: the excess is overwritten.
+  HWY_INLINE void note_undecided(Bits hits, Numbers is_undecided, std::uint32_t p,
+                                 Numbers partners) {
+    const Bits written = (1u << std::popcount(hits)) - 1;
+    const auto in_order = hn::Ne(compress(is_undecided, hits), hn::Zero(numbers));
+    const Bits undecided = bits_of(hn::RebindMask(floats, in_order)) & written;
+    const std::size_t count = hits_.undecided_count;
+    const Numbers place = numbers_from(static_cast<std::uint32_t>(hits_.found));
+    hn::StoreU(compress(place, undecided), numbers, hits_.undecided + count);
+    if (layers_.copies != nullptr) {
+      hn::StoreU(hn::Set(numbers, p), numbers, hits_.element_place + count);
+      hn::StoreU(compress(compress(partners, hits), undecided), numbers,
+                 hits_.partner_place + count);
     }
+    hits_.undecided_count += static_cast<std::size_t>(std::popcount(undecided));
   }
 
   HWY_INLINE void take_now_and_then() {
@@ -212,4 +258,5 @@ class SimdLayerTester {
   HitBuffer& hits_;
   Numbers band_;
   std::uint64_t candidate_tests_ = 0;
+  bool expects_care_ = false;
 };

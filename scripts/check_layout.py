@@ -28,7 +28,7 @@ ROOMS_BELOW = {
     "engine": "base exact/numbers exact kernels grid",
     "periodic": "base exact kernels grid lattice engine",
     "elements": "base exact kernels grid lattice",
-    "lists": "base exact",
+    "lists": "base exact kernels",
     "geometry": "base exact kernels",
     "skin": "base exact kernels grid lattice elements lists",
     "algorithms": "base exact grid reference engine periodic",

@@ -6,6 +6,7 @@
 #include "base/stopwatch.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/lattice_of.hpp"
+#include "kernels/order_kernels.hpp"
 #include "kernels/simd_level.hpp"
 #include "lists/ordered_rows.hpp"
 #include "lists/result_buffer.hpp"
@@ -128,6 +129,7 @@ void DetectionRun::order_pairs(const DetectionRequest& request, const PairArrays
   if (!found_.must_be_sorted()) {
     return order_.join(pieces, target, workers, work, found_.in_buffer());
   }
+  order_.use(kernels::order_kernels(kernels::level_to_run(request.options.simd)));
   order_.sort(pieces, request.elements.size(), target, workers, work);
 }
 
@@ -168,6 +170,7 @@ void DetectionRun::write_rows(const DetectionRequest& request, NeighborListKind 
   if (kind == NeighborListKind::half && found_.come_in_canonical_order()) {
     lists::list_ordered_rows(found_.pieces(), rows, writing.workers, work);
   } else {
+    csr_builder_.use(kernels::order_kernels(kernels::level_to_run(request.options.simd)));
     csr_builder_.list(found_.pieces(), kind, rows, writing.workers, work);
   }
   writing.statistics.order_seconds = stopwatch.lap();

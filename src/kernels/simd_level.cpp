@@ -7,6 +7,7 @@
 #include "kernels/image_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 #include "kernels/measure_kernels.hpp"
+#include "kernels/order_kernels.hpp"
 #include "kernels/tie_kernels.hpp"
 #include "kernels/tile_search.hpp"
 #include "kernels/wall_kernels.hpp"
@@ -134,6 +135,14 @@ TileKernels tile_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return scalar_tile_kernels();
+}
+
+OrderKernels order_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_order_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {};
 }
 
 LayerKernels layer_kernels(Simd level) {

@@ -3,6 +3,7 @@
 #include "base/asking_sort.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -81,12 +82,16 @@ Partners partners_of(std::span<const Entry> entries, std::size_t first_element, 
   return all;
 }
 
-/// True if some digit has a crowd of pairs; `ends` says where the pairs of each digit end.
-bool has_crowd(std::span<const std::uint32_t> ends) {
+/// Most pairs of one digit; `ends` says where the pairs of each digit end.
+std::uint32_t most_of_digit(std::span<const std::uint32_t> ends) {
   std::uint32_t begin = 0;
   std::uint32_t most = 0;
   for (const std::uint32_t end : ends) most = std::max(most, end - std::exchange(begin, end));
-  return most > crowd;
+  return most;
+}
+
+bool has_crowd(std::span<const std::uint32_t> ends) {
+  return most_of_digit(ends) > crowd;
 }
 
 /// True if so many entries are out of order that the branches of insertion could not be predicted.
@@ -158,19 +163,40 @@ std::span<const std::uint32_t> BucketSort<Entry>::scatter(std::span<const Entry>
   return places;
 }
 
+/// Sorts the rows of `moved_` into `entries` in vectors, unless one of them is too long.
+template <PairEntry Entry>
+bool BucketSort<Entry>::sort_rows(std::span<Entry> entries, std::span<const std::uint32_t> ends,
+                                  std::size_t first_element, const kernels::OrderKernels& kernels,
+                                  base::WorkCounter& work) const {
+  if constexpr (std::same_as<Entry, ContactPair>) {
+    if (most_of_digit(ends) > kernels::longest_sorted_row) return false;
+    kernels.sort_rows(
+        {moved_.data(), entries.size(), static_cast<ElementIndex>(first_element), ends.data()},
+        entries.data());
+    work.did(entries.size());
+    return true;
+  }
+  return false;
+}
+
 template <PairEntry Entry>
 void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element, std::size_t width,
-                             base::WorkCounter& work) {
+                             const kernels::OrderKernels& kernels, base::WorkCounter& work) {
   if (entries.size() > std::numeric_limits<std::uint32_t>::max()) {
     return base::sort_asking(entries.begin(), entries.end(), work);
   }
   if (entries.empty()) return;
-  base::make_room(moved_, entries.size());
+  base::make_room(moved_, entries.size() + kernels::longest_sorted_row);
   const std::span<Entry> moved = std::span(moved_).first(entries.size());
   const auto first = static_cast<ElementIndex>(first_element);
   // If most elements have no pair, several share a digit: an empty digit costs as much as a pair.
   const ByFirst by_first(first, static_cast<ElementIndex>(first_element + width - 1),
                          2 * entries.size());
+  if (std::same_as<Entry, ContactPair> && by_first.count() == width &&
+      kernels.sort_rows != nullptr) {
+    const auto ends = scatter(entries, by_first, moved, work);
+    if (sort_rows(entries, ends, first_element, kernels, work)) return;
+  }
   const Partners partners = partners_of<Entry>(entries, first_element, width, work);
   // A few pairs need no pass over second elements; pairs of elements that are numbered nearby may
   // have been found nearly in order.

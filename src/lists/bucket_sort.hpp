@@ -2,6 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
+#include "kernels/order_kernels.hpp"
 #include "lists/pair_entry.hpp"
 
 #include <cstddef>
@@ -10,8 +11,8 @@
 
 namespace abut::lists {
 
-/// Sorts pairs whose first elements lie in a narrow range: by counting, then by insertion, which
-/// has next to nothing left to do. It keeps its arrays.
+/// Sorts pairs whose first elements lie in a narrow range: by counting, then row by row in vectors,
+/// or by insertion, which has next to nothing left to do. It keeps its arrays.
 template <PairEntry Entry>
 class BucketSort {
  public:
@@ -21,9 +22,13 @@ class BucketSort {
 
   /// First elements are first_element .. first_element + width - 1. Equal entries may come.
   void sort(std::span<Entry> entries, std::size_t first_element, std::size_t width,
-            base::WorkCounter& work);
+            const kernels::OrderKernels& kernels, base::WorkCounter& work);
 
  private:
+  bool sort_rows(std::span<Entry> entries, std::span<const std::uint32_t> ends,
+                 std::size_t first_element, const kernels::OrderKernels& kernels,
+                 base::WorkCounter& work) const;
+
   template <class Digit>
   std::span<const std::uint32_t> scatter(std::span<const Entry> from, Digit digit,
                                          std::span<Entry> target, base::WorkCounter& work);

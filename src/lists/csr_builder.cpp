@@ -100,7 +100,7 @@ void CsrBuilder::finish_range(const ElementRanges& ranges, std::size_t range, co
       entries[k] = entry_of<Entry>({row, rows.neighbors[begin + k]}, rows.shifts, begin + k);
     }
   });
-  scratch.sort.sort(entries, first_row, ranges.width(), work);
+  scratch.sort.sort(entries, first_row, ranges.width(), kernels_, work);
   std::fill(begins.begin(), begins.end(), PairCount{0});
   work.did(begins.size());
   work.in_pieces(0, entries.size(), [&](std::size_t from, std::size_t to) {

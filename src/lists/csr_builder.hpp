@@ -2,6 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
+#include "kernels/order_kernels.hpp"
 #include "lists/element_ranges.hpp"
 #include "lists/found_pairs.hpp"
 #include "lists/sort_scratch.hpp"
@@ -32,6 +33,9 @@ class CsrBuilder {
         row_in_range_(base::make_array_for_overwrite<std::uint16_t>(memory, 0)),
         scratch_(memory) {}
 
+  /// Takes other kernels than plain C++.
+  void use(const kernels::OrderKernels& kernels) noexcept { kernels_ = kernels; }
+
   /// Equal pairs may come.
   void list(const FoundPieces& pieces, NeighborListKind kind, const RowArrays& rows,
             std::size_t workers, base::WorkCounter& work);
@@ -47,6 +51,7 @@ class CsrBuilder {
   RangePlaces places_;
   base::Array<std::uint16_t> row_in_range_;  ///< of each entry, until its range is sorted
   WorkersSortScratch scratch_;
+  kernels::OrderKernels kernels_;
 };
 
 }  // namespace abut::lists

@@ -43,17 +43,19 @@ void scatter(const FoundPiece& piece, std::size_t begin, std::size_t end, Elemen
 }
 
 void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t width,
-               SortScratch<ContactPair>& scratch, base::WorkCounter& work) {
-  scratch.sort.sort(part.pairs, first_element, width, work);
+               SortScratch<ContactPair>& scratch, const kernels::OrderKernels& kernels,
+               base::WorkCounter& work) {
+  scratch.sort.sort(part.pairs, first_element, width, kernels, work);
 }
 
 void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t width,
-               SortScratch<ImagePair>& scratch, base::WorkCounter& work) {
+               SortScratch<ImagePair>& scratch, const kernels::OrderKernels& kernels,
+               base::WorkCounter& work) {
   const std::span entries = scratch.entries_for(part.pairs.size());
   work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) entries[k] = {part.pairs[k], part.shifts[k]};
   });
-  scratch.sort.sort(entries, first_element, width, work);
+  scratch.sort.sort(entries, first_element, width, kernels, work);
   work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       part.pairs[k] = entries[k].pair;
@@ -120,7 +122,7 @@ void PairOrder::sort_entries(const FoundPieces& pieces, const ElementRanges& ran
   const auto sort_range = [&](std::size_t worker, std::size_t b, base::WorkCounter& its_work) {
     its_work.did(1);
     sort_part(target.part(places_.begin(b), places_.size(b)), ranges.first_of(b), ranges.width(),
-              scratches[worker], its_work);
+              scratches[worker], kernels_, its_work);
   };
   base::for_each_index(workers, ranges.count(), work, sort_range);
 }

@@ -2,6 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
+#include "kernels/order_kernels.hpp"
 #include "lists/element_ranges.hpp"
 #include "lists/found_pairs.hpp"
 #include "lists/sort_scratch.hpp"
@@ -19,6 +20,9 @@ class PairOrder {
       : places_(memory),
         begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
         scratch_(memory) {}
+
+  /// Takes other kernels than plain C++.
+  void use(const kernels::OrderKernels& kernels) noexcept { kernels_ = kernels; }
 
   /// Writes the pairs one after the other; `target` has room for all. The first pieces, `in_place`
   /// pairs in all, stand there already.
@@ -41,6 +45,7 @@ class PairOrder {
   RangePlaces places_;
   base::Array<std::uint64_t> begin_;  ///< of each piece
   WorkersSortScratch scratch_;
+  kernels::OrderKernels kernels_;
 };
 
 }  // namespace abut::lists

@@ -1,6 +1,7 @@
 // From pairs as several workers found them to lists: FoundPairs, join, canonical order, rows of
 // neighbors.
 
+#include "kernels/order_kernels.hpp"
 #include "lists/csr_builder.hpp"
 #include "lists/found_pairs.hpp"
 #include "lists/order_pairs.hpp"
@@ -9,6 +10,7 @@
 #include "support/oracle.hpp"
 
 #include <abut/error.hpp>
+#include <abut/simd.hpp>
 
 #include <gtest/gtest.h>
 
@@ -254,10 +256,16 @@ TEST(OrderPairs, FewOrManyPairsOfNearOrFarPartners) {
       PairVector expected = pairs;
       std::sort(expected.begin(), expected.end());
       const std::span<const ContactPair> piece(pairs);
-      base::MemoryMeter memory;
-      PairVector ordered(pairs.size());
-      lists::PairOrder(memory).sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
-      EXPECT_EQ(ordered, expected) << pairs.size() << " pairs, partners up to " << furthest;
+      for (const Simd level : simd_levels()) {
+        if (!available(level)) continue;
+        base::MemoryMeter memory;
+        PairVector ordered(pairs.size());
+        lists::PairOrder order(memory);
+        order.use(kernels::order_kernels(level));
+        order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
+        EXPECT_EQ(ordered, expected)
+            << pairs.size() << " pairs, partners up to " << furthest << ", " << name_of(level);
+      }
     }
   }
 }

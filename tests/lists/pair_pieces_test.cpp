@@ -247,6 +247,36 @@ PairVector scattered_pairs(Random& random, ElementIndex count, std::size_t pairs
   return result;
 }
 
+/// Rows as short as those of contacts, with equal pairs, which vectors sort; and one row that is as
+/// long as they take, or longer by one.
+TEST(OrderPairs, ShortRowsOnEveryLevel) {
+  constexpr ElementIndex count = 20000;
+  Random random(9);
+  for (const std::size_t longest : {16U, 17U}) {
+    PairVector pairs;
+    for (ElementIndex first = 0; first < count; ++first) {
+      const std::size_t partners = first == 5000 ? longest : random.below(8);
+      for (std::size_t k = 0; k < partners; ++k) {
+        const auto partner = static_cast<ElementIndex>(random.below(first % 3 == 0 ? 4 : count));
+        pairs.push_back({first, partner});
+      }
+    }
+    std::shuffle(pairs.begin(), pairs.end(), random);
+    PairVector expected = pairs;
+    std::sort(expected.begin(), expected.end());
+    const std::span<const ContactPair> piece(pairs);
+    for (const Simd level : simd_levels()) {
+      if (!available(level)) continue;
+      base::MemoryMeter memory;
+      PairVector ordered(pairs.size());
+      lists::PairOrder order(memory);
+      order.use(kernels::order_kernels(level));
+      order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
+      EXPECT_EQ(ordered, expected) << name_of(level);
+    }
+  }
+}
+
 TEST(OrderPairs, FewOrManyPairsOfNearOrFarPartners) {
   constexpr ElementIndex count = 200000;
   Random random(8);
@@ -256,16 +286,10 @@ TEST(OrderPairs, FewOrManyPairsOfNearOrFarPartners) {
       PairVector expected = pairs;
       std::sort(expected.begin(), expected.end());
       const std::span<const ContactPair> piece(pairs);
-      for (const Simd level : simd_levels()) {
-        if (!available(level)) continue;
-        base::MemoryMeter memory;
-        PairVector ordered(pairs.size());
-        lists::PairOrder order(memory);
-        order.use(kernels::order_kernels(level));
-        order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
-        EXPECT_EQ(ordered, expected)
-            << pairs.size() << " pairs, partners up to " << furthest << ", " << name_of(level);
-      }
+      base::MemoryMeter memory;
+      PairVector ordered(pairs.size());
+      lists::PairOrder(memory).sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
+      EXPECT_EQ(ordered, expected) << pairs.size() << " pairs, partners up to " << furthest;
     }
   }
 }

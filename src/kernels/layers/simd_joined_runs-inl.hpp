@@ -9,12 +9,14 @@
 ///   first    a   b   c   .   .   .   .   .      first = 3
 ///   second   .   .   .   p   q   r   s   t
 ///
-/// What follows the second run is a reach or more away along the row, or padding.
+/// What follows the second run is a reach or more away along the row, or padding. Where the first
+/// run alone is longer than a vector, the second one is loaded to no end, from a vector before its
+/// begin: not from further ahead, which may be before the arrays.
 class JoinedRuns {
  public:
   HWY_INLINE JoinedRuns(const Run& first, const Run& second)
       : begin_(first.begin),
-        shifted_(second.begin - (first.end - first.begin)),
+        shifted_(second.begin - std::min(first.end - first.begin, candidates)),
         first_(static_cast<std::int32_t>(first.end - first.begin)),
         size_(first.end - first.begin + (second.end - second.begin)) {}
 

@@ -1,0 +1,76 @@
+// Runs of more elements than a vector holds, next to runs of fewer, and more hits of one element
+// than a buffer holds.
+
+#include "engine/layers/layer_run.hpp"
+#include "engine/layers/layer_scenes.hpp"
+#include "kernels/tile_view.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace abut::testing {
+namespace {
+
+template <class Dimension>
+class LayerCrowdsOf : public ::testing::Test {
+ protected:
+  static constexpr int its_dim = Dimension::value;
+  Random random_{static_cast<std::uint64_t>(51 + its_dim)};
+};
+
+TYPED_TEST_SUITE(LayerCrowdsOf, Dimensions);
+
+/// Two runs that are joined have about eight elements: less, just as many, or more.
+TYPED_TEST(LayerCrowdsOf, RunsThatJustFillAVectorOrDoNot) {
+  constexpr int dim = TypeParam::value;
+  for (const std::size_t largest : {4U, 8U, 12U, 24U}) {
+    SCOPED_TRACE("clumps of " + std::to_string(largest));
+    const auto extent = box_for<dim>(2000, 5.0);
+    expect_right_in_layers<dim>(clumps<dim>(this->random_, 2000, largest, extent, 0.0));
+    expect_right_in_layers<dim>(clumps<dim>(this->random_, 2000, largest, extent, 0.4));
+  }
+}
+
+TYPED_TEST(LayerCrowdsOf, AllInOnePlace) {
+  constexpr int dim = TypeParam::value;
+  for (const std::size_t count : {8U, 9U, 10U, 17U, 300U}) {
+    SCOPED_TRACE(std::to_string(count) + " elements");
+    expect_right_in_layers<dim>(Spheres<dim>(count, sphere_at<dim>({3.0, 4.0, 5.0})));
+  }
+}
+
+TYPED_TEST(LayerCrowdsOf, MoreHitsOfAnElementThanABufferHolds) {
+  constexpr int dim = TypeParam::value;
+  Spheres<dim> spheres(kernels::HitBuffer::size + 70, sphere_at<dim>({3.0, 3.0, 3.0}));
+  append<dim>(spheres, uniform_spheres<dim>(this->random_, 300, {8.0, 8.0, 8.0}));
+  expect_right_in_layers<dim>(spheres);
+}
+
+/// The same where each pair touches exactly: the buffer is full of undecided ones.
+TYPED_TEST(LayerCrowdsOf, MoreUndecidedPairsThanABufferHolds) {
+  constexpr int dim = TypeParam::value;
+  Spheres<dim> spheres(kernels::HitBuffer::size / 2 + 100, sphere_at<dim>({3.0, 3.0, 3.0}));
+  append<dim>(spheres,
+              Spheres<dim>(kernels::HitBuffer::size / 2 + 100, sphere_at<dim>({4.0, 3.0, 3.0})));
+  append<dim>(spheres, uniform_spheres<dim>(this->random_, 300, {8.0, 8.0, 8.0}));
+  expect_right_in_layers<dim>(spheres);
+}
+
+/// A long run at the begin of a row: the other run that it is joined with, in the next strip,
+/// begins where fewer elements stand before it. In 2D there are three strips.
+TYPED_TEST(LayerCrowdsOf, LongRunsAtTheBeginOfEachRow) {
+  constexpr int dim = TypeParam::value;
+  const double width = dim == 2 ? 160.0 : 12.0;
+  Spheres<dim> spheres =
+      uniform_spheres<dim>(this->random_, 6000, {width, width + 1.0, width + 2.0});
+  for (std::size_t k = 0; k < 6000; ++k) {
+    auto sphere = uniform_spheres<dim>(this->random_, 1, {width, width + 1.0, width + 2.0})[0];
+    sphere.center[dim - 2] = 0.01;
+    spheres.push_back(sphere);
+  }
+  expect_right_in_layers<dim>(spheres);
+}
+
+}  // namespace
+}  // namespace abut::testing

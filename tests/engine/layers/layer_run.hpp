@@ -1,0 +1,134 @@
+#pragma once
+
+#include "base/detection_context.hpp"
+#include "engine/random_spheres.hpp"
+#include "engine/rows.hpp"
+#include "support/rows_variants.hpp"
+#include "support/same_pairs.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace abut::testing {
+
+/// Whatever the layers are worth.
+inline constexpr engine::LayerLimits always_in_layers{
+    .least_elements = 0,
+    .least_elements_of_layer = 0.0,
+    .most_joined = std::numeric_limits<double>::infinity()};
+
+/// Keeps all pairs in their `as_found` order.
+class KeptPairs final : public base::PairSink {
+ public:
+  void expect_workers(std::size_t count) override { buffers_.resize(count); }
+
+  [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) override {
+    buffers_[worker].resize(smallest_buffer);
+    return buffers_[worker];
+  }
+
+  void commit(std::size_t count, const base::Origin& origin) override {
+    const std::lock_guard lock(mutex_);
+    const auto first = buffers_[origin.worker].begin();
+    PairVector& of_unit = by_unit_[origin.unit];
+    of_unit.insert(of_unit.end(), first, first + static_cast<std::ptrdiff_t>(count));
+  }
+
+  [[nodiscard]] PairVector pairs() const {
+    PairVector all;
+    for (const auto& [unit, pairs] : by_unit_) all.insert(all.end(), pairs.begin(), pairs.end());
+    return all;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<PairVector> buffers_;
+  std::map<std::uint64_t, PairVector> by_unit_;
+};
+
+struct LayerRun {
+  PairVector pairs;  ///< as found
+  bool in_layers = false;
+  std::uint64_t candidate_tests = 0;
+  std::uint64_t exact_decisions = 0;
+};
+
+template <int Dim>
+LayerRun run_rows(const Spheres<Dim>& spheres, const engine::RowsSettings& settings) {
+  base::DetectionContext context;
+  engine::Workspace<Dim> workspace(context.memory);
+  KeptPairs sink;
+  engine::rows<Dim>({spheres, {}}, bounds_of<Dim>(spheres), settings, workspace, sink, context);
+  // What was never sorted has no largest layer.
+  return {sink.pairs(), workspace.layer_records.largest_layer() > 0, context.candidate_tests,
+          context.exact_decisions};
+}
+
+/// The contact pairs in canonical order: spheres that overlap along the longest axis, decided
+/// exactly on their numbers, as direct_check decides all.
+template <int Dim>
+PairVector directly_checked(const Spheres<Dim>& spheres, double margin) {
+  const grid::Bounds<Dim> bounds = bounds_of<Dim>(spheres);
+  std::size_t longest = 0;
+  for (std::size_t axis = 1; axis < Dim; ++axis) {
+    if (bounds.upper[axis] - bounds.lower[axis] > bounds.upper[longest] - bounds.lower[longest]) {
+      longest = axis;
+    }
+  }
+  const auto along = [&](std::uint32_t k) { return spheres[k].center[longest]; };
+  std::vector<std::uint32_t> order(spheres.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return along(a) < along(b); });
+  const double generous = 1.0001 * (2.0 * bounds.largest_radius + margin);
+  std::uint64_t exact_decisions = 0;
+  PairVector pairs;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (std::size_t n = k + 1; n < order.size(); ++n) {
+      if (along(order[n]) - along(order[k]) > generous) break;
+      if (!exact::within_reach(spheres[order[k]], spheres[order[n]], margin, exact_decisions)) {
+        continue;
+      }
+      pairs.push_back({std::min(order[k], order[n]), std::max(order[k], order[n])});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// The way that a scene must have taken: without this a test of layers could pass in tiles.
+enum class Way { layers, tiles };
+
+/// From every level and number of workers the pairs of `directly_checked`, in the same order as
+/// found after as many tests.
+template <int Dim>
+void expect_right_in_layers(const Spheres<Dim>& spheres, double margin = 0.0,
+                            Way way = Way::layers) {
+  engine::RowsSettings settings{margin, 1, Simd::scalar, always_in_layers};
+  const LayerRun first = run_rows<Dim>(spheres, settings);
+  EXPECT_EQ(first.in_layers, way == Way::layers);
+  EXPECT_TRUE(same_pairs(directly_checked<Dim>(spheres, margin), first.pairs));
+  for (const Simd level : simd_levels_here()) {
+    for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
+      SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
+      settings.simd = level;
+      settings.workers = workers;
+      const LayerRun other = run_rows<Dim>(spheres, settings);
+      EXPECT_TRUE(std::ranges::equal(first.pairs, other.pairs));
+      EXPECT_EQ(first.candidate_tests, other.candidate_tests);
+      EXPECT_EQ(first.exact_decisions, other.exact_decisions);
+    }
+  }
+}
+
+}  // namespace abut::testing

@@ -1,0 +1,140 @@
+// Random systems, lattices, lines, planes and clusters, searched in layers however little that
+// pays: the pairs of a direct check, the same bytes from every level and number of workers.
+
+#include "engine/layers/layer_run.hpp"
+#include "engine/layers/layer_scenes.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace abut::testing {
+namespace {
+
+template <class Dimension>
+class LayerSearchOf : public ::testing::Test {
+ protected:
+  static constexpr int its_dim = Dimension::value;
+  Random random_{static_cast<std::uint64_t>(41 + its_dim)};
+
+  /// From few neighbors to more than two joined runs hold in a vector.
+  void check_densities(std::size_t count) {
+    for (const double neighbors : {0.02, 1.0, 6.0, 20.0, 60.0}) {
+      SCOPED_TRACE(std::to_string(count) + " elements, neighbors " + std::to_string(neighbors));
+      expect_right_in_layers<its_dim>(
+          uniform_spheres<its_dim>(random_, count, box_for<its_dim>(count, neighbors)));
+    }
+  }
+};
+
+TYPED_TEST_SUITE(LayerSearchOf, Dimensions);
+
+TYPED_TEST(LayerSearchOf, FewElements) {
+  for (const std::size_t count : {1U, 2U, 3U, 4U, 7U, 63U, 64U, 65U, 129U, 300U}) {
+    this->check_densities(count);
+  }
+}
+
+TYPED_TEST(LayerSearchOf, ManyElements) {
+  // Several strips in 2D.
+  this->check_densities(TypeParam::value == 2 ? 18000 : 2500);
+}
+
+/// The layer axis and the row axis on each of the axes.
+TYPED_TEST(LayerSearchOf, BoxesOfAllShapes) {
+  constexpr int dim = TypeParam::value;
+  for (const auto& ratios : {std::array{1.0, 3.0, 9.0},
+                             {1.0, 9.0, 3.0},
+                             {3.0, 1.0, 9.0},
+                             {9.0, 1.0, 3.0},
+                             {3.0, 9.0, 1.0},
+                             {9.0, 3.0, 1.0},
+                             {1.0, 30.0, 30.0},
+                             {30.0, 1.0, 30.0},
+                             {30.0, 30.0, 1.0}}) {
+    SCOPED_TRACE(std::to_string(ratios[0]) + " : " + std::to_string(ratios[1]));
+    expect_right_in_layers<dim>(
+        uniform_spheres<dim>(this->random_, 2000, box_for<dim>(2000, 6.0, ratios)));
+  }
+}
+
+TYPED_TEST(LayerSearchOf, TouchingLattices) {
+  constexpr int dim = TypeParam::value;
+  const std::size_t side = dim == 2 ? 60 : 14;
+  for (const auto& lattice : {cubic_lattice<dim>(side), closest_lattice<dim>(side)}) {
+    expect_right_in_layers<dim>(lattice);
+    expect_right_in_layers<dim>(shuffled<dim>(lattice, this->random_));
+    expect_right_in_layers<dim>(lattice, 1e-9);
+  }
+}
+
+TYPED_TEST(LayerSearchOf, Margins) {
+  constexpr int dim = TypeParam::value;
+  for (const double margin : {1e-12, 0.05, 0.5, 2.0}) {
+    SCOPED_TRACE("margin " + std::to_string(margin));
+    expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, 1500, box_for<dim>(1500, 2.0)),
+                                margin);
+    // Points, which the margin alone brings within reach.
+    expect_right_in_layers<dim>(
+        uniform_spheres<dim>(this->random_, 1500, box_for<dim>(1500, 2.0), 0.0), margin);
+  }
+}
+
+TYPED_TEST(LayerSearchOf, PointsMeetWherePointsCoincide) {
+  constexpr int dim = TypeParam::value;
+  Spheres<dim> points = uniform_spheres<dim>(this->random_, 700, {9.0, 9.0, 9.0}, 0.0);
+  append<dim>(points, points);
+  expect_right_in_layers<dim>(shuffled<dim>(points, this->random_));
+}
+
+TYPED_TEST(LayerSearchOf, LinesAlongEachAxis) {
+  constexpr int dim = TypeParam::value;
+  for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
+    SCOPED_TRACE("axis " + std::to_string(axis));
+    std::array<double, 3> extent{};
+    extent[axis] = 900.0;
+    expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, 1000, extent));
+    // More cells along the axis than positions have bits for.
+    extent[axis] = 4000.0;
+    expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, 6000, extent), 0.0, Way::tiles);
+  }
+}
+
+TYPED_TEST(LayerSearchOf, PlanesAcrossEachAxis) {
+  constexpr int dim = TypeParam::value;
+  for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
+    SCOPED_TRACE("axis " + std::to_string(axis));
+    std::array<double, 3> extent{30.0, 31.0, 32.0};
+    extent[axis] = 0.0;
+    expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, 1500, extent));
+    // Two planes: what lies between them are empty layers, rows or columns.
+    Spheres<dim> both = uniform_spheres<dim>(this->random_, 700, extent);
+    Spheres<dim> other = uniform_spheres<dim>(this->random_, 700, extent);
+    for (auto& sphere : other) sphere.center[axis] = 40.0;
+    append<dim>(both, other);
+    expect_right_in_layers<dim>(both);
+  }
+}
+
+/// Elements near all faces of a box that is empty within.
+TYPED_TEST(LayerSearchOf, FirstAndLastLayersRowsAndColumns) {
+  constexpr int dim = TypeParam::value;
+  Spheres<dim> spheres = uniform_spheres<dim>(this->random_, 2000, {13.0, 12.0, 11.0});
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    double& x = spheres[k].center[k % dim];
+    x = std::array{13.0, 12.0, 11.0}[k % dim] * (x < 6.0 ? 0.01 : 0.99) + 0.1 * (x - 6.0) / 6.0;
+  }
+  expect_right_in_layers<dim>(spheres);
+}
+
+TYPED_TEST(LayerSearchOf, Clusters) {
+  constexpr int dim = TypeParam::value;
+  for (const double spread : {0.0, 0.3, 2.0}) {
+    SCOPED_TRACE("spread " + std::to_string(spread));
+    expect_right_in_layers<dim>(clumps<dim>(this->random_, 1500, 150, {60.0, 60.0, 60.0}, spread));
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

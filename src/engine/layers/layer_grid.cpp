@@ -17,6 +17,9 @@ constexpr double wide_cell = 1.5;
 
 /// Elements of a strip in 2D, which is sorted within the nearest caches.
 constexpr double elements_of_strip = 4096.0;
+/// A strip has 2^11 rows at most: as many as an axis may have cells. Positions are shifted by less
+/// than their 32 bits.
+constexpr int most_strip_bits = 11;
 
 /// Cells of the size that the reach needs, for each element, up to which they are not widened: that
 /// many empty ones cost less than elements that share cells.
@@ -133,7 +136,7 @@ template <int Dim>
 void LayerGrid<Dim>::join_rows(std::size_t elements) {
   const double in_row = static_cast<double>(elements) / static_cast<double>(rows_);
   int bits = 0;
-  while (in_row * std::ldexp(1.0, bits + 1) <= elements_of_strip) ++bits;
+  while (bits < most_strip_bits && in_row * std::ldexp(1.0, bits + 1) <= elements_of_strip) ++bits;
   layers_ = ((rows_ - 1) >> bits) + 1;
   row_mask_ = (std::uint32_t{1} << bits) - 1;
   map_.layer_shift += bits;

@@ -96,6 +96,15 @@ Scene make_dense(std::size_t count, std::uint64_t seed) {
   return scene;
 }
 
+/// The centres of `dense`, in the same order.
+Scene make_dense_spread(std::size_t count, std::uint64_t seed) {
+  constexpr double spread = 0.05;
+  Scene scene = make_dense(count, seed);
+  Random random(seed + 2);  // the lattice and its numbering take the two before
+  for (double& own : scene.radius) own = radius * random.uniform(1.0 - spread, 1.0 + spread);
+  return scene;
+}
+
 Scene make_ordered(std::size_t count, std::uint64_t seed) {
   const Scene scene = make_dense(count, seed);
   // Positive, so that the conversion is a floor.

@@ -35,6 +35,7 @@ void shuffle(Scene& scene, std::uint64_t seed);
 
 [[nodiscard]] Scene make_hexagonal_2d(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_dense(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_dense_spread(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_ordered(std::size_t count, std::uint64_t seed);
 
 [[nodiscard]] Scene make_gas_2d(std::size_t count, std::uint64_t seed);
@@ -42,6 +43,8 @@ void shuffle(Scene& scene, std::uint64_t seed);
 [[nodiscard]] Scene make_sparse(std::size_t count, std::uint64_t seed);
 
 [[nodiscard]] Scene make_clusters(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_clusters_100(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_clusters_30(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_two_far_clusters(std::size_t count, std::uint64_t seed);
 
 [[nodiscard]] Scene make_bidisperse(std::size_t count, std::uint64_t seed);
@@ -53,6 +56,8 @@ void shuffle(Scene& scene, std::uint64_t seed);
 
 [[nodiscard]] Scene make_touching_cubic(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_touching_fcc(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_touching_cubic_shuffled(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_touching_fcc_shuffled(std::size_t count, std::uint64_t seed);
 
 [[nodiscard]] Scene make_coincident(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_line(std::size_t count, std::uint64_t seed);

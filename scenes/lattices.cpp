@@ -37,4 +37,16 @@ Scene make_touching_fcc(std::size_t count, std::uint64_t) {
   return scene;
 }
 
+Scene make_touching_cubic_shuffled(std::size_t count, std::uint64_t seed) {
+  Scene scene = make_touching_cubic(count, seed);
+  shuffle(scene, seed);
+  return scene;
+}
+
+Scene make_touching_fcc_shuffled(std::size_t count, std::uint64_t seed) {
+  Scene scene = make_touching_fcc(count, seed);
+  shuffle(scene, seed);
+  return scene;
+}
+
 }  // namespace abut::scenes

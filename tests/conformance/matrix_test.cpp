@@ -24,11 +24,18 @@ namespace {
 constexpr std::array<std::uint64_t, 2> seeds{1, 20040101};
 
 /// Scenes whose grid has far more cells than elements: heads for all of them may be refused.
-constexpr std::array<std::string_view, 3> wide_scenes{"sparse", "clusters", "two_far_clusters"};
+constexpr std::array<std::string_view, 5> wide_scenes{"sparse", "clusters", "clusters_100",
+                                                      "clusters_30", "two_far_clusters"};
 
 /// Scenes made to be undecidable in floating point.
-constexpr std::array<std::string_view, 6> borderline_scenes{
-    "pack_1", "pack_4", "at_reach_2d", "at_reach", "touching_cubic", "touching_fcc"};
+constexpr std::array<std::string_view, 8> borderline_scenes{"pack_1",
+                                                            "pack_4",
+                                                            "at_reach_2d",
+                                                            "at_reach",
+                                                            "touching_cubic",
+                                                            "touching_fcc",
+                                                            "touching_cubic_shuffled",
+                                                            "touching_fcc_shuffled"};
 
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& names, std::string_view name) {

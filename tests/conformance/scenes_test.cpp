@@ -10,14 +10,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace abut::testing {
 namespace {
@@ -88,10 +92,13 @@ const std::map<std::string_view, std::uint64_t> recorded_hashes{
     {"near_faces_2d", 0xddcaa0839bef9380},
     {"near_faces_float32_2d", 0x25437d06ed314c38},
     {"dense", 0x512d30a9af1b927e},
+    {"dense_spread", 0x49fb957e4a4b9421},
     {"ordered", 0xcd301569b933a8ea},
     {"gas", 0x76a550d165f01d7b},
     {"sparse", 0x4f5ddc94c7dcddae},
     {"clusters", 0x776f64f443aaf49d},
+    {"clusters_100", 0x776f64f443aaf49d},  // `clusters` makes ten clusters, too
+    {"clusters_30", 0x6c2947b6d5e89bfa},
     {"bidisperse", 0x8057bc54b96782cb},
     {"log_uniform", 0x5459de47cbe6e866},
     {"log_uniform_1000", 0x6f284b5f5f31e6e8},
@@ -100,6 +107,8 @@ const std::map<std::string_view, std::uint64_t> recorded_hashes{
     {"one_giant", 0x84075c2ce4d34cf3},
     {"touching_cubic", 0x52fbc66a5c68402d},
     {"touching_fcc", 0x5340f18de0df6925},
+    {"touching_cubic_shuffled", 0x9ad56a4efa718e3d},
+    {"touching_fcc_shuffled", 0x2aab690c3d947671},
     {"line", 0x0452318e6c4be2f3},
     {"coincident", 0xc462431233de0f9e},
     {"two_far_clusters", 0x2a6ebb9477153342},
@@ -126,6 +135,70 @@ TEST(Scenes, NamesAreUniqueAndUnknownOnesListed) {
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << name;
     }
   }
+}
+
+Scene made(std::string_view name, std::size_t count) {
+  return scenes::scene_named(name).make(count, 42);
+}
+
+using Sphere = std::array<double, 4>;
+
+std::vector<Sphere> spheres_of(const Scene& scene) {
+  std::vector<Sphere> spheres(scene.size());
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    spheres[k] = {scene.x[k], scene.y[k], scene.z[k], scene.radius[k]};
+  }
+  return spheres;
+}
+
+TEST(ShuffledLattices, HaveTheSameSpheresInAnyOrder) {
+  for (const std::string name : {"touching_cubic", "touching_fcc"}) {
+    const auto lattice = spheres_of(made(name, 1000));
+    const auto shuffled = spheres_of(made(name + "_shuffled", 1000));
+    EXPECT_TRUE(std::ranges::is_permutation(lattice, shuffled)) << name;
+    std::size_t in_place = 0;
+    for (std::size_t k = 0; k < lattice.size(); ++k) in_place += lattice[k] == shuffled[k] ? 1U : 0;
+    EXPECT_LT(in_place, 20U) << name;
+    EXPECT_NE(shuffled, spheres_of(scenes::scene_named(name + "_shuffled").make(1000, 43)));
+  }
+}
+
+/// Element k belongs to the cluster of number k modulo that of clusters.
+TEST(Clusters, AreAsLargeAsTheirNamesSay) {
+  struct Expected {
+    std::string_view name;
+    std::size_t size;
+    double pairs_each;
+  };
+  for (const auto& [name, size, pairs_each] :
+       {Expected{"clusters", 1000, 2.9}, Expected{"clusters_100", 100, 2.6},
+        Expected{"clusters_30", 30, 2.2}}) {
+    const std::size_t clusters = 12;
+    const Scene scene = made(name, clusters * size);
+    const PairVector pairs = oracle_pairs(scene);
+    const double of_each = static_cast<double>(pairs.size()) / static_cast<double>(scene.size());
+    EXPECT_NEAR(of_each, pairs_each, 0.2) << name;
+    for (const ContactPair& pair : pairs)
+      EXPECT_EQ(pair.first % clusters, pair.second % clusters) << name;
+    for (std::size_t k = 0; k < scene.size(); ++k) {
+      EXPECT_LT(std::abs(scene.x[k] - scene.x[k % clusters]), 200.0) << name;
+    }
+  }
+}
+
+TEST(DenseSpread, IsDenseWithRadiiWithinFivePercent) {
+  const Scene dense = made("dense", 1000);
+  const Scene spread = made("dense_spread", 1000);
+  EXPECT_EQ(spread.x, dense.x);
+  EXPECT_EQ(spread.y, dense.y);
+  EXPECT_EQ(spread.z, dense.z);
+  const auto [least, most] = std::ranges::minmax(spread.radius);
+  EXPECT_GE(least, 0.95);
+  EXPECT_LT(least, 0.952);
+  EXPECT_GT(most, 1.048);
+  EXPECT_LE(most, 1.05);
+  const double sum = std::accumulate(spread.radius.begin(), spread.radius.end(), 0.0);
+  EXPECT_NEAR(sum / 1000.0, 1.0, 0.003);
 }
 
 /// Contact pairs of the packs as computed for the book's problems: R (K - 1), none, none and

@@ -10,11 +10,26 @@ namespace abut::benchmarks {
 
 /// Scenes, sizes and contestants to measure; the defaults are those of benchmarks/matrix/run.
 struct Plan {
-  std::vector<std::string> scenes{"dense",        "ordered",     "gas",          "sparse",
-                                  "clusters",     "bidisperse",  "log_uniform",  "log_uniform_1000",
-                                  "graded",       "graded_1000", "hexagonal_2d", "touching_cubic",
-                                  "touching_fcc", "one_giant"};
-  std::vector<double> counts{1e4, 1e5, 1e6, 1e7};
+  std::vector<std::string> scenes{"dense",
+                                  "dense_spread",
+                                  "ordered",
+                                  "gas",
+                                  "sparse",
+                                  "clusters",
+                                  "clusters_100",
+                                  "clusters_30",
+                                  "bidisperse",
+                                  "log_uniform",
+                                  "log_uniform_1000",
+                                  "graded",
+                                  "graded_1000",
+                                  "hexagonal_2d",
+                                  "touching_cubic",
+                                  "touching_fcc",
+                                  "touching_cubic_shuffled",
+                                  "touching_fcc_shuffled",
+                                  "one_giant"};
+  std::vector<double> counts{1e3, 1e4, 1e5, 1e6, 1e7};
   std::vector<std::string> contestants;  ///< empty: all
   std::vector<int> threads{1, 2};
   Effort effort;

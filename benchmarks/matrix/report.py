@@ -73,7 +73,7 @@ def summary(matrix):
         package_ns, package = matrix.best(scene, count, matrix.packages)
         other, through_grid = elsewhere(matrix, scene)
         rows.append([label(matrix, scene), plain(ours), choice(own),
-                     plain(aims.AIMS.get(scene), 0), plain(grid), times(ratio(grid, ours)),
+                     plain(aims.ns(scene, count), 0), plain(grid), times(ratio(grid, ours)),
                      f"{plain(package_ns, 0)} {short(package) if package else ''}".strip(),
                      times(ratio(package_ns, ours)), other, times(through_grid)])
     return table(head, rows)
@@ -174,7 +174,7 @@ def short_for_another(matrix):
         count = matrix.main_count(scene)
         ours = matrix.ns(scene, count, DEFAULT)
         package_ns, package = matrix.best(scene, count, matrix.packages)
-        rows.append([label(matrix, scene), plain(ours), plain(aims.AIMS.get(scene), 0),
+        rows.append([label(matrix, scene), plain(ours), plain(aims.ns(scene, count), 0),
                      times(ratio(matrix.ns(scene, count, "plain_grid"), ours)),
                      f"{plain(package_ns, 0)} {short(package) if package else ''}".strip(),
                      times(ratio(package_ns, ours))]

@@ -12,6 +12,9 @@ namespace {
 /// layer of each but one is sorted twice.
 constexpr std::size_t stretches_for_each = 6;
 
+/// Two sorted layers have places of 32 bits, and all elements might lie in them.
+constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} << 16);
+
 template <int Dim>
 bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
   return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
@@ -26,7 +29,7 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
   if (input.elements.are_boxes() || !pair_with_none_but_each_other(set) ||
-      !set.locals.are_the_first() || elements < limits.least_elements) {
+      !set.locals.are_the_first() || elements < limits.least_elements || elements > most_elements) {
     return std::nullopt;
   }
   const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);

@@ -233,7 +233,8 @@ def systems_searched_wrongly(draw, fewer=0, **broken):
         test.columns -= fewer
         layers, rows, cells = draw.choice([3, 4]), draw.choice([1, 2]), draw.choice([1, 2, 4])
         extent = [cells, layers * rows if dimensions == 2 else rows, layers]
-        positions = [[draw.randrange(n << 20) for n in extent] for _ in range(draw.choice([30, 70]))]
+        count = draw.choice([30, 70])
+        positions = [[draw.randrange(n << 20) for n in extent] for _ in range(count)]
         for _ in range(draw.choice([0, 3])):
             place = [draw.randrange(n << 20) for n in extent]
             place[0] %= 1 << 18  # the first column

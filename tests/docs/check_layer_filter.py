@@ -16,12 +16,13 @@ PAIRS = 6000
 FACES = 30000
 SYSTEMS = 60
 SEED = 23
-BOUND = Fraction(201, 100)  # section 3, in units
-BOUND_OF_MOVED = BOUND + Fraction(1, 16)  # section 7
+BOUND_OF_EQUAL, BOUND = Fraction(201, 100), Fraction(214, 100)  # section 3, in units
+MOVED = Fraction(1, 16)  # section 7
 SLACK = 4.0
 CELLS = 2044  # end_of_positions
 FAR = -(1 << 21)
 LANES = 8
+BAND = 17.0  # LayerGrid::set_reach
 
 
 def bits(value):
@@ -30,38 +31,62 @@ def bits(value):
 
 
 class Filter:
-    """LayerGrid::cut_rows and the comparisons of simd_layer_tester-inl.hpp."""
+    """LayerGrid, and the comparisons of simd_layer_tester-inl.hpp."""
 
     def __init__(self, reach, units_of_one, halvings=2):
+        """For elements whose largest reach that is."""
         self.units = reach * units_of_one
         self.shift = 20 - halvings
         self.columns = int((self.units + 2 * SLACK) / (1 << self.shift)) + 1
-        farthest = single(single(self.units) + SLACK)
-        nearest = max(single(single(self.units) - SLACK), 0.0)
-        self.outer, self.inner = single(farthest * farthest), single(nearest * nearest)
-        self.band = bits(single(self.outer - self.inner))
+        largest = single(self.units)
+        self.inner, self.outer = squares(single(largest - SLACK), single(largest + SLACK))
+        self.band = single(self.outer - self.inner)
+
+    def take_radii(self, radii, margin, units_of_one):
+        """Two radii, and not the largest reach of all."""
+        one, other = (single(r * units_of_one) for r in radii)
+        margin = single(margin * units_of_one)
+        self.inner, self.outer = squares(*(single(single(one + single(margin + s)) + other)
+                                           for s in (-SLACK, SLACK)))
+        self.band = single(single(BAND * single(self.units)) + 64.0)
 
     def is_hit(self, square):
         return single(square - self.inner) < 0.0
 
     def is_flagged(self, square):
-        return bits(single(square - self.inner)) <= self.band
+        return bits(single(square - self.inner)) <= bits(self.band)
 
 
-def random_case(draw, moved):
-    """Two elements about a reach apart: (filter, units_of_one, as given, as stored, reach)."""
+def squares(nearest, farthest):
+    nearest = max(nearest, 0.0)
+    return single(nearest * nearest), single(farthest * farthest)
+
+
+def random_reach(draw, cell, units_of_one, equal):
+    """(filter, radii, margin) of a pair with a reach that cells of that size may have."""
+    largest = cell / (1 + 2.0 ** -10) * draw.choice([1.0, draw.uniform(0.01, 1.0)])
+    margin = draw.choice([0.0, draw.uniform(0, 0.2)]) * largest
+    part = 0.5 if equal else draw.uniform(0.0, 1.0)
+    radii = [nearly_half_way(share * (largest - margin) * units_of_one, draw.choice([-1, 1]))
+             / units_of_one for share in (part, 1.0 - part)]
+    if equal:
+        test = Filter(radii[0] + radii[0] + margin, units_of_one)
+        return test, [radii[0]] * 2, margin
+    test = Filter(largest, units_of_one)
+    test.take_radii(radii, margin, units_of_one)
+    return test, radii, margin
+
+
+def random_case(draw, equal, moved):
+    """Two elements about a reach apart: (filter, frame, as given, as stored, reach)."""
     cell = draw.uniform(0.5, 2.0)
     units_of_one = UNITS / cell
     lower = draw.choice([0.0, draw.uniform(-1, 1), draw.uniform(-1e6, 1e6)])
     widest = min(2.0 ** draw.choice([2, 8, 11]), CELLS - 4.0)
-    wanted = cell / (1 + 2.0 ** -10) * draw.choice([1.0, draw.uniform(0.01, 1.0)])
-    radius = nearly_half_way(0.5 * wanted * units_of_one, draw.choice([-1, 1])) / units_of_one
-    margin = draw.choice([0.0, draw.uniform(0, 0.2)]) * radius
-    radius -= 0.5 * margin
-    reach = radius + radius + margin
+    test, radii, margin = random_reach(draw, cell, units_of_one, equal)
     direction = [draw.uniform(0.9, 1.0) for _ in range(3)]
     norm = math.sqrt(sum(d * d for d in direction))
-    length = reach + draw.uniform(-3, 3) / units_of_one
+    length = sum(radii) + margin + draw.uniform(-3, 3) / units_of_one
     outwards = draw.choice([False, True])
     first, second = [], []
     for d in direction:
@@ -74,25 +99,29 @@ def random_case(draw, moved):
         # What is stored is off by 2^-24 of a cell, all of it along the distance.
         off = Fraction(cell) / (1 << 24) * (1 if outwards else -1)
         given[1] = [x - off * Fraction(d / norm) for x, d in zip(given[1], direction)]
-    real = 2 * Fraction(radius) + Fraction(margin)
-    return Filter(reach, units_of_one), (lower, units_of_one), given, stored, real
+    real = sum(map(Fraction, radii)) + Fraction(margin)
+    return test, (lower, units_of_one), given, stored, real
 
 
-def worst_error(draw, moved):
-    """The largest error of a comparison, in units."""
+def worst_error(draw, equal, moved):
+    """The largest error of a comparison, in units: how far the reach and the slack that it is made
+    with are from the real distance and reach where the two sides are equal."""
     worst = Fraction(0)
     for _ in range(PAIRS):
-        test, frame, given, stored, real = random_case(draw, moved)
+        test, frame, given, stored, real = random_case(draw, equal, moved)
         one, other = ([units(x, *frame) for x in center] for center in stored)
         square = distance_squared(one, other)
         distance = root(sum((p - q) ** 2 for p, q in zip(*given)))
         hit, flagged = test.is_hit(square), test.is_flagged(square)
-        if hit != (square < test.inner) or test.inner <= square <= test.outer and not flagged:
-            raise SystemExit(f"compared wrongly: {square} {test.inner} {test.outer}")
+        if hit != (square < test.inner) or single(test.outer - test.inner) > test.band \
+                or test.inner <= square <= test.outer and not flagged:
+            raise SystemExit(f"compared wrongly: {square} {test.inner} {test.outer} {test.band}")
         if hit and distance > real or not hit and not flagged and distance <= real:
             raise SystemExit(f"decided wrongly: {stored} reach {float(real)}")
-        off = root(Fraction(square)) - Fraction(single(test.units))
-        worst = max(worst, abs(off - (distance - real) * Fraction(frame[1])))
+        for bound, slack in [(test.outer, SLACK), (test.inner, -SLACK)]:
+            if bound > 0.0:
+                off = root(Fraction(square)) - root(Fraction(bound)) + Fraction(slack)
+                worst = max(worst, abs(off - (distance - real) * Fraction(frame[1])))
     return worst
 
 
@@ -259,9 +288,10 @@ def main():
         if having or not without:
             problems.append(what)
 
-    for name, moved, bound in [("positions as given", False, BOUND),
-                               ("moved positions", True, BOUND_OF_MOVED)]:
-        worst = worst_error(draw, moved)
+    for name, equal, moved, bound in [("equal radii", True, False, BOUND_OF_EQUAL),
+                                      ("moved, equal radii", True, True, BOUND_OF_EQUAL + MOVED),
+                                      ("unequal radii", False, False, BOUND)]:
+        worst = worst_error(draw, equal, moved)
         print(f"{name}: off by {float(worst):.3f} of {float(bound):.3f} units")
         # Far below the bound, the pairs would be too tame to show a bound that is wrong.
         if not bound / 2 < worst <= bound:

@@ -87,14 +87,11 @@ std::span<const SceneInfo> scenes() {
 }
 
 const SceneInfo& scene_named(std::string_view name) {
-  std::string known;
   for (const SceneInfo& row : table) {
     if (row.name == name) return row;
-    if (!known.empty()) known += ", ";
-    known += row.name;
   }
   throw Error(ErrorCode::wrong_usage,
-              "no scene is called '" + std::string(name) + "'; there are " + known);
+              "no scene is called '" + std::string(name) + "'; 'abut generate --list' lists them");
 }
 
 }  // namespace abut::scenes

@@ -30,7 +30,7 @@ struct SceneInfo {
 /// All scenes. A scene of `count` elements has exactly that many (0 included).
 [[nodiscard]] std::span<const SceneInfo> scenes();
 
-/// Throws abut::Error{wrong_usage} naming the scenes there are.
+/// Throws abut::Error{wrong_usage} that says where the scenes are listed.
 [[nodiscard]] const SceneInfo& scene_named(std::string_view name);
 
 }  // namespace abut::scenes

@@ -115,7 +115,7 @@ def test_0_empty_input(abut, text):
     (["contacts", YADE, "--progress", "loud"], "auto, bar, log or none"),
     (["generate"], "--list"),
     (["generate", "gas"], "--count"),
-    (["generate", "nothing", "--count", "5"], "dense"),
+    (["generate", "nothing", "--count", "5"], "abut generate --list"),
     (["generate", "gas", "--count", "-5"], "--count -5"),
     (["generate", "gas", "--count", "1.5"], "whole number such as 5000 or 1e6"),
     (["generate", "gas", "--count", "1e-1"], "--count 1e-1"),

@@ -122,7 +122,7 @@ TEST_P(EveryScene, HasTheSameBitsEverywhere) {
   EXPECT_EQ(hash, recorded_hashes.at(GetParam().name));
 }
 
-TEST(Scenes, NamesAreUniqueAndUnknownOnesListed) {
+TEST(Scenes, NamesAreUniqueAndUnknownOnesRefused) {
   std::set<std::string_view> names;
   for (const scenes::SceneInfo& info : scenes::scenes()) names.insert(info.name);
   EXPECT_EQ(names.size(), scenes::scenes().size());
@@ -131,9 +131,9 @@ TEST(Scenes, NamesAreUniqueAndUnknownOnesListed) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::wrong_usage);
-    for (const std::string_view name : names) {
-      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << name;
-    }
+    const std::string message = error.what();
+    EXPECT_NE(message.find("'packing'"), std::string::npos) << message;
+    EXPECT_NE(message.find("abut generate --list"), std::string::npos) << message;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "engine/layers/layer_grid.hpp"
 
+#include "exact/numbers/cube_root.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -41,6 +43,13 @@ struct BoxInCells {
   int long_axes = 0;
 };
 
+/// Returns the side of a cube, square or line of that volume: the same bits with every library of
+/// mathematics, since the order of pairs follows from the cells.
+double side_of(double volume, int axes) {
+  if (axes == 3) return exact::cube_root(volume);
+  return axes == 2 ? std::sqrt(volume) : volume;
+}
+
 /// Returns the size of cells: `least`, or where most would be empty, such that the box has about as
 /// many as elements.
 template <int Dim>
@@ -51,7 +60,7 @@ double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements)
   for (int round = 0; round < Dim; ++round) {
     const BoxInCells<Dim> box(bounds, cell);
     if (!(box.cells > elements)) break;
-    cell *= std::pow(box.cells / elements, 1.0 / box.long_axes);
+    cell *= side_of(box.cells / elements, box.long_axes);
   }
   return cell;
 }
@@ -127,7 +136,7 @@ void LayerGrid<Dim>::set_reach(kernels::LayerPair& layers) const noexcept {
   const float farthest = reach_ + slack;
   layers.inner = nearest * nearest;
   layers.outer = farthest * farthest;
-  // (s + 4)^2 - (s - 4)^2 = 16 s; roundings add less than s / 2, and s below the slack 64.
+  // (s + 4)^2 - (s - 4)^2 = 16 s; roundings add less than s, and s below the slack 64.
   layers.band = has_equal_radii_ ? layers.outer - layers.inner : 17.0f * reach_ + 64.0f;
 }
 

@@ -85,6 +85,7 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& boun
   LayerGrid grid;
   const double cell = cell_size(bounds, least_cell, static_cast<double>(elements));
   if (!grid.lay_out(bounds, cell)) return std::nullopt;
+  grid.has_wide_cells_ = cell > least_cell;
   grid.cut_rows(bounds, margin, cell);
   if constexpr (Dim == 2) grid.join_rows(elements);
   return grid;

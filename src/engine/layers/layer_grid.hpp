@@ -17,8 +17,12 @@ struct LayerLimits {
   std::size_t least_elements = 1 << 13;
   /// Beside the work for an element there is work for a row and for a layer.
   double least_elements_of_layer = 256.0;
-  /// Two runs that are joined in a vector of eight have fewer elements than this, on average.
-  double most_joined = 6.0;
+  /// Mean number of elements in two runs that are joined in a vector of eight, up to which layers
+  /// are faster than blocks in tiles.
+  double most_joined = 9.0;
+  /// The same where cells are wider than the reach needs, so that elements share them in clusters,
+  /// and tiles would be cut anew around each.
+  double most_joined_of_clusters = 400.0;
 };
 
 /// Positions, columns, rows and layers of elements of one reach.
@@ -88,6 +92,8 @@ class LayerGrid {
   /// The fields of a pair of layers that bound the reach.
   void set_reach(kernels::LayerPair& layers) const noexcept;
 
+  /// Tells whether cells are wider than the reach needs.
+  [[nodiscard]] bool has_wide_cells() const noexcept { return has_wide_cells_; }
   /// Cells of two runs that are joined in a vector.
   [[nodiscard]] double cells_joined() const noexcept;
 
@@ -117,6 +123,7 @@ class LayerGrid {
   float reach_ = 0.0f;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units
   bool has_equal_radii_ = true;
+  bool has_wide_cells_ = false;
 };
 
 }  // namespace abut::engine

@@ -36,7 +36,9 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
   if (!grid || limits.least_elements_of_layer * grid->layer_count() > static_cast<double>(elements))
     return std::nullopt;
   const double occupancy = sample.mean_occupancy(*grid, input.elements.spheres.first(elements));
-  if ((occupancy - 1.0) * grid->cells_joined() > limits.most_joined) return std::nullopt;
+  const double joined = (occupancy - 1.0) * grid->cells_joined();
+  const double most = grid->has_wide_cells() ? limits.most_joined_of_clusters : limits.most_joined;
+  if (joined > most) return std::nullopt;
   return grid;
 }
 

@@ -25,7 +25,8 @@ namespace abut::testing {
 inline constexpr engine::LayerLimits always_in_layers{
     .least_elements = 0,
     .least_elements_of_layer = 0.0,
-    .most_joined = std::numeric_limits<double>::infinity()};
+    .most_joined = std::numeric_limits<double>::infinity(),
+    .most_joined_of_clusters = std::numeric_limits<double>::infinity()};
 
 /// Keeps all pairs in their `as_found` order.
 class KeptPairs final : public base::PairSink {

@@ -201,6 +201,19 @@ TEST(Asking, FollowsTheElementsBeforeTheSearchAndThePairsBehindIt) {
   }
 }
 
+/// In layers, where each has a table of its cells besides: nearly empty ones are sorted more than
+/// tested.
+TEST(Asking, FollowsTheSortIntoLayers) {
+  for (const char* const name : {"sparse", "gas_2d"}) {
+    const Scene scene = scenes::scene_named(name).make(400'000, 1);
+    Hook hook;
+    const Statistics counted =
+        count_contact_pairs(view_of(scene), Domain::open(), options_of(Algorithm::rows, hook));
+    // Counted and scattered; then counted, placed, and split into columns.
+    EXPECT_GE(hook.asked["search"], (5 * scene.size() + counted.candidate_tests) / (65536 + 8192));
+  }
+}
+
 /// Pairs of few elements, in long rows.
 TEST(Asking, FollowsTheOrderOfManyPairsOfEach) {
   for (const Domain& domain : {Domain::open(), Domain::periodic(std::array{1e6, 1e6, 1e6})}) {

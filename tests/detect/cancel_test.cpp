@@ -165,6 +165,23 @@ TEST(Cancel, ADetectorWorksAfterACancelAtEachQuestion) {
   }
 }
 
+/// Sets so large that they are searched in layers.
+TEST(Cancel, ADetectorWorksAfterACancelAtEachQuestionInLayers) {
+  for (const char* const name : {"dense", "hexagonal_2d"}) {
+    const Scene scene = scenes::scene_named(name).make(12000, 1);
+    for (const int threads : {1, 2}) {
+      SCOPED_TRACE(std::string(name) + ", threads " + std::to_string(threads));
+      Options plain;
+      plain.threads = threads;
+      Detector detector(plain);
+      cancel_at_each(plain, [&](const Options& options) {
+        detector.set_options(options);
+        return told(detector.find_contact_pairs(view_of(scene), Domain::open()));
+      });
+    }
+  }
+}
+
 TEST(Cancel, AtEachQuestionOfTheContactsWithWalls) {
   const std::vector<double> low{-5.0, 20.0}, high{200.0, 21.0};
   const ElementView walls = boxes(low, low, low, high, high, high);

@@ -5,6 +5,7 @@
 #include "engine/layers/layer_scenes.hpp"
 #include "kernels/tile_view.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -70,6 +71,26 @@ TYPED_TEST(LayerCrowdsOf, LongRunsAtTheBeginOfEachRow) {
     spheres.push_back(sphere);
   }
   expect_right_in_layers<dim>(spheres);
+}
+
+/// Up to 19 hits in three vectors, none of which is too short: the buffer is nearly full again and
+/// again when they are to be written. Four elements in each of nine places, in rows and layers that
+/// hold one such place each.
+TEST(LayerCrowds, ManyHitsThatNeedNoCare) {
+  constexpr double farther = 4.0;
+  constexpr std::array<double, 3> offsets{0.9, 1.5, 2.1};
+  Spheres<3> spheres{sphere_at<3>({0.0, 0.0, 0.0}), sphere_at<3>({35.0, 40.0, 45.0})};
+  for (int group = 0; group < 8 * 9 * 10; ++group) {
+    const std::array<double, 3> corner{farther * (group % 8), farther * (group / 8 % 9),
+                                       farther * (group / 72)};
+    for (const double x : offsets) {
+      for (const double z : offsets) {
+        append<3>(spheres,
+                  Spheres<3>(4, sphere_at<3>({corner[0] + x, corner[1] + 0.5, corner[2] + z})));
+      }
+    }
+  }
+  expect_right_in_layers<3>(spheres);
 }
 
 }  // namespace

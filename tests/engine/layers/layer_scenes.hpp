@@ -1,11 +1,13 @@
 #pragma once
 
+#include "engine/layers/layer_grid.hpp"
 #include "engine/random_spheres.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -96,6 +98,14 @@ Spheres<Dim> clumps(Random& random, std::size_t count, std::size_t largest,
     }
   }
   return spheres;
+}
+
+/// The grid over the box of some elements of this reach, whatever their radii.
+template <int Dim>
+std::optional<engine::LayerGrid<Dim>> layer_grid_over(grid::Bounds<Dim> bounds, double reach,
+                                                      double least_cell, std::size_t elements) {
+  bounds.smallest_radius = bounds.largest_radius = bounds.second_largest_radius = half * reach;
+  return engine::LayerGrid<Dim>::over(bounds, 0.0, least_cell, elements);
 }
 
 template <int Dim>

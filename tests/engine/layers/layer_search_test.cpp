@@ -69,6 +69,42 @@ TYPED_TEST(LayerSearchOf, TouchingLattices) {
   }
 }
 
+/// Where most pairs of a layer are undecided, the next is sorted with copies of its spheres:
+/// lattices and random systems take turns from layer to layer.
+TYPED_TEST(LayerSearchOf, LatticesBesideRandomSystems) {
+  constexpr int dim = TypeParam::value;
+  const std::size_t side = dim == 2 ? 90 : 8;
+  const auto width = static_cast<double>(side - 1);
+  Spheres<dim> spheres;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto lattice = cubic_lattice<dim>(side);
+    auto part =
+        k % 2 == 0 ? lattice
+                   : uniform_spheres<dim>(this->random_, lattice.size() / 2, {width, width, width});
+    for (auto& sphere : part) sphere.center[0] += 1.25 * width * static_cast<double>(k);
+    append<dim>(spheres, part);
+  }
+  expect_right_in_layers<dim>(shuffled<dim>(spheres, this->random_));
+}
+
+/// Not so different that they would be divided by size.
+TYPED_TEST(LayerSearchOf, SpheresOfSomeRadii) {
+  constexpr int dim = TypeParam::value;
+  const std::size_t count = dim == 2 ? 12000 : 2000;
+  for (const double least : {0.3, 0.45, 0.4999999}) {
+    for (const double neighbors : {0.5, 4.0, 30.0}) {
+      SCOPED_TRACE("radii from " + std::to_string(least) + ", neighbors " +
+                   std::to_string(neighbors));
+      auto spheres = uniform_spheres<dim>(this->random_, count, box_for<dim>(count, neighbors));
+      for (auto& sphere : spheres) sphere.radius = this->random_.uniform(least, half);
+      expect_right_in_layers<dim>(spheres);
+      expect_right_in_layers<dim>(spheres, 0.2);
+      for (std::size_t k = 0; k < count; ++k) spheres[k].radius = k % 3 == 0 ? least : half;
+      expect_right_in_layers<dim>(spheres);
+    }
+  }
+}
+
 TYPED_TEST(LayerSearchOf, Margins) {
   constexpr int dim = TypeParam::value;
   for (const double margin : {1e-12, 0.05, 0.5, 2.0}) {

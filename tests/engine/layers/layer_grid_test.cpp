@@ -1,0 +1,262 @@
+#include "engine/layers/layer_grid.hpp"
+
+#include "engine/layers/layer_scenes.hpp"
+#include "engine/random_spheres.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+
+namespace abut::testing {
+namespace {
+
+constexpr double units_of_cell = 1 << kernels::cell_bits;
+
+template <class Dimension>
+class LayerGridOf : public ::testing::Test {
+ protected:
+  static constexpr std::size_t axes = Dimension::value;
+  using Grid = engine::LayerGrid<Dimension::value>;
+  using Sphere = exact::Sphere<Dimension::value>;
+
+  static grid::Bounds<Dimension::value> box(const std::array<double, 3>& extent) {
+    grid::Bounds<Dimension::value> bounds;
+    bounds.include_center(sphere_at<Dimension::value>({0.0, 0.0, 0.0}));
+    bounds.include_center(sphere_at<Dimension::value>(extent));
+    return bounds;
+  }
+
+  /// Cells along an axis of the box, counted from the positions of its upper corner.
+  static std::uint32_t cells(const Grid& grid, const std::array<double, 3>& extent,
+                             std::size_t axis) {
+    const auto record = grid.record(sphere_at<Dimension::value>(extent), 0);
+    return (static_cast<std::uint32_t>(record.position[axis]) >> kernels::cell_bits) + 1;
+  }
+
+  static kernels::LayerPair reach_of(const Grid& grid) {
+    kernels::LayerPair layers{};
+    grid.set_reach(layers);
+    return layers;
+  }
+
+  Random random_{static_cast<std::uint64_t>(61 + axes)};
+};
+
+TYPED_TEST_SUITE(LayerGridOf, Dimensions);
+
+/// All orders of three extents.
+constexpr std::array<std::array<double, 3>, 6> shapes{{{10.0, 20.0, 40.0},
+                                                       {10.0, 40.0, 20.0},
+                                                       {20.0, 10.0, 40.0},
+                                                       {20.0, 40.0, 10.0},
+                                                       {40.0, 10.0, 20.0},
+                                                       {40.0, 20.0, 10.0}}};
+
+TYPED_TEST(LayerGridOf, LayersGoAlongTheLongestAxisAndRowsAlongTheNext) {
+  for (const auto& extent : shapes) {
+    const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 10000);
+    ASSERT_TRUE(grid);
+    const auto wide = [&](std::size_t axis) { return extent[axis]; };
+    const auto layer_axis = static_cast<std::size_t>(grid->map().layer_axis);
+    for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
+      EXPECT_LE(wide(axis), wide(layer_axis));
+      EXPECT_TRUE(axis == layer_axis || wide(axis) <= wide(grid->row_axis()));
+    }
+    EXPECT_NE(grid->row_axis(), layer_axis);
+  }
+}
+
+TYPED_TEST(LayerGridOf, SpheresAndTheirRecordsAgree) {
+  constexpr int dim = TypeParam::value;
+  for (const auto& extent : shapes) {
+    for (const double cell : {0.37, 1.0, 3.3}) {
+      const auto spheres = uniform_spheres<dim>(this->random_, 2000, extent);
+      const auto grid =
+          layer_grid_over<TypeParam::value>(bounds_of<dim>(spheres), cell, cell, 10000);
+      ASSERT_TRUE(grid);
+      std::uint32_t number = 7;
+      for (const auto& sphere : spheres) {
+        const kernels::PositionRecord record = grid->record(sphere, number);
+        EXPECT_EQ(record.number, number++);
+        EXPECT_EQ(grid->layer(record), grid->layer(sphere));
+        EXPECT_LT(grid->layer(record), grid->layer_count());
+        EXPECT_LT(grid->row(record), grid->row_count());
+        EXPECT_LT(grid->column(record), grid->column_count());
+        EXPECT_TRUE(dim == 3 || record.position[2] == 0);
+      }
+    }
+  }
+}
+
+/// Position, layer, row and column as floor((x - lower) / cell) says, on faces and beside them.
+TYPED_TEST(LayerGridOf, PositionsAreWholeUnitsFromTheLowerCorner) {
+  const std::array<double, 3> extent{16.0, 24.0, 32.0};
+  const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 20000);
+  ASSERT_TRUE(grid);
+  ASSERT_EQ(grid->map().units_of_one, units_of_cell);
+  for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
+    for (const double x : {0.0, 0.25, 1.0, 7.0, 8.0, 15.0, extent[axis]}) {
+      for (const double beside : {x, std::nextafter(x, 0.0), std::nextafter(x, extent[axis])}) {
+        std::array<double, 3> center{};
+        center[axis] = beside;
+        const auto record = grid->record(sphere_at<TypeParam::value>(center), 0);
+        EXPECT_EQ(record.position[axis], static_cast<std::int32_t>(beside * units_of_cell));
+        if (axis == grid->row_axis()) {
+          const double columns = std::ldexp(beside, kernels::cell_bits - grid->column_shift());
+          EXPECT_EQ(grid->column(record), static_cast<std::uint32_t>(columns));
+        }
+      }
+    }
+  }
+}
+
+/// In 2D a layer is a strip of rows, of which the last may have fewer; in 3D one row of cells.
+TYPED_TEST(LayerGridOf, LayersHoldRowAfterRow) {
+  constexpr bool has_strips = TypeParam::value == 2;
+  for (const std::size_t elements : {300U, 9000U, 100000U, 1000000U}) {
+    const double side = std::pow(static_cast<double>(elements), 1.0 / TypeParam::value);
+    const std::array<double, 3> extent{side, side + 1.5, side + 2.5};
+    const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.001, elements);
+    ASSERT_TRUE(grid);
+    const std::size_t axis = TypeParam::value - 1;
+    const std::uint32_t along = this->cells(*grid, extent, axis);
+    const std::uint32_t in_layer = has_strips ? grid->row_count() : 1;
+    EXPECT_EQ(grid->layer_count(), (along - 1) / in_layer + 1);
+    for (int k = 0; k < 300; ++k) {
+      const auto sphere = uniform_spheres<TypeParam::value>(this->random_, 1, extent)[0];
+      const auto record = grid->record(sphere, 0);
+      const auto cell = static_cast<std::uint32_t>(record.position[axis]) >> kernels::cell_bits;
+      EXPECT_EQ(grid->layer(sphere), cell / in_layer);
+      EXPECT_TRUE(!has_strips || grid->row(record) == cell % in_layer);
+    }
+    if (!has_strips || grid->layer_count() == 1) continue;
+    const double in_row = static_cast<double>(elements) / along;
+    EXPECT_LE(in_row * in_layer, 8192.0);
+    EXPECT_GT(in_row * in_layer, 1024.0);
+  }
+}
+
+TYPED_TEST(LayerGridOf, FewElementsHaveAsFewRowsAsAnAxisHasCells) {
+  for (const std::size_t elements : {1U, 2U, 3U, 17U}) {
+    const auto grid =
+        layer_grid_over<TypeParam::value>(this->box({2.5, 2.5, 2.5}), 1.0, 1.001, elements);
+    ASSERT_TRUE(grid);
+    EXPECT_LT(grid->map().layer_shift, 32);
+    EXPECT_LE(grid->row_count(), 2048U);
+    EXPECT_EQ(grid->layer(sphere_at<TypeParam::value>({0.0, 0.0, 0.0})), 0U);
+    EXPECT_EQ(grid->layer(sphere_at<TypeParam::value>({2.5, 2.5, 2.5})), grid->layer_count() - 1);
+  }
+}
+
+/// Cells of 2^20 units along an axis, and some to spare: the difference of two positions, or of one
+/// and far_position, has 31 bits and a sign.
+TYPED_TEST(LayerGridOf, PositionsHaveAnEnd) {
+  for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
+    std::array<double, 3> extent{40.0, 40.0, 40.0};
+    extent[axis] = 2043.5;
+    const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 1U << 30);
+    ASSERT_TRUE(grid);
+    const auto last = grid->record(sphere_at<TypeParam::value>(extent), 0).position[axis];
+    EXPECT_LT(last, kernels::end_of_positions);
+    EXPECT_LT(std::int64_t{last} - kernels::far_position, std::int64_t{1} << 31);
+    extent[axis] = 2044.5;
+    EXPECT_FALSE(layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 1U << 30));
+    extent[axis] = 1e300;
+    EXPECT_FALSE(layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 1U << 30));
+  }
+}
+
+/// What is within reach is no more columns away than the table says, and no more than a row and a
+/// layer; what is in a column further is beyond the outer bound of the filter.
+TYPED_TEST(LayerGridOf, ColumnsInReachCoverIt) {
+  const std::array<double, 3> extent{20.0, 21.0, 22.0};
+  for (const double reach : {1.0, 0.999, 0.75, 0.5, 0.26, 0.25, 0.1, 0.0}) {
+    const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), reach, 1.001, 20000);
+    ASSERT_TRUE(grid);
+    const std::uint32_t covered = grid->columns_in_reach();
+    for (int k = 0; k < 2000; ++k) {
+      auto sphere = uniform_spheres<TypeParam::value>(this->random_, 1, extent)[0];
+      const std::size_t axis = this->random_.below(TestFixture::axes);
+      // As far into its column or cell as it can be, half of the time.
+      const double face = std::ldexp(1.001, axis == grid->row_axis() ? -2 : 0);
+      double& x = sphere.center[axis];
+      if (k % 2 == 0) x = std::max(0.0, std::nextafter(face * std::floor(x / face), 0.0));
+      const auto near = grid->record(sphere, 0);
+      x += reach;
+      const auto far = grid->record(sphere, 0);
+      EXPECT_LE(grid->column(far), grid->column(near) + covered);
+      EXPECT_LE(far.position[axis] >> kernels::cell_bits,
+                (near.position[axis] >> kernels::cell_bits) + 1);
+    }
+    const double beyond = std::ldexp(static_cast<double>(covered), grid->column_shift());
+    EXPECT_GT(beyond * beyond, static_cast<double>(this->reach_of(*grid).outer));
+  }
+}
+
+/// The bounds of the filter stand around the reach, however positions were rounded.
+TYPED_TEST(LayerGridOf, TheFilterLeavesAWidthAroundTheReach) {
+  for (const double reach : {1.0, 0.3, 1e-5, 0.0}) {
+    const auto grid =
+        layer_grid_over<TypeParam::value>(this->box({9.0, 9.0, 9.0}), reach, 1.001, 20000);
+    ASSERT_TRUE(grid);
+    const double units = reach * grid->map().units_of_one;
+    const double rounding = std::sqrt(static_cast<double>(TypeParam::value)) + 0.5;
+    const kernels::LayerPair layers = this->reach_of(*grid);
+    EXPECT_GE(std::sqrt(static_cast<double>(layers.outer)), units + rounding);
+    EXPECT_LE(std::sqrt(static_cast<double>(layers.inner)), std::max(0.0, units - rounding));
+    EXPECT_GE(layers.band, layers.outer - layers.inner);
+  }
+}
+
+TYPED_TEST(LayerGridOf, CellsAreNotManyMoreThanElements) {
+  for (const double cell : {1.0, 0.1, 1e-9, 0x1p-900}) {
+    for (const auto& extent : {std::array{10.0, 10.0, 10.0}, {1.0, 30.0, 30.0}, {9.0, 0.0, 9.0}}) {
+      const std::size_t elements = 1000;
+      const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), cell, cell, elements);
+      ASSERT_TRUE(grid);
+      double cells = 1.0;
+      for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
+        const double along = extent[axis] * grid->map().units_of_one / units_of_cell;
+        cells *= std::max(1.0, along);
+      }
+      EXPECT_LE(cells, 3.001 * elements) << cell;
+      EXPECT_LE(grid->map().units_of_one, units_of_cell / cell);
+    }
+  }
+}
+
+TYPED_TEST(LayerGridOf, FlatBoxesAndPoints) {
+  constexpr std::array<std::array<double, 3>, 5> flat{
+      {{0.0, 0.0, 0.0}, {30.0, 0.0, 0.0}, {0.0, 30.0, 0.0}, {0.0, 0.0, 30.0}, {30.0, 0.0, 20.0}}};
+  for (const auto& extent : flat) {
+    const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 3000);
+    ASSERT_TRUE(grid);
+    for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
+      EXPECT_EQ(this->cells(*grid, extent, axis), extent[axis] > 0.0 ? extent[axis] + 1.0 : 1.0);
+    }
+    const auto last = grid->record(sphere_at<TypeParam::value>(extent), 0);
+    EXPECT_EQ(grid->layer(last), grid->layer_count() - 1);
+    EXPECT_LT(grid->row(last), grid->row_count());
+    EXPECT_LT(grid->column(last), grid->column_count());
+  }
+}
+
+TYPED_TEST(LayerGridOf, EachCellHasANumberOfItsOwn) {
+  const std::array<double, 3> extent{12.5, 10.5, 11.5};
+  const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 3000);
+  ASSERT_TRUE(grid);
+  std::set<std::uint64_t> numbers;
+  for (const auto& sphere : cubic_lattice<TypeParam::value>(10)) {
+    auto within = sphere;
+    for (double& x : within.center) x += 0.5;
+    EXPECT_EQ(grid->cell(sphere), grid->cell(within));
+    EXPECT_TRUE(numbers.insert(grid->cell(sphere)).second);
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

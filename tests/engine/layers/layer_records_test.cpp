@@ -1,0 +1,112 @@
+#include "engine/layers/layer_records.hpp"
+
+#include "base/memory_meter.hpp"
+#include "base/progress_reporter.hpp"
+#include "engine/layers/layer_scenes.hpp"
+#include "engine/random_spheres.hpp"
+#include "kernels/layers/layer_kernels.hpp"
+#include "support/nobody_asked.hpp"
+#include "support/rows_variants.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace abut::testing {
+namespace {
+
+template <class Dimension>
+class LayerRecordsOf : public ::testing::Test {
+ protected:
+  static constexpr int its_dim = Dimension::value;
+  using Grid = engine::LayerGrid<its_dim>;
+
+  static Grid grid_over(const Spheres<its_dim>& spheres) {
+    return Grid::over(bounds_of<its_dim>(spheres), 0.0, 1.001, spheres.size()).value();
+  }
+
+  struct Element {
+    kernels::PositionRecord record;
+    float radius;
+  };
+
+  void expect_sorted(const Spheres<its_dim>& spheres) {
+    SCOPED_TRACE(std::to_string(spheres.size()) + " elements");
+    const Grid grid = grid_over(spheres);
+    std::vector<std::vector<Element>> expected(grid.layer_count());
+    for (std::uint32_t k = 0; k < spheres.size(); ++k) {
+      expected[grid.layer(spheres[k])].push_back(
+          {grid.record(spheres[k], k), grid.units_of(spheres[k].radius)});
+    }
+    for (const Simd level : simd_levels_here()) {
+      for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
+        SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
+        NobodyAsked nobody;
+        records_.sort(std::span(spheres), grid, kernels::layer_kernels(level), workers,
+                      nobody.work);
+        std::size_t largest = 0;
+        for (std::size_t layer = 0; layer < expected.size(); ++layer) {
+          expect_layer(expected[layer], records_.layer(layer), grid.has_equal_radii());
+          largest = std::max(largest, expected[layer].size());
+        }
+        EXPECT_EQ(records_.largest_layer(), largest);
+      }
+    }
+  }
+
+  static void expect_layer(const std::vector<Element>& expected, const engine::LayerElements& found,
+                           bool has_equal_radii) {
+    ASSERT_EQ(found.records.size(), expected.size());
+    ASSERT_EQ(found.radii.size(), has_equal_radii ? 0 : expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      ASSERT_EQ(found.records[k].number, expected[k].record.number);
+      ASSERT_TRUE(std::ranges::equal(found.records[k].position, expected[k].record.position));
+      if (!has_equal_radii) {
+        ASSERT_EQ(found.radii[k], expected[k].radius);
+      }
+    }
+  }
+
+  base::MemoryMeter memory_;
+  engine::LayerRecords<its_dim> records_{memory_};
+  Random random_{static_cast<std::uint64_t>(31 + its_dim)};
+};
+
+TYPED_TEST_SUITE(LayerRecordsOf, Dimensions);
+
+/// Each element once, in its layer, in the order of numbers, with the record that the grid makes
+/// and its radius unless all are equal: from every level, with any number of workers, and after a
+/// larger set.
+TYPED_TEST(LayerRecordsOf, EachLayerHasItsElementsInTheirOrder) {
+  constexpr int dim = TypeParam::value;
+  for (const std::size_t count : {40000U, 9001U, 64U, 5U, 1U}) {
+    auto spheres = uniform_spheres<dim>(this->random_, count, box_for<dim>(count, 4.0));
+    this->expect_sorted(spheres);
+    for (auto& sphere : spheres) sphere.radius = this->random_.uniform(0.3, 0.5);
+    this->expect_sorted(spheres);
+  }
+}
+
+/// Two passes over the elements, each of which asks after pieces of some thousand.
+TYPED_TEST(LayerRecordsOf, TheHookIsAskedInBothPasses) {
+  constexpr int dim = TypeParam::value;
+  const std::size_t count = 500000;
+  const auto spheres = uniform_spheres<dim>(this->random_, count, box_for<dim>(count, 4.0));
+  std::uint64_t asked = 0;
+  const ProgressHook hook = [&](const Progress&) {
+    ++asked;
+    return ProgressAction::proceed;
+  };
+  base::ProgressReporter progress(hook);
+  base::WorkCounter work(progress, 0);
+  this->records_.sort(std::span(spheres), this->grid_over(spheres),
+                      kernels::layer_kernels(Simd::scalar), 1, work);
+  EXPECT_GE(asked, 2 * count / (base::ProgressReporter::steps_between_calls + 8192));
+}
+
+}  // namespace
+}  // namespace abut::testing

@@ -1,0 +1,90 @@
+#include "engine/layers/occupancy_sample.hpp"
+
+#include "base/memory_meter.hpp"
+#include "engine/layers/layer_scenes.hpp"
+#include "engine/random_spheres.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace abut::testing {
+namespace {
+
+template <class Dimension>
+class OccupancySampleOf : public ::testing::Test {
+ protected:
+  static constexpr int its_dim = Dimension::value;
+  /// Cells along each axis; there are about 30,000.
+  static constexpr std::size_t side = its_dim == 2 ? 172 : 31;
+
+  /// In cells of size 1.
+  double mean_occupancy(const Spheres<its_dim>& spheres) {
+    const auto grid =
+        layer_grid_over<its_dim>(bounds_of<its_dim>(spheres), 1.0, 1.0, spheres.size());
+    return sample_.mean_occupancy(grid.value(), std::span(spheres));
+  }
+
+  base::MemoryMeter memory_;
+  engine::OccupancySample sample_{memory_};
+  Random random_{static_cast<std::uint64_t>(71 + its_dim)};
+};
+
+TYPED_TEST_SUITE(OccupancySampleOf, Dimensions);
+
+/// Poisson numbers with mean m have a mean occupancy of m + 1. The estimate is off by a fifth at
+/// most, twice its own standard deviation.
+TYPED_TEST(OccupancySampleOf, RandomElements) {
+  constexpr int dim = TypeParam::value;
+  const auto width = static_cast<double>(TestFixture::side);
+  const std::size_t cells = dim == 2 ? 172 * 172 : 31 * 31 * 31;
+  for (const double in_cell : {1.0, 3.0, 10.0}) {
+    const auto count = static_cast<std::size_t>(in_cell * static_cast<double>(cells));
+    const auto spheres = uniform_spheres<dim>(this->random_, count, {width, width, width});
+    EXPECT_NEAR(this->mean_occupancy(spheres) / (in_cell + 1.0), 1.0, 0.25) << in_cell;
+  }
+}
+
+TYPED_TEST(OccupancySampleOf, OneInEachCell) {
+  EXPECT_NEAR(this->mean_occupancy(cubic_lattice<TypeParam::value>(TestFixture::side)), 1.0, 0.4);
+}
+
+TYPED_TEST(OccupancySampleOf, ClustersAreManyTimesAsCrowded) {
+  constexpr int dim = TypeParam::value;
+  const auto width = static_cast<double>(TestFixture::side);
+  const auto spheres = clumps<dim>(this->random_, 30000, 200, {width, width, width}, 0.1);
+  EXPECT_GT(this->mean_occupancy(spheres), 60.0);
+}
+
+/// One crowd among many that are no crowd.
+TYPED_TEST(OccupancySampleOf, ACrowdOfATenth) {
+  constexpr int dim = TypeParam::value;
+  const auto width = static_cast<double>(TestFixture::side);
+  auto spheres = uniform_spheres<dim>(this->random_, 27000, {width, width, width});
+  append<dim>(spheres, Spheres<dim>(3000, sphere_at<dim>({9.5, 9.5, 9.5})));
+  EXPECT_GT(this->mean_occupancy(spheres), 100.0);
+}
+
+TYPED_TEST(OccupancySampleOf, IsTheSameEachTime) {
+  constexpr int dim = TypeParam::value;
+  const auto spheres = uniform_spheres<dim>(this->random_, 5000, {20.0, 21.0, 22.0});
+  const double first = this->mean_occupancy(spheres);
+  // A sample of another size between the two.
+  static_cast<void>(
+      this->mean_occupancy(uniform_spheres<dim>(this->random_, 9000, {9.0, 9.0, 9.0})));
+  EXPECT_EQ(this->mean_occupancy(spheres), first);
+  base::MemoryMeter memory;
+  engine::OccupancySample other(memory);
+  const auto grid = layer_grid_over<dim>(bounds_of<dim>(spheres), 1.0, 1.0, spheres.size());
+  EXPECT_EQ(other.mean_occupancy(grid.value(), std::span(spheres)), first);
+}
+
+TYPED_TEST(OccupancySampleOf, FewElements) {
+  constexpr int dim = TypeParam::value;
+  EXPECT_EQ(this->mean_occupancy(Spheres<dim>(1, sphere_at<dim>({1.0, 2.0, 3.0}))), 1.0);
+  EXPECT_EQ(this->mean_occupancy(Spheres<dim>(40, sphere_at<dim>({1.0, 2.0, 3.0}))), 40.0);
+}
+
+}  // namespace
+}  // namespace abut::testing

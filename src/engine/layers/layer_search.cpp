@@ -12,6 +12,11 @@ namespace {
 /// layer of each but one is sorted twice.
 constexpr std::size_t stretches_for_each = 6;
 
+/// The law of memory of `rows`, which the registry states: so many integers for an element, less
+/// those of its record, and for a further thread.
+constexpr std::size_t integers_of_element = 24;
+constexpr std::size_t integers_of_thread = 131072;
+
 /// Two sorted layers have places of 32 bits, and all elements might lie in them.
 constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} << 16);
 
@@ -50,18 +55,29 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   records.sort(input_.elements.spheres.first(set.locals.size()), grid, input_.layer_kernels,
                worker_count_, work);
   const std::size_t layers = grid.layer_count();
-  const std::size_t stretches =
-      worker_count_ == 1 ? 1 : std::min(layers, stretches_for_each * worker_count_);
-  base::for_each_index(worker_count_, stretches, work,
+  const std::size_t workers = workers_for(grid, set.locals.size());
+  const std::size_t stretches = workers == 1 ? 1 : std::min(layers, stretches_for_each * workers);
+  base::for_each_index(workers, stretches, work,
                        [&](std::size_t w, std::size_t stretch, base::WorkCounter& its_work) {
                          const auto [first, last] = base::share_of(stretch, stretches, layers);
                          TileSearcher<Dim>& worker = *workspace_.workers[w];
                          worker.begin_unit(unit + stretch);
                          search_stretch(grid, first, last, worker, its_work);
-                         if (worker_count_ > 1) worker.finish_unit();
+                         if (workers > 1) worker.finish_unit();
                        });
   context_.progress.poll();
   return unit + stretches;
+}
+
+/// The workers that have room for their layers, each for two of the largest: fewer than there are
+/// only where one layer holds much of all.
+template <int Dim>
+std::size_t LayerSearch<Dim>::workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const {
+  const std::size_t integers = workspace_.workers[0]->scratch().layers.integers_for(
+      grid, workspace_.layer_records.largest_layer());
+  if (integers <= integers_of_thread) return worker_count_;
+  const std::size_t room = integers_of_element * elements;
+  return std::clamp(room / (integers - integers_of_thread), std::size_t{1}, worker_count_);
 }
 
 template <int Dim>

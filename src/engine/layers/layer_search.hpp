@@ -35,6 +35,7 @@ class LayerSearch {
                                      std::uint64_t unit);
 
  private:
+  [[nodiscard]] std::size_t workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const;
   void search_stretch(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,
                       TileSearcher<Dim>& worker, base::WorkCounter& work);
 

@@ -32,12 +32,28 @@ SortedLayers<Dim>::SortedLayers(base::MemoryMeter& memory)
       copies_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)) {}
 
 template <int Dim>
-void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_layer) {
-  has_copies_ = {};
+void SortedLayers<Dim>::lay_out(const LayerGrid<Dim>& grid, std::size_t largest_layer) noexcept {
   const std::size_t rows = grid.row_count();
   half_ = largest_layer + rows * kernels::row_padding + tail + kernels::widest_vector;
   row_length_ = grid.column_count() + 2 * grid.columns_in_reach() + 2;
   table_size_ = (rows + 2) * row_length_;
+}
+
+template <int Dim>
+std::size_t SortedLayers<Dim>::integers_for(const LayerGrid<Dim>& grid,
+                                            std::size_t largest_layer) noexcept {
+  lay_out(grid, largest_layer);
+  constexpr std::size_t integers_of_place =
+      (sizeof(kernels::PositionRecord) +
+       2 * (6 * sizeof(std::uint32_t) + sizeof(exact::Sphere<Dim>))) /
+      sizeof(std::uint32_t);
+  return 2 * table_size_ + largest_layer + half_ * integers_of_place;
+}
+
+template <int Dim>
+void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_layer) {
+  has_copies_ = {};
+  lay_out(grid, largest_layer);
   base::make_room(tables_, 2 * table_size_);
   base::make_room(entry_of_, largest_layer);
   base::make_room(placed_, half_);
@@ -55,7 +71,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
   std::uint32_t* const table = this->table(k);
   count(grid, table, elements.records, work);
   const auto begin = static_cast<std::uint32_t>(lead + k % 2 * half_);
-  const std::uint32_t end = lay_out(grid, table, begin);
+  const std::uint32_t end = lay_out_table(grid, table, begin);
   place(elements, table, begin, work);
   pad(grid, table, placed_.data() - begin, end);
   const std::size_t size = end - begin + tail;
@@ -72,7 +88,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
   work.did(size + table_size_);
 }
 
-/// Counts the records of each column, an entry further on than `lay_out` wants it.
+/// Counts the records of each column, an entry further on than `lay_out_table` wants it.
 template <int Dim>
 void SortedLayers<Dim>::count(const LayerGrid<Dim>& grid, std::uint32_t* table,
                               std::span<const kernels::PositionRecord> records,
@@ -94,8 +110,8 @@ void SortedLayers<Dim>::count(const LayerGrid<Dim>& grid, std::uint32_t* table,
 /// Turns counts into first places and returns the end of the layer. When its elements are placed,
 /// an entry is the end of its column, which is the begin of the next one.
 template <int Dim>
-std::uint32_t SortedLayers<Dim>::lay_out(const LayerGrid<Dim>& grid, std::uint32_t* table,
-                                         std::uint32_t begin) const noexcept {
+std::uint32_t SortedLayers<Dim>::lay_out_table(const LayerGrid<Dim>& grid, std::uint32_t* table,
+                                               std::uint32_t begin) const noexcept {
   std::uint32_t place = begin;
   for (std::size_t row = 0; row < grid.row_count() + std::size_t{2}; ++row) {
     for (std::size_t c = 0; c < row_length_; ++c) {

@@ -21,6 +21,10 @@ class SortedLayers {
  public:
   explicit SortedLayers(base::MemoryMeter& memory);
 
+  /// Integers of 4 bytes for layers of at most so many elements, copies of their spheres included.
+  [[nodiscard]] std::size_t integers_for(const LayerGrid<Dim>& grid,
+                                         std::size_t largest_layer) noexcept;
+
   /// Makes room for layers of at most so many elements.
   void start(const LayerGrid<Dim>& grid, std::size_t largest_layer);
 
@@ -35,8 +39,9 @@ class SortedLayers {
  private:
   void count(const LayerGrid<Dim>& grid, std::uint32_t* table,
              std::span<const kernels::PositionRecord> records, base::WorkCounter& work);
-  [[nodiscard]] std::uint32_t lay_out(const LayerGrid<Dim>& grid, std::uint32_t* table,
-                                      std::uint32_t begin) const noexcept;
+  void lay_out(const LayerGrid<Dim>& grid, std::size_t largest_layer) noexcept;
+  [[nodiscard]] std::uint32_t lay_out_table(const LayerGrid<Dim>& grid, std::uint32_t* table,
+                                            std::uint32_t begin) const noexcept;
   void place(const LayerElements& elements, std::uint32_t* table, std::uint32_t begin,
              base::WorkCounter& work);
   void copy(const double* spheres, std::uint32_t begin, std::size_t size, base::WorkCounter& work);

@@ -169,7 +169,9 @@ bool BucketSort<Entry>::sort_rows(std::span<Entry> entries, std::span<const std:
                                   std::size_t first_element, const kernels::OrderKernels& kernels,
                                   base::WorkCounter& work) const {
   if constexpr (std::same_as<Entry, ContactPair>) {
-    if (most_of_digit(ends) > kernels::longest_sorted_row) return false;
+    if (kernels.sort_rows == nullptr || most_of_digit(ends) > kernels::longest_sorted_row) {
+      return false;
+    }
     kernels.sort_rows(
         {moved_.data(), entries.size(), static_cast<ElementIndex>(first_element), ends.data()},
         entries.data());
@@ -192,16 +194,14 @@ void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element
   // If most elements have no pair, several share a digit: an empty digit costs as much as a pair.
   const ByFirst by_first(first, static_cast<ElementIndex>(first_element + width - 1),
                          2 * entries.size());
-  if (std::same_as<Entry, ContactPair> && by_first.count() == width &&
-      kernels.sort_rows != nullptr) {
-    const auto ends = scatter(entries, by_first, moved, work);
-    if (sort_rows(entries, ends, first_element, kernels, work)) return;
-  }
   const Partners partners = partners_of<Entry>(entries, first_element, width, work);
-  // A few pairs need no pass over second elements; pairs of elements that are numbered nearby may
-  // have been found nearly in order.
+  // A few pairs need no pass over second elements. Rows of elements that are numbered nearby have
+  // partners in the same cache lines: vectors sort them faster than a second pass would, which is
+  // faster where partners lie anywhere.
   if (entries.size() < width / 2 || partners.near > entries.size() / 2) {
     const auto ends = scatter(entries, by_first, moved, work);
+    const bool digits_are_rows = by_first.count() == width;
+    if (digits_are_rows && sort_rows(entries, ends, first_element, kernels, work)) return;
     if (!has_crowd(ends) && !is_shuffled<Entry>(moved, work)) {
       std::copy(moved.begin(), moved.end(), entries.begin());
       return sort_by_insertion(entries, work);

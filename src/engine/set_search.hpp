@@ -11,8 +11,9 @@
 
 namespace abut::engine {
 
-/// Searches search sets: divides them by size where that pays, cuts them into tiles, searches each
-/// tile, and treats a crowded tile as a search set of its own.
+/// Searches search sets: divides them by size where that pays, searches large ones in layers where
+/// these suit, cuts the others into tiles, searches each tile, and treats a crowded tile as a
+/// search set of its own.
 ///
 /// Search sets are searched by all workers together, tile by tile; the search sets inside a tile by
 /// the worker whose tile it is, but for large ones, which wait until all are free.

@@ -29,8 +29,8 @@ struct SearchInput {
   base::ProgressReporter& progress;
 };
 
-/// One worker: sorts tiles on its scratch, runs the kernels, decides what they leave undecided,
-/// hands on pairs.
+/// One worker: sorts tiles and layers on its scratch, runs the kernels, decides what they leave
+/// undecided, hands on pairs.
 template <int Dim>
 class TileSearcher {
  public:

@@ -17,8 +17,10 @@ constexpr int most_halvings = 2;
 /// Cells that are wider than the reach by more than this have half as many columns.
 constexpr double wide_cell = 1.5;
 
-/// Elements of a strip in 2D, which is sorted within the nearest caches.
-constexpr double elements_of_strip = 4096.0;
+/// Elements of a strip in 2D, at most, which is sorted within the nearest caches; and strips, at
+/// least, that workers may share out.
+constexpr double most_elements_of_strip = 4096.0;
+constexpr double least_strips = 24.0;
 /// A strip has 2^11 rows at most: as many as an axis may have cells. Positions are shifted by less
 /// than their 32 bits.
 constexpr int most_strip_bits = 11;
@@ -106,9 +108,9 @@ bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double cell) {
   map_.layer_axis = static_cast<int>(layer_axis);
   map_.layer_shift = kernels::cell_bits;
   row_axis_ = axes[Dim - 2];
-  rows_axis_ = Dim == 2 ? layer_axis : axes[0];
+  next_row_axis_ = Dim == 2 ? layer_axis : axes[0];
   layers_ = cells[layer_axis];
-  rows_ = cells[rows_axis_];
+  rows_ = cells[next_row_axis_];
   columns_ = cells[row_axis_];
   return true;
 }
@@ -144,9 +146,11 @@ void LayerGrid<Dim>::set_reach(kernels::LayerPair& layers) const noexcept {
 /// Joins rows to strips of 2^k rows each.
 template <int Dim>
 void LayerGrid<Dim>::join_rows(std::size_t elements) {
-  const double in_row = static_cast<double>(elements) / static_cast<double>(rows_);
+  const auto count = static_cast<double>(elements);
+  const double in_row = count / static_cast<double>(rows_);
+  const double in_strip = std::min(most_elements_of_strip, count / least_strips);
   int bits = 0;
-  while (bits < most_strip_bits && in_row * std::ldexp(1.0, bits + 1) <= elements_of_strip) ++bits;
+  while (bits < most_strip_bits && in_row * std::ldexp(1.0, bits + 1) <= in_strip) ++bits;
   layers_ = ((rows_ - 1) >> bits) + 1;
   row_mask_ = (std::uint32_t{1} << bits) - 1;
   map_.layer_shift += bits;

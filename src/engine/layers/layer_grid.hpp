@@ -14,7 +14,7 @@ namespace abut::engine {
 /// What layers are worth.
 struct LayerLimits {
   /// Fewer elements are searched as fast in one tile.
-  std::size_t least_elements = 1 << 13;
+  std::size_t least_elements = 20'000;
   /// Beside the work for an element there is work for a row and for a layer.
   double least_elements_of_layer = 256.0;
   /// Mean number of elements in two runs that are joined in a vector of eight, up to which layers
@@ -61,7 +61,7 @@ class LayerGrid {
   }
 
   [[nodiscard]] std::uint32_t row(const kernels::PositionRecord& record) const noexcept {
-    return static_cast<std::uint32_t>(record.position[rows_axis_]) >> kernels::cell_bits &
+    return static_cast<std::uint32_t>(record.position[next_row_axis_]) >> kernels::cell_bits &
            row_mask_;
   }
   [[nodiscard]] std::uint32_t column(const kernels::PositionRecord& record) const noexcept {
@@ -113,7 +113,7 @@ class LayerGrid {
 
   kernels::PositionMap map_{};
   std::size_t row_axis_ = 0;
-  std::size_t rows_axis_ = 1;  ///< from row to row
+  std::size_t next_row_axis_ = 1;  ///< from row to row
   std::uint32_t layers_ = 0;
   std::uint32_t rows_ = 0;
   std::uint32_t columns_ = 0;

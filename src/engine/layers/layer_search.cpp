@@ -8,9 +8,10 @@
 namespace abut::engine {
 namespace {
 
-/// Stretches of layers for each of several workers: layers differ in what they hold. The first
-/// layer of each but one is sorted twice.
+/// Stretches of layers for each of several workers, at most: layers differ in what they hold. The
+/// first layer of each stretch but one is sorted twice, so that shorter ones do not pay.
 constexpr std::size_t stretches_for_each = 6;
+constexpr std::size_t layers_of_stretch = 6;
 
 /// The law of memory of `rows`, which the registry states: so many integers for an element, less
 /// those of its record, and for a further thread.
@@ -23,6 +24,13 @@ constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} <
 template <int Dim>
 bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
   return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
+}
+
+std::size_t stretches_for(std::size_t layers, std::size_t workers) {
+  if (workers == 1) return 1;
+  const std::size_t for_each =
+      std::clamp(layers / (layers_of_stretch * workers), std::size_t{1}, stretches_for_each);
+  return std::min(layers, for_each * workers);
 }
 
 }  // namespace
@@ -56,7 +64,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                worker_count_, work);
   const std::size_t layers = grid.layer_count();
   const std::size_t workers = workers_for(grid, set.locals.size());
-  const std::size_t stretches = workers == 1 ? 1 : std::min(layers, stretches_for_each * workers);
+  const std::size_t stretches = stretches_for(layers, workers);
   base::for_each_index(workers, stretches, work,
                        [&](std::size_t w, std::size_t stretch, base::WorkCounter& its_work) {
                          const auto [first, last] = base::share_of(stretch, stretches, layers);

@@ -62,6 +62,10 @@ HWY_INLINE Spheres<Dim> load(const double* const* spheres) {
 
 /// high + low, exactly: exact::DoubleDouble.
 struct DoubleDoubleLanes {
+  // Written out, as that of Spheres.
+  HWY_INLINE DoubleDoubleLanes() {}
+  HWY_INLINE DoubleDoubleLanes(Doubles the_high, Doubles the_low) : high(the_high), low(the_low) {}
+
   Doubles high;
   Doubles low;
 };

@@ -46,7 +46,7 @@ HWY_INLINE void bring_back(const WallJob& job, Doubles (&point)[3]) {
   }
 }
 
-/// Returns the cells of points, and which points have one. The whole part is 0 a little before the
+/// Returns the cells of points, and takes those that have none from `inside`. The whole part is 0 a little before the
 /// first cell, too, as in WallGrid::near.
 HWY_INLINE Cells cells_of(const WallJob& job, const Doubles (&point)[3], Mask& inside) {
   Cells index[3];
@@ -56,7 +56,7 @@ HWY_INLINE Cells cells_of(const WallJob& job, const Doubles (&point)[3], Mask& i
     const Mask within =
         hn::And(hn::Gt(place, hn::Set(doubles, -1.0)),
                 hn::Lt(place, hn::Set(doubles, static_cast<double>(job.size[axis]))));
-    inside = axis == 0 ? within : hn::And(inside, within);
+    inside = hn::And(inside, within);
     index[axis] = hn::DemoteTo(whole, hn::IfThenElseZero(within, place));
   }
   const Cells row = hn::Add(hn::Mul(index[2], hn::Set(whole, job.size[1])), index[1]);
@@ -84,7 +84,7 @@ std::size_t find_near(const WallJob& job, std::uint32_t* near, std::size_t& foun
     Doubles point[3], radius;
     hn::LoadInterleaved4(doubles, job.spheres + 4 * k, point[0], point[1], point[2], radius);
     if (job.is_moved) bring_back(job, point);
-    Mask inside;
+    Mask inside = hn::FirstN(doubles, lanes);
     const Cells cell = cells_of(job, point, inside);
     unsigned set = occupied_among(job, cell, inside);
     for (; set != 0; set &= set - 1) {

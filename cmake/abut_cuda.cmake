@@ -1,7 +1,8 @@
 # Devices. ABUT_CUDA: ON demands a CUDA compiler, OFF does without, AUTO takes what is found; a build
-# under a sanitizer then does without, for device code has none.
+# under a sanitizer, for device code has none, or for another machine then does without.
 set(ABUT_USE_CUDA OFF)
-if(ABUT_CUDA STREQUAL ON OR (ABUT_CUDA STREQUAL AUTO AND NOT ABUT_SANITIZE))
+if(ABUT_CUDA STREQUAL ON OR
+   (ABUT_CUDA STREQUAL AUTO AND NOT ABUT_SANITIZE AND NOT CMAKE_CROSSCOMPILING))
   include(CheckLanguage)
   check_language(CUDA)
   if(CMAKE_CUDA_COMPILER)

@@ -2,10 +2,12 @@
 
 Usage: report.py RESULTS_FOLDER [--docs FILE]
 The page keeps its words: only what lies between its markers is written anew. A table that is not
-there leaves its section as it is.
+in the folder is taken from another machine's, which the page names; one that no machine has leaves
+its section as it is.
 """
 
 import argparse
+import glob
 import os
 
 from benchmarks.common.pages import contents, link, with_sections, wrapped, write
@@ -69,8 +71,13 @@ def neighbor_lists(rows):
     return table(head, lines)
 
 
+# Rows that the page leaves out: they are in the table's file.
+NOT_SHOWN = {"needs_rebuild() an element", "liquid: shifts too"}
+
+
 def pair_geometry(rows):
     head = ["of contacts and neighbors", "elements", "entries", "ns an entry"]
+    rows = [r for r in rows if r["task"] not in NOT_SHOWN]
     return table(head, [[r["task"], f"{r['elements']:,}", f"{r['entries']:,}",
                          plain(r["ns_median"])] for r in rows])
 
@@ -92,25 +99,42 @@ SECTIONS = {
 }
 
 
+def tables_of(results):
+    """For each table that there is its file: that of the folder, or else the first machine's that
+    measured it."""
+    found = {}
+    for name in SECTIONS:
+        others = sorted(glob.glob(os.path.join(ROOT, "benchmarks", "results", "*", "systems",
+                                               f"{name}.csv")))
+        for path in (os.path.join(results, f"{name}.csv"), *others):
+            if os.path.exists(path):
+                found[name] = path
+                break
+    return found
+
+
 def machines(headers, results, page):
-    """On what the tables were measured; once, if all on the same."""
+    """On what the tables were measured, each machine once, that of the folder first, with a link to
+    its tables. `headers` gives the header of each file of a table."""
     names = {}
-    for name, header in headers.items():
-        names.setdefault("; ".join(f"{k} {v}" for k, v in header.items()), []).append(name)
-    lines = [wrapped("Measured on: " + where + (f" ({', '.join(of)})" if len(names) > 1 else "")
-                     + ".") for where, of in names.items()]
-    return "\n".join([*lines, link("The tables", results, page) + "."])
+    for path, header in sorted(headers.items(), key=lambda of: os.path.dirname(of[0]) != results):
+        words = "; ".join(f"{key} {value}" for key, value in header.items())
+        names.setdefault((words, os.path.dirname(path)), []).append(
+            os.path.basename(path).removesuffix(".csv"))
+    lines = []
+    for (words, folder), of in names.items():
+        which = f" ({', '.join(of)})" if len(names) > 1 else ""
+        lines += [wrapped(f"Measured on: {words}{which}."), link("The tables", folder, page) + "."]
+    return "\n".join(lines)
 
 
 def texts(results, page):
     """Pairs of a file and what belongs there: the page alone, which shows all there is."""
     headers, sections = {}, []
-    for name, body in SECTIONS.items():
-        path = os.path.join(results, f"{name}.csv")
-        if os.path.exists(path):
-            headers[name], rows = read(path)
-            sections.append((name, body(rows)))
-    sections.append(("machine", machines(headers, results, page)))
+    for name, path in tables_of(os.path.abspath(results)).items():
+        headers[path], rows = read(path)
+        sections.append((name, SECTIONS[name](rows)))
+    sections.append(("machine", machines(headers, os.path.abspath(results), page)))
     return [(page, with_sections(contents(page), sections))]
 
 

@@ -46,8 +46,8 @@ HWY_INLINE void bring_back(const WallJob& job, Doubles (&point)[3]) {
   }
 }
 
-/// Returns the cells of points, and takes those that have none from `inside`. The whole part is 0 a little before the
-/// first cell, too, as in WallGrid::near.
+/// Returns the cells of points, and takes those that have none from `inside`. The whole part is 0 a
+/// little before the first cell, too, as in WallGrid::near.
 HWY_INLINE Cells cells_of(const WallJob& job, const Doubles (&point)[3], Mask& inside) {
   Cells index[3];
   for (int axis = 0; axis < 3; ++axis) {

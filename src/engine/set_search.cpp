@@ -129,6 +129,7 @@ void SetSearch<Dim>::search(const SearchSet<Dim>& set) {
 
 template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
+  if (set.locals.empty() || set.locals.size() < input_.layer_limits.least_elements) return false;
   const SearchPlace at{nullptr, workspace_.levels, workspace_.histogram, 0};
   if (size_cut_for(set, at) || !take_layers(set)) return false;
   finish();

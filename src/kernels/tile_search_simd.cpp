@@ -27,36 +27,11 @@ HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Runs are short: wider vectors would be mostly empty.
-using FloatTag = hn::CappedTag<float, 8>;
-using NumberTag = hn::RebindToUnsigned<FloatTag>;
-using Floats = hn::Vec<FloatTag>;
-using Numbers = hn::Vec<NumberTag>;
-using Mask = hn::Mask<FloatTag>;
-constexpr FloatTag floats{};
-constexpr NumberTag numbers{};
-constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
-
-/// A lane is a bit.
-using Bits = unsigned;
-
-HWY_INLINE Bits bits_of(Mask mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(floats, mask, bits);
-  return bits[0];
-}
-
-/// The lanes of the set, in order, then the others.
-HWY_INLINE Numbers compress(Numbers values, Bits set) {
-  const auto order = hn::PromoteTo(
-      numbers, hn::LoadU(hn::Rebind<std::uint8_t, NumberTag>(), compress_table[set].data()));
-  return hn::TableLookupLanes(values, hn::IndicesFromVec(numbers, order));
-}
+#include "kernels/simd_lanes-inl.hpp"
 
 /// Runs of at most this length take part in the loop without branches.
 constexpr std::uint32_t short_run = row_padding;
 constexpr Bits all_of_short_run = (1u << short_run) - 1;
-constexpr Bits all_lanes = (1u << lanes) - 1;
 /// Most hits of an element whose five runs are short.
 constexpr std::size_t most_hits = 5 * short_run;
 

@@ -26,38 +26,14 @@ HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Two runs have seven elements: wider vectors would be mostly empty.
-using FloatTag = hn::CappedTag<float, 8>;
-using NumberTag = hn::RebindToUnsigned<FloatTag>;
+#include "kernels/simd_lanes-inl.hpp"
+
 using IntegerTag = hn::RebindToSigned<FloatTag>;
-using Floats = hn::Vec<FloatTag>;
-using Numbers = hn::Vec<NumberTag>;
 using Integers = hn::Vec<IntegerTag>;
-constexpr FloatTag floats{};
-constexpr NumberTag numbers{};
 constexpr IntegerTag integers{};
-constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
 
 /// Candidates in a vector, or in two where a vector has four lanes.
 constexpr std::uint32_t candidates = row_padding;
-
-/// A lane is a bit.
-using Bits = std::uint32_t;
-constexpr Bits all_lanes = (1u << lanes) - 1;
-
-template <class MaskOfLanes>
-HWY_INLINE Bits bits_of(MaskOfLanes mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(floats, mask, bits);
-  return bits[0];
-}
-
-/// The lanes of the set, in order, then the others.
-HWY_INLINE Numbers compress(Numbers values, Bits set) {
-  const auto order = hn::PromoteTo(
-      numbers, hn::LoadU(hn::Rebind<std::uint8_t, NumberTag>(), compress_table[set].data()));
-  return hn::TableLookupLanes(values, hn::IndicesFromVec(numbers, order));
-}
 
 /// first, first + 1, ... (Highway 1.0.3 makes a variable Iota in memory.)
 HWY_INLINE Numbers numbers_from(std::uint32_t first) {

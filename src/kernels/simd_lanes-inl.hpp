@@ -1,0 +1,30 @@
+// Lanes of single precision, of which sets are bits, included once for each instruction set into
+// the namespace of a file of kernels that has included Highway and compress_table.hpp: no include
+// guard, and no includes.
+
+/// Runs are short: wider vectors would be mostly empty.
+using FloatTag = hn::CappedTag<float, 8>;
+using NumberTag = hn::RebindToUnsigned<FloatTag>;
+using Floats = hn::Vec<FloatTag>;
+using Numbers = hn::Vec<NumberTag>;
+using Mask = hn::Mask<FloatTag>;
+constexpr FloatTag floats{};
+constexpr NumberTag numbers{};
+constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
+
+/// A lane is a bit.
+using Bits = std::uint32_t;
+constexpr Bits all_lanes = (1u << lanes) - 1;
+
+HWY_INLINE Bits bits_of(Mask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(floats, mask, bits);
+  return bits[0];
+}
+
+/// The lanes of the set, in order, then the others.
+HWY_INLINE Numbers compress(Numbers values, Bits set) {
+  const auto order = hn::PromoteTo(
+      numbers, hn::LoadU(hn::Rebind<std::uint8_t, NumberTag>(), compress_table[set].data()));
+  return hn::TableLookupLanes(values, hn::IndicesFromVec(numbers, order));
+}

@@ -18,13 +18,12 @@ HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A pair is a word. Its second element is in the upper half where words begin with their lower
-/// half, so that words of one row are ordered as their pairs are.
+/// A pair is a word. Pairs of one row have the same first element, so that their words are ordered
+/// as their second ones are, whichever half of a word comes first.
 using WordTag = hn::CappedTag<std::uint64_t, 8>;
 using Mask = hn::Mask<WordTag>;
 constexpr WordTag words{};
 constexpr std::size_t lanes = hn::MaxLanes(WordTag());
-static_assert(std::endian::native == std::endian::little);
 
 HWY_INLINE std::uint32_t bits_of(Mask mask) {
   std::uint8_t bits[8] = {};

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -158,6 +159,27 @@ TEST(RowsLayersWork, TakesFewBytesForEachElement) {
       const std::uint64_t packed =
           elements * static_cast<std::uint64_t>(scene.dimensions + 1) * sizeof(double);
       EXPECT_LE(statistics.working_bytes, packed + 17 * elements + 524288) << name << elements;
+    }
+  }
+}
+
+/// Locals and ghosts are sorted into layers alike, whatever the cell.
+TEST(RowsLayersInCells, HaveThePairsOfDirectCheck) {
+  const std::vector<std::pair<std::string, Domain>> cells{
+      {"dense_spread", Domain::lattice({60, 0, 0}, {20, 60, 0}, {-10, 15, 60})},
+      {"hexagonal_2d", Domain::periodic({270.0, 250.0})}};
+  for (const auto& [name, domain] : cells) {
+    const Scene scene = scenes::scene_named(name).make(count, 42);
+    const auto list = [&](Algorithm algorithm, int threads) {
+      return find_contact_pairs(
+          view_of(scene), domain,
+          {.algorithm = algorithm, .shifts = Shifts::stored, .threads = threads});
+    };
+    const PairList expected = list(Algorithm::direct_check, 1);
+    for (const int threads : {1, 2}) {
+      const PairList found = list(Algorithm::rows, threads);
+      EXPECT_TRUE(std::ranges::equal(found.pairs(), expected.pairs())) << name;
+      EXPECT_TRUE(std::ranges::equal(found.shifts(), expected.shifts())) << name;
     }
   }
 }

@@ -165,21 +165,25 @@ TEST(RowsLayersWork, TakesFewBytesForEachElement) {
 
 /// Locals and ghosts are sorted into layers alike, whatever the cell.
 TEST(RowsLayersInCells, HaveThePairsOfDirectCheck) {
-  const std::vector<std::pair<std::string, Domain>> cells{
+  struct SceneInCell {
+    std::string scene;
+    Domain domain;
+  };
+  const std::vector<SceneInCell> cells{
       {"dense_spread", Domain::lattice({60, 0, 0}, {20, 60, 0}, {-10, 15, 60})},
       {"hexagonal_2d", Domain::periodic({270.0, 250.0})}};
-  for (const auto& [name, domain] : cells) {
-    const Scene scene = scenes::scene_named(name).make(count, 42);
+  for (const SceneInCell& cell : cells) {
+    const Scene scene = scenes::scene_named(cell.scene).make(count, 42);
     const auto list = [&](Algorithm algorithm, int threads) {
       return find_contact_pairs(
-          view_of(scene), domain,
+          view_of(scene), cell.domain,
           {.algorithm = algorithm, .shifts = Shifts::stored, .threads = threads});
     };
     const PairList expected = list(Algorithm::direct_check, 1);
     for (const int threads : {1, 2}) {
       const PairList found = list(Algorithm::rows, threads);
-      EXPECT_TRUE(std::ranges::equal(found.pairs(), expected.pairs())) << name;
-      EXPECT_TRUE(std::ranges::equal(found.shifts(), expected.shifts())) << name;
+      EXPECT_TRUE(std::ranges::equal(found.pairs(), expected.pairs())) << cell.scene;
+      EXPECT_TRUE(std::ranges::equal(found.shifts(), expected.shifts())) << cell.scene;
     }
   }
 }

@@ -114,6 +114,14 @@ void measure_liquid(const Settings& settings) {
         [&] { static_cast<void>(list(Shifts::stored, {})); });
   write("liquid: distances and vectors too", settings.atoms, entries, settings.repetitions,
         [&] { static_cast<void>(list(Shifts::stored, Quantity::distance | Quantity::vector)); });
+  const std::vector<double> radii(settings.atoms, 0.0);
+  Detector detector({.shifts = Shifts::stored,
+                     .quantities = Quantity::distance | Quantity::vector,
+                     .margin = cutoff,
+                     .threads = 1});
+  write("liquid: all of it by a Detector", settings.atoms, entries, settings.repetitions, [&] {
+    detector.build_neighbor_list(spheres(x, y, z, radii), cube, NeighborListKind::half);
+  });
 }
 
 int main_of(int argc, char** argv) {

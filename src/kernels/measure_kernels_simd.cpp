@@ -1,6 +1,6 @@
 // Gaps, distances, normals, points and vectors of pairs of spheres, in vectors of pairs, compiled
 // once for each instruction set (Highway). What rounds as the scalar code does is written; what
-// might not is listed for it. Nothing is fused.
+// might not is listed for it.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/measure_kernels_simd.cpp"
@@ -67,12 +67,12 @@ HWY_INLINE Mask write_vectors(const LineLanes<Dim>& line, double (*vectors)[3]) 
 }
 
 template <int Dim>
-HWY_INLINE Mask write_distances(const LineLanes<Dim>& line, const DirectionLanes<Dim>& direction,
+HWY_INLINE Mask write_distances(const LineLanes<Dim>& line, const LengthLanes& length,
                                 double* distances) {
-  const Doubles error = hn::Add(hn::Mul(hn::Set(doubles, band_of_distance), direction.root),
+  const Doubles error = hn::Add(hn::Mul(hn::Set(doubles, band_of_distance), length.root),
                                 hn::Add(line.error, line.error));
-  const Doubles below = hn::Add(direction.root, hn::Sub(direction.rest, error));
-  const Doubles above = hn::Add(direction.root, hn::Add(direction.rest, error));
+  const Doubles below = hn::Add(length.root, hn::Sub(length.rest, error));
+  const Doubles above = hn::Add(length.root, hn::Add(length.rest, error));
   hn::StoreU(below, doubles, distances);
   return hn::Eq(below, above);
 }
@@ -111,25 +111,28 @@ HWY_INLINE Mask write_all(const MeasureJob& job, std::size_t k, const Spheres<Di
   if (job.gaps != nullptr) certain = hn::And(certain, write_gaps(a, b, line, job.gaps + k));
   if (job.vectors != nullptr) certain = hn::And(certain, write_vectors(line, job.vectors + k));
   if (job.distances == nullptr && job.normals == nullptr && job.points == nullptr) return certain;
-  const DirectionLanes<Dim> direction = direction_of(line);
+  const LengthLanes length = length_of(line);
   if (job.distances != nullptr) {
-    certain = hn::And(certain, write_distances(line, direction, job.distances + k));
+    certain = hn::And(certain, write_distances(line, length, job.distances + k));
   }
+  if (job.normals == nullptr && job.points == nullptr) return certain;
+  const DirectionLanes<Dim> direction = direction_of(line, length);
   if (job.normals != nullptr) write_normals(direction, job.normals + k);
   if (job.points != nullptr) write_points(a, b, line, direction, job.points + k);
   return certain;
 }
 
-/// The shifts of the lanes as numbers; whether any is not 0.
-HWY_INLINE bool read_shifts(const ImageShift* shifts, double (*numbers)[lanes]) {
-  std::int32_t any = 0;
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    numbers[0][lane] = shifts[lane].x;
-    numbers[1][lane] = shifts[lane].y;
-    numbers[2][lane] = shifts[lane].z;
-    any |= shifts[lane].x | shifts[lane].y | shifts[lane].z;
-  }
-  return any != 0;
+/// How many vectors of the lattice the lanes are moved; tells whether any is.
+HWY_INLINE bool read_shifts(const ImageShift* shifts, Doubles (&numbers)[3]) {
+  static_assert(sizeof(ImageShift) == 3 * sizeof(std::int32_t));
+  const hn::Rebind<std::int32_t, DoubleTag> integers;
+  hn::Vec<decltype(integers)> x, y, z;
+  hn::LoadInterleaved3(integers, &shifts->x, x, y, z);
+  if (hn::AllTrue(integers, hn::Eq(hn::Or(x, hn::Or(y, z)), hn::Zero(integers)))) return false;
+  numbers[0] = hn::PromoteTo(doubles, x);
+  numbers[1] = hn::PromoteTo(doubles, y);
+  numbers[2] = hn::PromoteTo(doubles, z);
+  return true;
 }
 
 HWY_INLINE void list_open(Mask certain, std::size_t k, std::uint32_t* open,
@@ -164,7 +167,7 @@ std::size_t measure_in(const MeasureJob& job, std::uint32_t* open, std::size_t& 
     }
     const Spheres<Dim> a = load<Dim>(elements);
     const Spheres<Dim> b = load<Dim>(partners);
-    double numbers[3][lanes];
+    Doubles numbers[3];
     const bool is_moved = job.shifts != nullptr && read_shifts(job.shifts + k, numbers);
     const LineLanes<Dim> line =
         is_moved ? moved_line_between(a, b, numbers, job.lattice) : line_between(a, b);

@@ -11,18 +11,8 @@ constexpr double smallest_measured = 4.0 * exact::smallest_ordinary;
 
 /// exact::two_product.
 HWY_INLINE DoubleDoubleLanes two_product(Doubles a, Doubles b) {
-  const Doubles splitter = hn::Set(doubles, 134217729.0);
-  const Doubles scaled_a = hn::Mul(splitter, a);
-  const Doubles a_high = hn::Sub(scaled_a, hn::Sub(scaled_a, a));
-  const Doubles a_low = hn::Sub(a, a_high);
-  const Doubles scaled_b = hn::Mul(splitter, b);
-  const Doubles b_high = hn::Sub(scaled_b, hn::Sub(scaled_b, b));
-  const Doubles b_low = hn::Sub(b, b_high);
   const Doubles product = hn::Mul(a, b);
-  const Doubles crossed =
-      hn::Add(hn::Add(hn::Sub(hn::Mul(a_high, b_high), product), hn::Mul(a_high, b_low)),
-              hn::Mul(a_low, b_high));
-  return {product, hn::Add(crossed, hn::Mul(a_low, b_low))};
+  return {product, error_of_product(a, b, product)};
 }
 
 /// exact::CompensatedSum.
@@ -90,7 +80,7 @@ HWY_INLINE LineLanes<Dim> line_between(const Spheres<Dim>& a, const Spheres<Dim>
 /// `numbers[k]`: how many vectors k of the lattice each lane is moved.
 template <int Dim>
 HWY_INLINE LineLanes<Dim> moved_line_between(const Spheres<Dim>& a, const Spheres<Dim>& b,
-                                             const double (*numbers)[lanes],
+                                             const Doubles (&numbers)[3],
                                              const double (*lattice)[3]) {
   LineLanes<Dim> line;
   Doubles largest = hn::Max(a.radius, b.radius);
@@ -100,7 +90,7 @@ HWY_INLINE LineLanes<Dim> moved_line_between(const Spheres<Dim>& a, const Sphere
     difference.add(hn::Neg(b.center[axis]));
     for (int k = 0; k < Dim; ++k) {
       if (lattice[k][axis] == 0.0) continue;
-      const Doubles number = hn::Neg(hn::LoadU(doubles, numbers[k]));
+      const Doubles number = hn::Neg(numbers[k]);
       const DoubleDoubleLanes term = two_product(number, hn::Set(doubles, lattice[k][axis]));
       largest = hn::Max(largest, hn::Abs(term.high));
       difference.add(term.high);
@@ -114,19 +104,17 @@ HWY_INLINE LineLanes<Dim> moved_line_between(const Spheres<Dim>& a, const Sphere
   return line;
 }
 
-/// |v| = root + rest, and v / |v| as pairs.
-template <int Dim>
-struct DirectionLanes {
-  HWY_INLINE DirectionLanes() {}
+/// |v| = root + rest.
+struct LengthLanes {
+  HWY_INLINE LengthLanes() {}
 
   Doubles root;
   Doubles rest;
-  DoubleDoubleLanes unit[Dim];
+  Doubles inverse;  ///< of the root
 };
 
 template <int Dim>
-HWY_INLINE DirectionLanes<Dim> direction_of(const LineLanes<Dim>& line) {
-  DirectionLanes<Dim> direction;
+HWY_INLINE LengthLanes length_of(const LineLanes<Dim>& line) {
   Doubles high = hn::Zero(doubles);
   Doubles low = hn::Zero(doubles);
   for (const DoubleDoubleLanes& component : line.vector) {
@@ -135,33 +123,48 @@ HWY_INLINE DirectionLanes<Dim> direction_of(const LineLanes<Dim>& line) {
     high = sum.high;
     low = hn::Add(low, hn::Add(sum.low, term.low));
   }
-  const Doubles root = hn::Sqrt(high);
-  const Doubles inverse = hn::Div(hn::Set(doubles, 1.0), root);
-  const DoubleDoubleLanes of_root = square({root, hn::Zero(doubles)});
+  LengthLanes length;
+  length.root = hn::Sqrt(high);
+  length.inverse = hn::Div(hn::Set(doubles, 1.0), length.root);
+  const DoubleDoubleLanes of_root = square({length.root, hn::Zero(doubles)});
   const Doubles excess = hn::Add(hn::Sub(hn::Sub(high, of_root.high), of_root.low), low);
-  direction.root = root;
-  direction.rest = hn::Mul(excess, hn::Mul(hn::Set(doubles, 0.5), inverse));
+  length.rest = hn::Mul(excess, hn::Mul(hn::Set(doubles, 0.5), length.inverse));
+  return length;
+}
+
+/// v / |v| as pairs.
+template <int Dim>
+struct DirectionLanes {
+  HWY_INLINE DirectionLanes() {}
+
+  DoubleDoubleLanes unit[Dim];
+};
+
+template <int Dim>
+HWY_INLINE DirectionLanes<Dim> direction_of(const LineLanes<Dim>& line, const LengthLanes& length) {
+  DirectionLanes<Dim> direction;
   for (int axis = 0; axis < Dim; ++axis) {
     const DoubleDoubleLanes& component = line.vector[axis];
-    const Doubles quotient = hn::Mul(component.high, inverse);
-    const DoubleDoubleLanes product = two_product(quotient, root);
+    const Doubles quotient = hn::Mul(component.high, length.inverse);
+    const DoubleDoubleLanes product = two_product(quotient, length.root);
     const Doubles left = hn::Add(hn::Sub(hn::Sub(component.high, product.high), product.low),
-                                 hn::Sub(component.low, hn::Mul(quotient, direction.rest)));
-    direction.unit[axis] = {quotient, hn::Mul(left, inverse)};
+                                 hn::Sub(component.low, hn::Mul(quotient, length.rest)));
+    direction.unit[axis] = {quotient, hn::Mul(left, length.inverse)};
   }
   return direction;
 }
 
-/// exact::point_on.
+/// exact::point_on. The product with the radii may underflow, so that its error is found as there.
 HWY_INLINE Doubles point_on(Doubles start, const DoubleDoubleLanes& vector,
                             const DoubleDoubleLanes& unit, const DoubleDoubleLanes& radii) {
   const Doubles half = hn::Set(doubles, 0.5);
   const DoubleDoubleLanes middle = two_sum(start, hn::Mul(half, vector.high));
   const Doubles half_high = hn::Mul(half, radii.high);
-  const DoubleDoubleLanes along = two_product(unit.high, half_high);
-  const Doubles along_low = hn::Add(along.low, hn::Add(hn::Mul(unit.high, hn::Mul(half, radii.low)),
-                                                       hn::Mul(unit.low, half_high)));
-  const DoubleDoubleLanes point = two_sum(middle.high, along.high);
+  const Doubles along = hn::Mul(unit.high, half_high);
+  const Doubles error = error_by_halves(unit.high, half_high, along);
+  const Doubles along_low = hn::Add(
+      error, hn::Add(hn::Mul(unit.high, hn::Mul(half, radii.low)), hn::Mul(unit.low, half_high)));
+  const DoubleDoubleLanes point = two_sum(middle.high, along);
   const Doubles middle_low = hn::Add(middle.low, hn::Mul(half, vector.low));
   return hn::Add(point.high, hn::Add(point.low, hn::Add(middle_low, along_low)));
 }

@@ -1,5 +1,6 @@
 // Spheres of scattered pairs in lanes of doubles, and sums and squares in double-double arithmetic,
-// included like simd_pair_tester-inl.hpp. Nothing is fused.
+// included like simd_pair_tester-inl.hpp. Nothing is fused but a product and its negative, whose
+// sum is the rounding error of the product: it is a double, so that both ways give the same bits.
 
 /// Wider vectors would take longer to fill from scattered elements than to use.
 using DoubleTag = hn::CappedTag<double, 4>;
@@ -76,14 +77,33 @@ HWY_INLINE DoubleDoubleLanes two_sum(Doubles a, Doubles b) {
   return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, b_seen)), hn::Sub(b, b_seen))};
 }
 
+/// The rounding error of `product` = a * b by numbers of half the length (T. J. Dekker, 1971).
+HWY_INLINE Doubles error_by_halves(Doubles a, Doubles b, Doubles product) {
+  const Doubles splitter = hn::Set(doubles, 134217729.0);
+  const Doubles scaled_a = hn::Mul(splitter, a);
+  const Doubles a_high = hn::Sub(scaled_a, hn::Sub(scaled_a, a));
+  const Doubles a_low = hn::Sub(a, a_high);
+  const Doubles scaled_b = hn::Mul(splitter, b);
+  const Doubles b_high = hn::Sub(scaled_b, hn::Sub(scaled_b, b));
+  const Doubles b_low = hn::Sub(b, b_high);
+  const Doubles crossed =
+      hn::Add(hn::Add(hn::Sub(hn::Mul(a_high, b_high), product), hn::Mul(a_high, b_low)),
+              hn::Mul(a_low, b_high));
+  return hn::Add(crossed, hn::Mul(a_low, b_low));
+}
+
+/// The rounding error of `product` = a * b, where it is a double: not where it underflows.
+HWY_INLINE Doubles error_of_product(Doubles a, Doubles b, Doubles product) {
+#if HWY_NATIVE_FMA
+  return hn::MulSub(a, b, product);
+#else
+  return error_by_halves(a, b, product);
+#endif
+}
+
 /// exact::square and the exact::two_square in it.
 HWY_INLINE DoubleDoubleLanes square(const DoubleDoubleLanes& value) {
-  const Doubles scaled = hn::Mul(hn::Set(doubles, 134217729.0), value.high);
-  const Doubles upper = hn::Sub(scaled, hn::Sub(scaled, value.high));
-  const Doubles lower = hn::Sub(value.high, upper);
   const Doubles square = hn::Mul(value.high, value.high);
-  const Doubles crossed =
-      hn::Add(hn::Sub(hn::Mul(upper, upper), square), hn::Mul(hn::Add(upper, upper), lower));
-  const Doubles low = hn::Add(crossed, hn::Mul(lower, lower));
+  const Doubles low = error_of_product(value.high, value.high, square);
   return {square, hn::Add(low, hn::Mul(hn::Add(value.high, value.high), value.low))};
 }

@@ -8,9 +8,9 @@
 namespace abut::lists {
 namespace {
 
-/// Chunks double up to 2 MiB, one large page.
+/// Chunks double up to 4 MiB, so that pairs and shifts are whole large pages (decision 0003).
 constexpr std::size_t smallest_chunk = 4096;
-constexpr std::size_t largest_chunk = std::size_t{1} << 18;
+constexpr std::size_t largest_chunk = std::size_t{1} << 19;
 
 }  // namespace
 

@@ -132,6 +132,26 @@ TEST(MeasurePairs, HaveTheBitsOfScalarCodeAtEveryScale) {
   }
 }
 
+/// The middle of the centers is 0, so that the point is what half the difference of the radii
+/// gives: a product that underflows, whose error is no double.
+TEST(MeasurePairs, HaveTheBitsOfScalarCodeWhereRadiiUnderflow) {
+  Random random(1512);
+  Pairs<3> given;
+  for (int k = 0; k < 3000; ++k) {
+    exact::Sphere<3> sphere{};
+    for (double& x : sphere.center) x = random.uniform(-1.0, 1.0);
+    sphere.radius =
+        random.uniform(0.0, 0x1p-1015) * std::ldexp(1.0, -static_cast<int>(random.below(60)));
+    given.spheres.push_back(sphere);
+    for (double& x : sphere.center) x = -x;
+    sphere.radius = 0.0;
+    given.spheres.push_back(sphere);
+    const auto first = static_cast<ElementIndex>(2 * k);
+    given.pairs.push_back({first, first + 1});
+  }
+  check(given);
+}
+
 /// Distances that doubles represent, and gaps of exactly 0.
 TEST(MeasurePairs, HaveTheBitsOfScalarCodeOnTouchingLattices) {
   Pairs<3> given;

@@ -154,17 +154,21 @@ HWY_INLINE DirectionLanes<Dim> direction_of(const LineLanes<Dim>& line, const Le
   return direction;
 }
 
-/// exact::point_on. The product with the radii may underflow, so that its error is found as there.
+/// exact::point_on, where what the radii add underflows nowhere: other lanes leave `certain`.
 HWY_INLINE Doubles point_on(Doubles start, const DoubleDoubleLanes& vector,
-                            const DoubleDoubleLanes& unit, const DoubleDoubleLanes& radii) {
+                            const DoubleDoubleLanes& unit, const DoubleDoubleLanes& radii,
+                            Mask& certain) {
   const Doubles half = hn::Set(doubles, 0.5);
   const DoubleDoubleLanes middle = two_sum(start, hn::Mul(half, vector.high));
   const Doubles half_high = hn::Mul(half, radii.high);
-  const Doubles along = hn::Mul(unit.high, half_high);
-  const Doubles error = error_by_halves(unit.high, half_high, along);
-  const Doubles along_low = hn::Add(
-      error, hn::Add(hn::Mul(unit.high, hn::Mul(half, radii.low)), hn::Mul(unit.low, half_high)));
-  const DoubleDoubleLanes point = two_sum(middle.high, along);
+  const DoubleDoubleLanes along = two_product(unit.high, half_high);
+  const Doubles smaller_factor = hn::Min(hn::Abs(unit.high), hn::Abs(half_high));
+  const Mask is_exact = hn::Or(hn::Ge(hn::Abs(along.high), hn::Set(doubles, smallest_measured)),
+                               hn::Eq(smaller_factor, hn::Zero(doubles)));
+  certain = hn::And(certain, is_exact);
+  const Doubles along_low = hn::Add(along.low, hn::Add(hn::Mul(unit.high, hn::Mul(half, radii.low)),
+                                                       hn::Mul(unit.low, half_high)));
+  const DoubleDoubleLanes point = two_sum(middle.high, along.high);
   const Doubles middle_low = hn::Add(middle.low, hn::Mul(half, vector.low));
   return hn::Add(point.high, hn::Add(point.low, hn::Add(middle_low, along_low)));
 }

@@ -77,8 +77,12 @@ HWY_INLINE DoubleDoubleLanes two_sum(Doubles a, Doubles b) {
   return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, b_seen)), hn::Sub(b, b_seen))};
 }
 
-/// The rounding error of `product` = a * b by numbers of half the length (T. J. Dekker, 1971).
-HWY_INLINE Doubles error_by_halves(Doubles a, Doubles b, Doubles product) {
+/// The rounding error of `product` = a * b, where it is a double: not where it underflows.
+HWY_INLINE Doubles error_of_product(Doubles a, Doubles b, Doubles product) {
+#if HWY_NATIVE_FMA
+  return hn::MulSub(a, b, product);
+#else
+  // By numbers of half the length: T. J. Dekker, 1971, as in exact::two_product.
   const Doubles splitter = hn::Set(doubles, 134217729.0);
   const Doubles scaled_a = hn::Mul(splitter, a);
   const Doubles a_high = hn::Sub(scaled_a, hn::Sub(scaled_a, a));
@@ -90,14 +94,6 @@ HWY_INLINE Doubles error_by_halves(Doubles a, Doubles b, Doubles product) {
       hn::Add(hn::Add(hn::Sub(hn::Mul(a_high, b_high), product), hn::Mul(a_high, b_low)),
               hn::Mul(a_low, b_high));
   return hn::Add(crossed, hn::Mul(a_low, b_low));
-}
-
-/// The rounding error of `product` = a * b, where it is a double: not where it underflows.
-HWY_INLINE Doubles error_of_product(Doubles a, Doubles b, Doubles product) {
-#if HWY_NATIVE_FMA
-  return hn::MulSub(a, b, product);
-#else
-  return error_by_halves(a, b, product);
 #endif
 }
 

@@ -136,7 +136,7 @@ std::size_t sift(const CandidateWords& words, CandidateVerdict* verdicts) {
 /// Fills the quanta of spheres. Where numbering does not follow space, each sphere lies elsewhere
 /// in memory; asked for in time, it need not be waited for.
 std::size_t fill(const QuantumFilling& filling) {
-  constexpr std::size_t ahead = 24;
+  constexpr std::size_t ahead = 48;
   using TwoTag = hn::FixedTag<double, 2>;
   constexpr TwoTag twos{};
   constexpr hn::FixedTag<std::int32_t, 2> two_wholes{};

@@ -167,7 +167,7 @@ void CandidateLayout::list_canonically(std::size_t element_count, std::size_t wo
 /// some elements ahead.
 void CandidateLayout::list_canonically(std::size_t first_element, std::size_t last_element,
                                        std::size_t place, base::WorkCounter& work) {
-  constexpr std::size_t ahead = 16;
+  constexpr std::size_t ahead = 32;
   const auto slot_at = [&](std::size_t element) {
     return element < last_element ? slot_of_[element] : no_slot;
   };

@@ -147,7 +147,7 @@ void SortedLayers<Dim>::place(const LayerElements& elements, std::uint32_t* tabl
 template <int Dim>
 void SortedLayers<Dim>::copy(const double* spheres, std::uint32_t begin, std::size_t size,
                              base::WorkCounter& work) {
-  constexpr std::size_t fetched_ahead = 16;
+  constexpr std::size_t fetched_ahead = 48;
   base::make_room(copies_, lead + 2 * half_);
   const auto* const packed = reinterpret_cast<const exact::Sphere<Dim>*>(spheres);
   work.in_pieces(0, size, [&](std::size_t first, std::size_t last) {

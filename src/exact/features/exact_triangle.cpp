@@ -12,45 +12,17 @@
 #include "exact/integer_vector.hpp"
 #include "exact/numbers/big_integer.hpp"
 #include "exact/numbers/bit_range.hpp"
-#include "exact/numbers/bits.hpp"
+#include "exact/numbers/small_integer.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 
 namespace abut::exact {
 namespace {
 
-__extension__ using Int128 = __int128;
-
-/// A whole number below 2^19. Differences are below 2^20, components of vector products below 2^41,
-/// the product of three below 2^63, its square below 2^126.
-class SmallInteger {
- public:
-  static constexpr int most_bits = 19;
-
-  /// value / 2^exponent
-  SmallInteger(double value, int exponent) noexcept
-      : value_(static_cast<Int128>(std::ldexp(value, -exponent))) {}
-
-  [[nodiscard]] int sign() const noexcept { return (value_ > 0) - (value_ < 0); }
-
-  friend SmallInteger operator+(SmallInteger a, SmallInteger b) noexcept {
-    return SmallInteger(a.value_ + b.value_);
-  }
-  friend SmallInteger operator-(SmallInteger a, SmallInteger b) noexcept {
-    return SmallInteger(a.value_ - b.value_);
-  }
-  friend SmallInteger operator*(SmallInteger a, SmallInteger b) noexcept {
-    return SmallInteger(a.value_ * b.value_);
-  }
-  friend bool operator<=(SmallInteger a, SmallInteger b) noexcept { return a.value_ <= b.value_; }
-
- private:
-  explicit SmallInteger(Int128 value) noexcept : value_(value) {}
-
-  Int128 value_;
-};
+/// Bits of short numbers. Differences are below 2^20, components of vector products below 2^41, the
+/// product of three below 2^63, its square below 2^126.
+constexpr int most_short_bits = 19;
 
 /// The corners of a triangle as seen from the center of a sphere.
 template <class Integer>
@@ -141,7 +113,7 @@ TrianglePart nearest_part_exactly(const Sphere<3>& sphere, const Triangle& trian
   include(range, moved ? moved->center : sphere.center);
   if (!moved) include(range, steps);
   const int exponent = range.lowest();
-  if (moved && range.bits() <= SmallInteger::most_bits) {
+  if (moved && range.bits() <= most_short_bits) {
     return nearest(IntegerVector<SmallInteger>(moved->center, exponent), triangle, exponent);
   }
   return moved ? nearest(IntegerVector<BigInteger>(moved->center, exponent), triangle, exponent)
@@ -153,7 +125,7 @@ std::optional<TrianglePart> part_within_reach_exactly(const Sphere<3>& sphere,
                                                       double margin) noexcept {
   const BitRange range = range_of(sphere, triangle, margin);
   const int exponent = range.lowest();
-  if (range.bits() <= SmallInteger::most_bits) {
+  if (range.bits() <= most_short_bits) {
     return decide(IntegerVector<SmallInteger>(sphere.center, exponent), sphere, triangle, margin,
                   exponent);
   }

@@ -21,6 +21,7 @@ ROOMS_BELOW = {
     "exact/numbers": "base",
     "exact": "base exact/numbers",
     "exact/features": "exact/numbers exact",
+    "exact/simplices": "exact/numbers exact",
     "kernels": "base exact",
     "grid": "base exact kernels",
     "lattice": "base exact/numbers exact grid",

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "exact/simplices/simplex.hpp"
+
+#include <cstdint>
+
+namespace abut::exact {
+
+/// True if the two closed sets have a point in common, in real arithmetic. Adds to
+/// `exact_decisions` the number of signs that the filters could not decide.
+template <int Dim>
+[[nodiscard]] bool touch(const Simplex<Dim>& a, const Simplex<Dim>& b,
+                         std::uint64_t& exact_decisions) noexcept;
+
+}  // namespace abut::exact

@@ -11,6 +11,7 @@
 #include "lattice/check_range.hpp"
 #include "lists/order_pairs.hpp"
 #include "walls/box_cover.hpp"
+#include "walls/box_view.hpp"
 
 #include <abut/error.hpp>
 
@@ -32,20 +33,6 @@ double upwards(double x) noexcept {
 
 double finite(double x) noexcept {
   return std::min(x, std::numeric_limits<double>::max());
-}
-
-template <int Dim>
-ElementView view_of(const base::Array<exact::Box<Dim>>& boxes) {
-  std::array<Column<double>, std::size_t{Dim}> lower;
-  std::array<Column<double>, std::size_t{Dim}> upper;
-  for (std::size_t axis = 0; axis < lower.size(); ++axis) {
-    lower[axis] = {nullptr, boxes.size(), sizeof(exact::Box<Dim>)};
-    upper[axis] = lower[axis];
-    if (boxes.empty()) continue;
-    lower[axis].first = &boxes[0].lower[axis];
-    upper[axis].first = &boxes[0].upper[axis];
-  }
-  return ElementView(lower, upper);
 }
 
 /// True if some lattice vector has a component along the axis.

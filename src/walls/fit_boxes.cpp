@@ -3,8 +3,7 @@
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
 #include "base/shortest_text.hpp"
-#include "elements/gathered_elements.hpp"
-#include "walls/vertex_numbers.hpp"
+#include "walls/cell_vertices.hpp"
 
 #include <abut/error.hpp>
 
@@ -26,13 +25,6 @@ double above(double x, double skin) {
   return -below(-x, skin);
 }
 
-void require_finite(double x, std::size_t vertex, std::size_t cell, std::size_t axis) {
-  if (std::isfinite(x)) return;
-  throw Error(ErrorCode::invalid_input, "vertex " + std::to_string(vertex) + " of cell " +
-                                            std::to_string(cell) + " has " + "xyz"[axis] + " = " +
-                                            base::shortest_text(x) + "; positions must be finite");
-}
-
 template <int Dim>
 FittedBoxes fit(const ElementView& vertices, const Connectivity& cells, double skin) {
   FittedBoxes boxes;
@@ -41,16 +33,11 @@ FittedBoxes fit(const ElementView& vertices, const Connectivity& cells, double s
     boxes.lower[axis].resize(cells.size());
     boxes.upper[axis].resize(cells.size());
   }
-  const walls::VertexNumbers numbers(cells, vertices.size());
+  const walls::CellVertices<Dim> corners(vertices, cells);
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     grid::Bounds<Dim> bounds;
     for (std::size_t corner = 0; corner < cells.vertices_per_cell(); ++corner) {
-      const std::size_t number = numbers.at(cell, corner);
-      const exact::Sphere<Dim> vertex = elements::sphere_at<Dim>(vertices, number);
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        require_finite(vertex.center[axis], number, cell, axis);
-      }
-      bounds.include_center(vertex);
+      bounds.include_center(corners.at(cell, corner));
     }
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       boxes.lower[axis][cell] = below(bounds.lower[axis], skin);

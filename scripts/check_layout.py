@@ -37,6 +37,7 @@ ROOMS_BELOW = {
         "base exact kernels grid reference engine periodic elements lists geometry skin algorithms"),
     "history": "base exact lattice elements geometry detect walls",
     "walls": "base exact/features exact kernels lattice elements lists geometry detect",
+    "simplices": "base exact exact/simplices lists detect walls",
     "device/bodies": "base exact/numbers exact",
     "device": "base exact grid elements device/bodies",
     "device/cuda": "base exact device/bodies device",

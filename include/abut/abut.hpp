@@ -30,6 +30,7 @@
 #include <abut/progress.hpp>
 #include <abut/quantity.hpp>
 #include <abut/simd.hpp>
+#include <abut/simplex_contacts.hpp>
 #include <abut/skin.hpp>
 #include <abut/statistics.hpp>
 #include <abut/triangle_mesh.hpp>

@@ -35,14 +35,17 @@ struct TwoPointSets {
 using Sides = std::array<int, 8>;
 
 /// Tells whether a line or plane has all points of one set on one closed side and all of the other
-/// set on the other. If not, not all of `sides` are known.
+/// set on the other. Those that it goes through need not be asked about. If it does not separate
+/// the sets, not all of `sides` are known.
 template <int Dim>
-bool separates(const Hyperplane<Dim>& plane, const TwoPointSets<Dim>& sets, Sides& sides,
+bool separates(const Hyperplane<Dim>& plane, const std::array<std::size_t, Dim>& through,
+               const TwoPointSets<Dim>& sets, Sides& sides,
                std::uint64_t& exact_decisions) noexcept {
   int of_first = 0;
   int of_second = 0;
   for (std::size_t k = 0; k < sets.size; ++k) {
-    const int side = sides[k] = plane.side(sets.points[k], exact_decisions);
+    const bool is_known = std::find(through.begin(), through.end(), k) != through.end();
+    const int side = sides[k] = is_known ? 0 : plane.side(sets.points[k], exact_decisions);
     if (side == 0) continue;
     int& own = k < sets.first_size ? of_first : of_second;
     const int other = k < sets.first_size ? of_second : of_first;
@@ -87,7 +90,7 @@ bool meet(const TwoPointSets<2>& sets, std::uint64_t& exact_decisions) noexcept 
     for (std::size_t j = i + 1; j < sets.size; ++j) {
       if (sets.points[i] == sets.points[j]) continue;
       const Hyperplane<2> line(sets.points[i], sets.points[j]);
-      if (!separates(line, sets, sides, exact_decisions)) continue;
+      if (!separates<2>(line, {i, j}, sets, sides, exact_decisions)) continue;
       const TwoPointSets<2> on = points_on(sides, sets);
       return !on.one_is_empty() && meet_on_line(on);
     }
@@ -144,7 +147,7 @@ class PlaneSearch {
                                                     std::size_t k) noexcept {
     const auto& p = sets_.points;
     const Hyperplane<3> plane(p[i], p[j], p[k]);
-    if (!separates(plane, sets_, sides_, exact_decisions_)) {
+    if (!separates<3>(plane, {i, j, k}, sets_, sides_, exact_decisions_)) {
       is_a_plane_ = true;
       return std::nullopt;
     }

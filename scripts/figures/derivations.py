@@ -333,5 +333,34 @@ def moving_walls():
     return d
 
 
+def orientation():
+    d = Drawing(760, 260, "A line through two vertices that separates two triangles, and the points on it")
+    y, left, right = 150, 40, 420
+    d.line(left, y, right, y, RED, 1.6)
+    d.polygon([(90, y), (230, y), (150, 62)], ADJACENT, INK, 1.4)
+    d.polygon([(190, y), (360, 214), (250, 240)], CENTRAL, INK, 1.4)
+    for x, name in [(90, "i"), (230, "j")]:
+        d.circle(x, y, 5, RED, RED)
+        d.text(x, y - 16, name, 13, color=RED)
+    d.text(150, 108, "A", 15)
+    d.text(262, 200, "B", 15)
+    d.text(right - 4, y - 12, "orientation 0", 12, "end", RED)
+    d.text(right - 4, 66, "1: all others of A", 12, "end", FAINT)
+    d.text(60, 226, "−1: all others of B", 12, "start", FAINT)
+    d.text(230, 22, "the line through i and j separates", 13)
+    d.text(600, 22, "the points on it, one dimension lower", 13)
+    shift = 430
+    d.line(right + 50, y, 740, y, RED, 1.6)
+    d.line(90 + shift, y - 7, 230 + shift, y - 7, ADJACENT, 8)
+    for x in (90, 230):
+        d.circle(x + shift, y, 5, INK)
+    d.circle(190 + shift, y, 5, CENTRAL, INK, 1.4)
+    d.text(160 + shift, y - 28, "[A ∩ H]", 13)
+    d.text(190 + shift, y + 24, "[B ∩ H]", 13)
+    d.text(600, y + 72, "these meet, so A and B touch", 12)
+    return d
+
+
 FIGURES = [predicate_band, cell_margin, tile_filter, layer_filter, periodic_predicate,
-           periodic_images, skin, triangle_predicate, contact_geometry, moving_walls]
+           periodic_images, skin, triangle_predicate, contact_geometry, moving_walls,
+           orientation]

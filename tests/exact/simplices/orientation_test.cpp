@@ -83,11 +83,11 @@ struct InSpaceOf {
   static constexpr int dim = Dim;
 };
 template <class T>
-class OrientationTest : public ::testing::Test {};
+class OrientationOf : public ::testing::Test {};
 using Spaces = ::testing::Types<InSpaceOf<2>, InSpaceOf<3>>;
-TYPED_TEST_SUITE(OrientationTest, Spaces);
+TYPED_TEST_SUITE(OrientationOf, Spaces);
 
-TYPED_TEST(OrientationTest, OrdinaryPointsAreDecidedByTheFilter) {
+TYPED_TEST(OrientationOf, OrdinaryPointsAreDecidedByTheFilter) {
   constexpr int dim = TypeParam::dim;
   Random random(51);
   Count count;
@@ -98,7 +98,7 @@ TYPED_TEST(OrientationTest, OrdinaryPointsAreDecidedByTheFilter) {
   EXPECT_EQ(count.exact_decisions, 0U);
 }
 
-TYPED_TEST(OrientationTest, ShortNumbersOfManyWidths) {
+TYPED_TEST(OrientationOf, ShortNumbersOfManyWidths) {
   constexpr int dim = TypeParam::dim;
   Random random(52);
   Count count;
@@ -115,7 +115,7 @@ TYPED_TEST(OrientationTest, ShortNumbersOfManyWidths) {
 }
 
 /// The largest short numbers: all bits set, all signs.
-TYPED_TEST(OrientationTest, ExtremeShortNumbers) {
+TYPED_TEST(OrientationOf, ExtremeShortNumbers) {
   constexpr int dim = TypeParam::dim;
   Random random(53);
   Count count;
@@ -132,7 +132,7 @@ TYPED_TEST(OrientationTest, ExtremeShortNumbers) {
 }
 
 /// The last point on the line or plane through the others but for rounding, at all scales.
-TYPED_TEST(OrientationTest, NearlyFlatAtEveryScale) {
+TYPED_TEST(OrientationOf, NearlyFlatAtEveryScale) {
   constexpr int dim = TypeParam::dim;
   Random random(54);
   Count count;
@@ -160,7 +160,7 @@ TYPED_TEST(OrientationTest, NearlyFlatAtEveryScale) {
 }
 
 /// Products that overflow, or vanish, beside others that do not.
-TYPED_TEST(OrientationTest, NumbersOfAllSizesTogether) {
+TYPED_TEST(OrientationOf, NumbersOfAllSizesTogether) {
   constexpr int dim = TypeParam::dim;
   Random random(55);
   Count count;
@@ -177,19 +177,19 @@ TYPED_TEST(OrientationTest, NumbersOfAllSizesTogether) {
   EXPECT_GT(count.of_sign[2], 1000U);
 }
 
-/// An error far below the band that a large offset makes large: each of the two products of a
-/// normal's component underflows, and is multiplied by 2^1000.
+/// Two products, 0.51 and 0.49 times the smallest double, are rounded to this one and to 0; a large
+/// offset makes that an error larger than all else, and of the other sign.
 TEST(Orientation, UnderflowTimesALargeNumber) {
   Count count;
-  for (const double tiny : {0x1p-538, 0x1.8p-538, 0x1p-520}) {
-    for (const double far : {0x1p330, 0x1p341, 0x1p1000}) {
-      const Points<3> points{{{0, 0, 0},
-                              {0, tiny, 1.5 * tiny},
-                              {1.0, 1.25 * tiny, 1.875 * tiny},
-                              {far, 0, 0x1p-1074}}};
-      ASSERT_NO_FATAL_FAILURE(compare<3>(points, count));
-    }
+  for (const double far : {0x1p340, 0x1p350, 0x1p400, 0x1p1000}) {
+    const Points<3> points{{{0, 0, 0},
+                            {0, 0x1p-538, 0x1p-538},
+                            {1, 0.49 * 0x1p-536, 0.51 * 0x1p-536},
+                            {far, -0x1p-537 * far, 0}}};
+    ASSERT_NO_FATAL_FAILURE(compare<3>(points, count));
   }
+  EXPECT_EQ(count.of_sign[0], 4U);
+  EXPECT_EQ(count.exact_decisions, 4U);
 }
 
 }  // namespace

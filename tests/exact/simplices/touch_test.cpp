@@ -84,16 +84,16 @@ void expect_both_answers(const Count& count) {
 }
 
 template <class T>
-class TouchTest : public ::testing::Test {};
+class TouchOf : public ::testing::Test {};
 template <int Dim>
 struct InSpaceOf {
   static constexpr int dim = Dim;
 };
 using Spaces = ::testing::Types<InSpaceOf<2>, InSpaceOf<3>>;
-TYPED_TEST_SUITE(TouchTest, Spaces);
+TYPED_TEST_SUITE(TouchOf, Spaces);
 
 /// Few numbers: vertices that coincide, flat elements, all kinds of ties.
-TYPED_TEST(TouchTest, SmallWholeNumbers) {
+TYPED_TEST(TouchOf, SmallWholeNumbers) {
   constexpr int dim = TypeParam::dim;
   Random random(41);
   Count count;
@@ -107,7 +107,7 @@ TYPED_TEST(TouchTest, SmallWholeNumbers) {
 }
 
 /// The same, tilted: no longer short numbers, and most ties are no ties but nearly.
-TYPED_TEST(TouchTest, NearlyFlatAndNearlyTouching) {
+TYPED_TEST(TouchOf, NearlyFlatAndNearlyTouching) {
   constexpr int dim = TypeParam::dim;
   Random random(42);
   Count count;
@@ -123,7 +123,7 @@ TYPED_TEST(TouchTest, NearlyFlatAndNearlyTouching) {
   expect_both_answers(count);
 }
 
-TYPED_TEST(TouchTest, OrdinaryCasesAreDecidedByTheFilters) {
+TYPED_TEST(TouchOf, OrdinaryCasesAreDecidedByTheFilters) {
   constexpr int dim = TypeParam::dim;
   Random random(43);
   Count count;
@@ -137,7 +137,7 @@ TYPED_TEST(TouchTest, OrdinaryCasesAreDecidedByTheFilters) {
 }
 
 /// Multiplied by powers of two up to both ends of the range: the answers are those of the original.
-TYPED_TEST(TouchTest, AtBothEndsOfTheRange) {
+TYPED_TEST(TouchOf, AtBothEndsOfTheRange) {
   constexpr int dim = TypeParam::dim;
   Random random(44);
   Count count;
@@ -156,7 +156,7 @@ TYPED_TEST(TouchTest, AtBothEndsOfTheRange) {
 }
 
 /// Numbers of all sizes in one case: from the smallest to the largest.
-TYPED_TEST(TouchTest, NumbersOfAllSizesTogether) {
+TYPED_TEST(TouchOf, NumbersOfAllSizesTogether) {
   constexpr int dim = TypeParam::dim;
   Random random(45);
   Count count;
@@ -173,7 +173,7 @@ TYPED_TEST(TouchTest, NumbersOfAllSizesTogether) {
 
 /// A vertex beside a point of an edge or a face of the other simplex: it lies there but for
 /// rounding.
-TYPED_TEST(TouchTest, VertexPlantedOnTheOther) {
+TYPED_TEST(TouchOf, VertexPlantedOnTheOther) {
   constexpr int dim = TypeParam::dim;
   Random random(46);
   Count count;
@@ -201,7 +201,7 @@ TYPED_TEST(TouchTest, VertexPlantedOnTheOther) {
 }
 
 /// The order of vertices does not matter.
-TYPED_TEST(TouchTest, AllOrdersOfVertices) {
+TYPED_TEST(TouchOf, AllOrdersOfVertices) {
   constexpr int dim = TypeParam::dim;
   Random random(47);
   for (int k = 0; k < 60; ++k) {

@@ -24,7 +24,7 @@ class CrossSink final : public FilteringSink {
   }
 
  private:
-  std::size_t keep(const PairBatch& batch) const override {
+  std::size_t keep(const PairBatch& batch, std::size_t) const override {
     const ElementIndex first_count = first_count_;
     const std::size_t kept = keep_where(batch, [first_count](const ContactPair& pair) {
       return pair.first < first_count && pair.second >= first_count;

@@ -60,14 +60,14 @@ class FilteringSink : public base::PairSink {
   }
 
   void commit(std::size_t count, const base::Origin& origin) final {
-    const std::size_t kept = keep(buffers_[origin.worker].batch.first(count));
+    const std::size_t kept = keep(buffers_[origin.worker].batch.first(count), origin.worker);
     if (kept > 0) next_->commit(kept, origin);
   }
 
  private:
   /// Leaves the pairs to keep at the front of the batch and returns their number. Called by several
-  /// workers at the same time.
-  virtual std::size_t keep(const PairBatch& batch) const = 0;
+  /// workers at the same time; `worker` is the one that calls.
+  virtual std::size_t keep(const PairBatch& batch, std::size_t worker) const = 0;
 
   /// A worker's own, on cache lines of its own.
   struct alignas(128) FilterBuffer {

@@ -38,7 +38,7 @@ bool holds(std::span<const ElementIndex> partners, ElementIndex sought) {
 
 }  // namespace
 
-std::size_t RuleSink::keep(const PairBatch& batch) const {
+std::size_t RuleSink::keep(const PairBatch& batch, std::size_t) const {
   PairBatch rest = batch;
   if (!rule_.elements.groups.empty()) {
     rest = rest.first(keep_by_groups(rest, rule_.elements, others_, rule_.table));

@@ -20,7 +20,7 @@ class RuleSink final : public FilteringSink {
   }
 
  private:
-  std::size_t keep(const PairBatch& batch) const override;
+  std::size_t keep(const PairBatch& batch, std::size_t worker) const override;
 
   PairRule rule_;
   PairTraits others_;

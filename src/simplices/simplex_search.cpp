@@ -83,7 +83,8 @@ class SimplexSearch {
     detect::validate_request(search);
     lists::FoundPairs found(memory_);
     found.start_anew({.limit = request_.options.max_pairs, .order = request_.options.order});
-    TouchSink<Dim> touching(*first_, second_ ? *second_ : *first_, request_.shared, found);
+    TouchSink<Dim> touching(*first_, second_ ? *second_ : *first_, request_.shared,
+                            context_.progress, found);
     Statistics statistics =
         std::make_unique<detect::PairSearch>(memory_)->find(search, touching, context_);
     statistics.gather_seconds += gather_seconds_;

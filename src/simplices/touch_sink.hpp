@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/progress_reporter.hpp"
 #include "exact/simplices/touch.hpp"
 #include "lists/filtering_sink.hpp"
 #include "simplices/gathered_simplices.hpp"
@@ -20,8 +21,8 @@ class TouchSink final : public lists::FilteringSink {
  public:
   /// All must live until the last pairs are committed.
   TouchSink(const GatheredSimplices<Dim>& first, const GatheredSimplices<Dim>& second,
-            SharedVertices shared, base::PairSink& next)
-      : first_(first), second_(second), shared_(shared) {
+            SharedVertices shared, base::ProgressReporter& progress, base::PairSink& next)
+      : first_(first), second_(second), shared_(shared), progress_(progress) {
     pass_to(next);
   }
 
@@ -30,7 +31,12 @@ class TouchSink final : public lists::FilteringSink {
   [[nodiscard]] std::uint64_t exact_decisions() const noexcept { return exact_decisions_; }
 
  private:
-  std::size_t keep(const lists::PairBatch& batch) const override {
+  /// Costs of a decision, in steps through an array: by the filters, and of a sign beyond them.
+  static constexpr std::uint64_t steps_of_decision = 64;
+  static constexpr std::uint64_t steps_of_sign = 512;
+
+  std::size_t keep(const lists::PairBatch& batch, std::size_t worker) const override {
+    base::WorkCounter work(progress_, worker);
     std::uint64_t tests = 0;
     std::uint64_t open = 0;
     const std::size_t kept = lists::keep_where(batch, [&](const ContactPair& pair) {
@@ -40,8 +46,10 @@ class TouchSink final : public lists::FilteringSink {
       const bool touching =
           exact::touch(first_.simplices[pair.first], second_.simplices[pair.second], signs);
       open += signs > 0 ? 1 : 0;
+      work.did(steps_of_decision + steps_of_sign * signs);
       return touching;
     });
+    work.tell();
     tests_ += tests;
     exact_decisions_ += open;
     return kept;
@@ -60,6 +68,7 @@ class TouchSink final : public lists::FilteringSink {
   const GatheredSimplices<Dim>& first_;
   const GatheredSimplices<Dim>& second_;
   SharedVertices shared_;
+  base::ProgressReporter& progress_;
   mutable std::atomic<std::uint64_t> tests_ = 0;
   mutable std::atomic<std::uint64_t> exact_decisions_ = 0;
 };

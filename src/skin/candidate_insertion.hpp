@@ -33,7 +33,7 @@ class CandidateInsertion final : public lists::FilteringSink {
   }
 
  private:
-  std::size_t keep(const lists::PairBatch& batch) const override {
+  std::size_t keep(const lists::PairBatch& batch, std::size_t) const override {
     const bool periodic = !batch.shifts.empty();
     std::size_t kept = 0;
     for (std::size_t k = 0; k < batch.pairs.size(); ++k) {

@@ -128,6 +128,29 @@ TEST(SimplexErrors, LimitsAndHooks) {
                std::out_of_range);
 }
 
+/// Numbers for which nothing but the longest integers decide: the hook is asked in the meantime,
+/// and a cancel ends the call long before all is decided.
+TEST(SimplexErrors, LongDecisionsAreCancelled) {
+  scenes::Random random(23);
+  SimplexSystem<3, 4> system;
+  for (int k = 0; k < 1200; ++k) {
+    auto& vertex = system.vertices.emplace_back();
+    for (double& x : vertex) x = random.uniform() < 0.5 ? 0x1p1000 : 0x1p-1000 * random.uniform();
+    if (k % 4 == 3) system.cells.push_back({k - 3, k - 2, k - 1, k});
+  }
+  for (const int threads : {1, 3}) {
+    int asked = 0;
+    const auto hook = [&](const Progress& progress) {
+      asked += progress.phase == std::string_view("search") ? 1 : 0;
+      return asked > 20 ? ProgressAction::cancel : ProgressAction::proceed;
+    };
+    expect_error(ErrorCode::cancelled, {}, [&] {
+      static_cast<void>(
+          find_simplex_contacts(system.view(), {.threads = threads, .progress = hook}));
+    });
+  }
+}
+
 /// Bytes are counted, and those of the simplices are among them.
 TEST(SimplexErrors, BytesAreCounted) {
   const auto system = random_system<3, 4>(2000, 22);

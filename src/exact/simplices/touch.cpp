@@ -11,6 +11,8 @@
 #include "exact/simplices/touch.hpp"
 
 #include "exact/simplices/orientation.hpp"
+#include "exact/simplices/piercing_edge.hpp"
+#include "exact/simplices/two_point_sets.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,17 +21,6 @@
 
 namespace abut::exact {
 namespace {
-
-/// Points of two simplices, or those of them that lie in a plane or on a line.
-template <int Dim>
-struct TwoPointSets {
-  std::array<Point<Dim>, 8> points;  ///< those of the first set first
-  std::size_t first_size = 0;
-  std::size_t size = 0;  ///< of both
-
-  void push(const Point<Dim>& point) noexcept { points[size++] = point; }
-  [[nodiscard]] bool one_is_empty() const noexcept { return first_size == 0 || first_size == size; }
-};
 
 /// The side of a line or plane on which each point lies.
 using Sides = std::array<int, 8>;
@@ -125,23 +116,35 @@ class PlaneSearch {
   PlaneSearch(const TwoPointSets<3>& sets, std::uint64_t& exact_decisions) noexcept
       : sets_(sets), exact_decisions_(exact_decisions) {}
 
-  /// Planes of faces come first: these separate most elements that do not touch.
+  /// Planes of faces come first: these separate most elements that do not touch. Of the rest most
+  /// do.
   [[nodiscard]] bool finds_common_point() noexcept {
-    for (const bool mixed : {false, true}) {
-      for (std::size_t i = 0; i < sets_.size; ++i) {
-        for (std::size_t j = i + 1; j < sets_.size; ++j) {
-          for (std::size_t k = j + 1; k < sets_.size; ++k) {
-            const bool is_mixed = i < sets_.first_size && k >= sets_.first_size;
-            if (is_mixed != mixed) continue;
-            if (const auto decided = decide_by_plane(i, j, k)) return *decided;
-          }
-        }
-      }
-    }
+    if (const auto decided = decide_by_planes(Planes::of_faces)) return *decided;
+    if (has_piercing_edge(sets_)) return true;
+    if (const auto decided = decide_by_planes(Planes::of_both)) return *decided;
     return is_a_plane_ || meet_on_line(sets_);
   }
 
  private:
+  enum class Planes {
+    of_faces,  ///< through points of one set
+    of_both,   ///< through points of both sets
+  };
+
+  /// The answer of the first plane that separates the sets.
+  [[nodiscard]] std::optional<bool> decide_by_planes(Planes planes) noexcept {
+    for (std::size_t i = 0; i < sets_.size; ++i) {
+      for (std::size_t j = i + 1; j < sets_.size; ++j) {
+        for (std::size_t k = j + 1; k < sets_.size; ++k) {
+          const bool of_both = i < sets_.first_size && k >= sets_.first_size;
+          if (of_both != (planes == Planes::of_both)) continue;
+          if (const auto decided = decide_by_plane(i, j, k)) return decided;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
   /// Decides if the plane through three of the points separates the sets.
   [[nodiscard]] std::optional<bool> decide_by_plane(std::size_t i, std::size_t j,
                                                     std::size_t k) noexcept {

@@ -1,0 +1,69 @@
+#include "exact/simplices/piercing_edge.hpp"
+
+#include "exact/simplices/orientation.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace abut::exact {
+namespace {
+
+/// Places of points, [begin, end).
+struct Range {
+  std::size_t begin;
+  std::size_t end;
+};
+
+int certain_orientation(const Point<3>& a, const Point<3>& b, const Point<3>& c,
+                        const Point<3>& d) noexcept {
+  return Hyperplane<3>(a, b, c).certain_side(d).value_or(0);
+}
+
+/// For p and q on either side of the plane of i, j, k: the line through them passes the three edges
+/// on the same side.
+bool passes_inside(const Point<3>& p, const Point<3>& q, const Point<3>& i, const Point<3>& j,
+                   const Point<3>& k) noexcept {
+  const int turn = certain_orientation(p, q, i, j);
+  return turn != 0 && certain_orientation(p, q, j, k) == turn &&
+         certain_orientation(p, q, k, i) == turn;
+}
+
+/// Looks at the face i, j, k and all edges of the other set.
+bool is_pierced(const TwoPointSets<3>& sets, std::size_t i, std::size_t j, std::size_t k,
+                const Range& others) noexcept {
+  const auto& points = sets.points;
+  const Hyperplane<3> plane(points[i], points[j], points[k]);
+  std::array<int, 8> sides{};
+  for (std::size_t p = others.begin; p < others.end; ++p) {
+    sides[p] = plane.certain_side(points[p]).value_or(0);
+    for (std::size_t q = others.begin; q < p; ++q) {
+      if (sides[p] * sides[q] < 0 &&
+          passes_inside(points[p], points[q], points[i], points[j], points[k])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool some_face_is_pierced(const TwoPointSets<3>& sets, const Range& faces,
+                          const Range& others) noexcept {
+  for (std::size_t i = faces.begin; i < faces.end; ++i) {
+    for (std::size_t j = i + 1; j < faces.end; ++j) {
+      for (std::size_t k = j + 1; k < faces.end; ++k) {
+        if (is_pierced(sets, i, j, k, others)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool has_piercing_edge(const TwoPointSets<3>& sets) noexcept {
+  const Range first{0, sets.first_size};
+  const Range second{sets.first_size, sets.size};
+  return some_face_is_pierced(sets, first, second) || some_face_is_pierced(sets, second, first);
+}
+
+}  // namespace abut::exact

@@ -9,7 +9,7 @@ namespace abut::exact {
 namespace {
 
 /// Places of points, [begin, end).
-struct Range {
+struct PlaceRange {
   std::size_t begin;
   std::size_t end;
 };
@@ -30,7 +30,7 @@ bool passes_inside(const Point<3>& p, const Point<3>& q, const Point<3>& i, cons
 
 /// Looks at the face i, j, k and all edges of the other set.
 bool is_pierced(const TwoPointSets<3>& sets, std::size_t i, std::size_t j, std::size_t k,
-                const Range& others) noexcept {
+                const PlaceRange& others) noexcept {
   const auto& points = sets.points;
   const Hyperplane<3> plane(points[i], points[j], points[k]);
   std::array<int, 8> sides{};
@@ -46,8 +46,8 @@ bool is_pierced(const TwoPointSets<3>& sets, std::size_t i, std::size_t j, std::
   return false;
 }
 
-bool some_face_is_pierced(const TwoPointSets<3>& sets, const Range& faces,
-                          const Range& others) noexcept {
+bool some_face_is_pierced(const TwoPointSets<3>& sets, const PlaceRange& faces,
+                          const PlaceRange& others) noexcept {
   for (std::size_t i = faces.begin; i < faces.end; ++i) {
     for (std::size_t j = i + 1; j < faces.end; ++j) {
       for (std::size_t k = j + 1; k < faces.end; ++k) {
@@ -61,8 +61,8 @@ bool some_face_is_pierced(const TwoPointSets<3>& sets, const Range& faces,
 }  // namespace
 
 bool has_piercing_edge(const TwoPointSets<3>& sets) noexcept {
-  const Range first{0, sets.first_size};
-  const Range second{sets.first_size, sets.size};
+  const PlaceRange first{0, sets.first_size};
+  const PlaceRange second{sets.first_size, sets.size};
   return some_face_is_pierced(sets, first, second) || some_face_is_pierced(sets, second, first);
 }
 

@@ -18,7 +18,6 @@ PAGE = os.path.join(ROOT, "docs", "benchmarks_systems.md")
 
 PROGRAMS = {
     "box_contacts": ["--counts", "500", "--repetitions", "1"],
-    "simplex_contacts": ["--count", "500", "--repetitions", "1"],
     "periodic_cost": ["--count", "500", "--repetitions", "1"],
     "cross_contacts": ["--count", "500", "--repetitions", "1"],
     "stepping": ["--count", "500", "--steps", "10"],

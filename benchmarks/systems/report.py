@@ -33,20 +33,6 @@ def boxes(rows):
     return table(head, lines)
 
 
-def simplices(rows):
-    head = ["simplices", "candidates", "contact pairs", "`abut`, ns", "boxes alone, ns",
-            "CGAL, ns (× abut)"]
-    lines = []
-    for (case,) in distinct(rows, "case"):
-        of = {r["contestant"]: r for r in rows if r["case"] == case}
-        own, cgal = of["abut"], of["cgal"]
-        lines.append([f"{case}, {own['elements']:,}", f"{own['candidates']:,}",
-                      f"{own['contact_pairs']:,}", plain(own["ns"], 0),
-                      plain(of["boxes alone"]["ns"], 0),
-                      f"{plain(cgal['ns'], 0)} ({cgal['times_abut']:.1f})"])
-    return table(head, lines)
-
-
 def periodic(rows):
     head = ["domain", "contact pairs", "ns", "to open space"]
     return table(head, [[r["case"], f"{r['contact_pairs']:,}", plain(r["ns_median"]),
@@ -104,7 +90,6 @@ def liquid_loop(rows):
 
 SECTIONS = {
     "box_contacts": boxes,
-    "simplex_contacts": simplices,
     "periodic_cost": periodic,
     "cross_contacts": cross_contacts,
     "stepping": stepping,

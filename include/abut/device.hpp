@@ -9,6 +9,7 @@
 #include <abut/statistics.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,14 +46,27 @@ struct Stream {
   void* handle = nullptr;  ///< handle of the runtime
 };
 
-/// Most bytes that a detection holds in the memory of its device, beside the caller's arrays and
-/// the scratch memory of sorts and scans.
+/// Functions of the caller's that give memory of a device, in place of the runtime's pool: those of
+/// CuPy or PyTorch, or of a program with a pool of its own. A detector calls them in the thread
+/// that calls it, with the stream of the call.
+struct Allocator {
+  /// Returns memory for what is put into the stream from then on, aligned to 256 bytes; null if
+  /// there is none, which becomes Error{limit_exceeded}.
+  std::function<void*(std::uint64_t bytes, Stream stream)> allocate;
+  /// Takes a block back, which work that is in the stream already may still use. Must not throw.
+  std::function<void(void* block, std::uint64_t bytes, Stream stream)> release;
+};
+
+/// Most bytes that a detection holds in the memory of its device, beside the caller's arrays.
 struct MemoryPlan {
   std::uint64_t search_bytes = 0;  ///< bytes of the search, from the number of elements
   std::uint64_t pair_bytes = 0;    ///< bytes of the list while it is brought into order
   std::uint64_t gap_bytes = 0;     ///< bytes more in a domain far wider than its elements need
+  /// Scratch memory of sorts and scans: a bound by what is known of them, as only a device can
+  /// tell.
+  std::uint64_t scratch_bytes = 0;
 
-  /// Bytes in a domain without wide gaps.
+  /// Bytes in a domain without wide gaps, without scratch memory.
   [[nodiscard]] std::uint64_t bytes() const noexcept { return search_bytes + pair_bytes; }
 };
 
@@ -74,6 +88,8 @@ class ABUT_API PairList {
   [[nodiscard]] bool empty() const noexcept { return size() == 0; }
   /// Statistics of the detection; peak_bytes are those of the device.
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
+  /// Waits until the pairs are there: for programs that measure, or read them in another stream.
+  void wait() const;
   /// Copies the pairs to the host, and waits for them.
   [[nodiscard]] abut::PairList to_host() const;
 
@@ -93,8 +109,10 @@ class ABUT_API PairList {
 /// stored shifts, and algorithms other than `rows` and `automatic`.
 class ABUT_API Detector {
  public:
-  /// Makes a detector on a device. Throws Error{unavailable} where that is not there.
-  explicit Detector(Options options = {}, Device device = on(0));
+  /// Makes a detector on a device, with memory of its own or of an allocator. Throws
+  /// Error{unavailable} where the device is not there, and Error{wrong_usage} where the allocator
+  /// has only one of its two functions.
+  explicit Detector(Options options = {}, Device device = on(0), Allocator allocator = {});
   /// Releases the memory, also that of the last list.
   ~Detector();
 
@@ -104,6 +122,11 @@ class ABUT_API Detector {
   Detector& operator=(Detector&&) noexcept;
   Detector(const Detector&) = delete;
   Detector& operator=(const Detector&) = delete;
+
+  /// Options of the next call.
+  [[nodiscard]] const Options& options() const noexcept;
+  /// Sets the options of the next call.
+  void set_options(Options options);
 
   /// Finds all contact pairs of elements whose columns lie in the memory of the device, aligned for
   /// their numbers. The list is valid until the next call. Throws what abut::find_contact_pairs

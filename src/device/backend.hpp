@@ -39,12 +39,22 @@ class Backend {
   /// Copies pairs of the last answer; waits for them.
   virtual void copy_to_host(ContactPair* target, const ContactPair* pairs, std::uint64_t count) = 0;
 
+  /// Waits until the last answer is complete.
+  virtual void wait() = 0;
+
+  /// Memory of the device for the caller's own arrays, until it is released. The copy has been made
+  /// when the call returns.
+  [[nodiscard]] virtual void* allocate(std::uint64_t bytes) = 0;
+  virtual void release(void* block) noexcept = 0;
+  virtual void copy_to_device(void* target, const void* source, std::uint64_t bytes) = 0;
+
  protected:
   Backend() = default;
 };
 
-/// Throws Error{unavailable} with the reason.
-[[nodiscard]] std::unique_ptr<Backend> open_backend(int device);
+/// Throws Error{unavailable} with the reason. An allocator without functions is that of the
+/// runtime.
+[[nodiscard]] std::unique_ptr<Backend> open_backend(int device, Allocator allocator = {});
 
 /// The devices of this machine; none where there is no driver, or no CUDA in this build.
 [[nodiscard]] std::vector<DeviceInfo> found_devices();

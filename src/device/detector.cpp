@@ -28,6 +28,14 @@ Statistics statistics_of(const Backend::Answer& answer, const ElementView& eleme
   return statistics;
 }
 
+Allocator whole(Allocator allocator) {
+  if (static_cast<bool>(allocator.allocate) == static_cast<bool>(allocator.release)) {
+    return allocator;
+  }
+  throw Error(ErrorCode::wrong_usage,
+              "an allocator of a device has one of its two functions only; give both or none");
+}
+
 }  // namespace
 
 struct Detector::State {
@@ -51,6 +59,10 @@ struct Detector::State {
   }
 };
 
+void PairList::wait() const {
+  if (backend_ != nullptr) backend_->wait();
+}
+
 abut::PairList PairList::to_host() const {
   return base::reporting_lack_of_memory([&] {
     PairArray pairs(size());
@@ -59,14 +71,23 @@ abut::PairList PairList::to_host() const {
   });
 }
 
-Detector::Detector(Options options, Device device)
-    : state_(std::make_unique<State>(State{std::move(options), open_backend(device.number), {}})) {
+Detector::Detector(Options options, Device device, Allocator allocator)
+    : state_(std::make_unique<State>(State{
+          std::move(options), open_backend(device.number, whole(std::move(allocator))), {}})) {
   state_->list.backend_ = state_->backend.get();
 }
 
 Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
+
+const Options& Detector::options() const noexcept {
+  return state_->options;
+}
+
+void Detector::set_options(Options options) {
+  state_->options = std::move(options);
+}
 
 const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain,
                                              Stream stream) {

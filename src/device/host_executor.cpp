@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <new>
 #include <numeric>
 
 namespace abut::device {
@@ -70,18 +71,26 @@ void HostExecutor::sort_pairs(TwinBuffer<ContactPair, HostExecutor>& pairs, std:
 }
 
 void* HostExecutor::allocate(std::uint64_t bytes) {
-  memory_.take(bytes);
+  if (kept_ != nullptr) {
+    if (void* const block = kept_->take(bytes)) return block;
+    throw std::bad_alloc();
+  }
+  memory_->take(bytes);
   try {
     return base::allocate_pages(bytes);
   } catch (...) {
-    memory_.give_back(bytes);
+    memory_->give_back(bytes);
     throw;
   }
 }
 
 void HostExecutor::release(void* block, std::uint64_t bytes) noexcept {
+  if (kept_ != nullptr) {
+    kept_->give_back(block, bytes);
+    return;
+  }
   base::free_pages(block);
-  memory_.give_back(bytes);
+  memory_->give_back(bytes);
 }
 
 }  // namespace abut::device

@@ -3,6 +3,7 @@
 #include "base/memory_meter.hpp"
 #include "base/workers.hpp"
 #include "device/executor.hpp"
+#include "device/kept_memory.hpp"
 
 #include <abut/pair.hpp>
 
@@ -20,7 +21,10 @@ enum class ItemOrder { ascending, descending, shuffled };
 class HostExecutor {
  public:
   HostExecutor(base::MemoryMeter& memory, ItemOrder order, std::size_t workers)
-      : memory_(memory), order_(order), workers_(workers) {}
+      : memory_(&memory), order_(order), workers_(workers) {}
+  /// Takes its memory as an executor on a device does.
+  HostExecutor(KeptMemory& memory, ItemOrder order, std::size_t workers)
+      : kept_(&memory), order_(order), workers_(workers) {}
 
   HostExecutor(const HostExecutor&) = delete;
   HostExecutor& operator=(const HostExecutor&) = delete;
@@ -95,7 +99,8 @@ class HostExecutor {
     std::uint64_t step_ = 1;  ///< has no factor in common with the count
   };
 
-  base::MemoryMeter& memory_;
+  base::MemoryMeter* memory_ = nullptr;  ///< null where memory is kept
+  KeptMemory* kept_ = nullptr;
   ItemOrder order_;
   std::size_t workers_;
 };

@@ -14,6 +14,10 @@ constexpr std::uint64_t sorted_bytes = 16 + 8 + 4 + 2 * 4;
 constexpr std::uint64_t count_bytes = 2 * 8 + 8;
 /// A start and a first cell on three axes, and as much while the last of them is divided.
 constexpr std::uint64_t stretch_bytes = 3 * 16;
+/// A radix sort keeps a number for each digit of 8 bits and tile of some thousand keys, 1 KiB a
+/// tile; scans and selections keep less.
+constexpr std::uint64_t keys_of_scratch_byte = 4;
+constexpr std::uint64_t fixed_scratch_bytes = std::uint64_t{16} << 20;
 /// Histogram, ends of arrays, heads of few elements.
 constexpr std::uint64_t fixed_bytes = 4096;
 
@@ -26,6 +30,7 @@ MemoryPlan plan(std::uint64_t elements, PairCount pairs) {
       elements * (sorted_bytes + count_bytes) + 2 * 8 * (most_items_at_a_time + 1) + fixed_bytes;
   plan.pair_bytes = pairs * 2 * sizeof(ContactPair);
   plan.gap_bytes = elements * stretch_bytes;
+  plan.scratch_bytes = (elements + pairs) / keys_of_scratch_byte + fixed_scratch_bytes;
   return plan;
 }
 

@@ -9,10 +9,11 @@
 
 namespace abut::device {
 
-std::unique_ptr<Backend> open_backend(int) {
-  throw Error(ErrorCode::unavailable,
-              "this build of abut has no CUDA, hence no device; build it with -DABUT_CUDA=ON, or "
-              "take abut::Detector");
+std::unique_ptr<Backend> open_backend(int, Allocator) {
+  throw Error(
+      ErrorCode::unavailable,
+      "no device can be used: this build of abut has no CUDA; build it with -DABUT_CUDA=ON, "
+      "or take abut::Detector");
 }
 
 std::vector<DeviceInfo> found_devices() {

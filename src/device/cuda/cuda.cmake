@@ -13,5 +13,3 @@ target_include_directories(abut_device_cuda PRIVATE "${PROJECT_SOURCE_DIR}/src"
   "${PROJECT_SOURCE_DIR}/include")
 set_target_properties(abut_device_cuda PROPERTIES POSITION_INDEPENDENT_CODE ON
   CUDA_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-# Static: a program starts without a driver, and is told that there is none.
-target_link_libraries(abut_device PRIVATE CUDA::cudart_static)

@@ -3,6 +3,8 @@
 #include "device/cuda/cuda_error.hpp"
 #include "device/cuda/detection.cuh"
 #include "device/cuda/device_columns.hpp"
+#include "device/cuda/no_device.hpp"
+#include "device/kept_memory.hpp"
 
 #include <abut/error.hpp>
 
@@ -41,12 +43,29 @@ void require_no_earlier_error(cudaStream_t stream) {
                   cudaGetErrorString(state) + "; mend that first");
 }
 
+/// The pool of the runtime, in the order of the stream.
+Allocator allocator_of_runtime() {
+  const auto allocate = [](std::uint64_t bytes, Stream stream) -> void* {
+    void* block = nullptr;
+    const cudaError_t result =
+        cudaMallocAsync(&block, bytes, static_cast<cudaStream_t>(stream.handle));
+    if (result == cudaErrorMemoryAllocation) return nullptr;
+    require(result, "allocate memory");
+    return block;
+  };
+  const auto release = [](void* block, std::uint64_t, Stream stream) {
+    static_cast<void>(cudaFreeAsync(block, static_cast<cudaStream_t>(stream.handle)));
+  };
+  return {allocate, release};
+}
+
 class CudaBackend final : public Backend {
  public:
-  explicit CudaBackend(int device) : device_(device) {}
-  ~CudaBackend() override {
-    if (const cudaError_t result = cudaSetDevice(device_); result == cudaSuccess) found_ = {};
-  }
+  CudaBackend(int device, Allocator allocator)
+      : device_(device),
+        memory_(allocator.allocate ? std::move(allocator) : allocator_of_runtime()) {}
+  /// What goes with the members is memory of this device.
+  ~CudaBackend() override { static_cast<void>(cudaSetDevice(device_)); }
 
   Answer list(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
               const Stream& stream, base::ProgressReporter& progress) override {
@@ -67,6 +86,27 @@ class CudaBackend final : public Backend {
     executor_->copy_to_host(target, pairs, count);
   }
 
+  void wait() override {
+    const CurrentDevice current(device_);
+    if (executor_) executor_->wait();
+  }
+
+  void* allocate(std::uint64_t bytes) override {
+    const CurrentDevice current(device_);
+    void* block = nullptr;
+    const cudaError_t result = cudaMalloc(&block, bytes);
+    if (result == cudaErrorMemoryAllocation) report_lack_of_device_memory(bytes);
+    require(result, "allocate memory");
+    return block;
+  }
+
+  void release(void* block) noexcept override { static_cast<void>(cudaFree(block)); }
+
+  void copy_to_device(void* target, const void* source, std::uint64_t bytes) override {
+    const CurrentDevice current(device_);
+    require(cudaMemcpy(target, source, bytes, cudaMemcpyHostToDevice), "copy from the host");
+  }
+
  private:
   template <class Call>
   Answer answer(const ElementView& spheres, std::uint64_t max_bytes, const Stream& stream,
@@ -76,7 +116,7 @@ class CudaBackend final : public Backend {
     const auto handle = static_cast<cudaStream_t>(stream.handle);
     require_no_earlier_error(handle);
     require_device_columns(spheres, device_);
-    memory_.start_anew(max_bytes);
+    memory_.begin(max_bytes, stream);
     executor_.emplace(memory_, handle);
     found_ = found(spheres, call);
     return {found_.pairs.data(), found_.count, found_.exact_decisions, memory_.peak()};
@@ -92,25 +132,23 @@ class CudaBackend final : public Backend {
   }
 
   int device_;
-  base::MemoryMeter memory_;
+  KeptMemory memory_;
   std::optional<CudaExecutor> executor_;  ///< of the last detection, in whose stream the list is
   FoundList<CudaExecutor> found_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> open_backend(int device) {
+std::unique_ptr<Backend> open_backend(int device, Allocator allocator) {
   int count = 0;
   const cudaError_t result = cudaGetDeviceCount(&count);
-  if (result != cudaSuccess) {
-    throw Error(ErrorCode::unavailable, std::string("no device can be used: ") +
-                                            cudaGetErrorString(result) + "; take abut::Detector");
-  }
+  if (result != cudaSuccess) report_no_device(result);
   if (device < 0 || device >= count) {
     throw Error(ErrorCode::unavailable, "there is no device " + std::to_string(device) +
-                                            "; this machine has " + std::to_string(count));
+                                            ", this machine has " + std::to_string(count) +
+                                            "; they are numbered from 0");
   }
-  return std::make_unique<CudaBackend>(device);
+  return std::make_unique<CudaBackend>(device, std::move(allocator));
 }
 
 std::vector<DeviceInfo> found_devices() {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/memory_meter.hpp"
 #include "device/cuda/cuda_error.hpp"
 #include "device/cuda/tuning.hpp"
 #include "device/executor.hpp"
+#include "device/kept_memory.hpp"
 
 #include <abut/pair.hpp>
 
@@ -61,7 +61,7 @@ struct EntryOf {
 /// Runs a pipeline in a stream of the current device: one generic kernel, and CUB.
 class CudaExecutor {
  public:
-  CudaExecutor(base::MemoryMeter& memory, cudaStream_t stream) : memory_(memory), stream_(stream) {}
+  CudaExecutor(KeptMemory& memory, cudaStream_t stream) : memory_(memory), stream_(stream) {}
 
   CudaExecutor(const CudaExecutor&) = delete;
   CudaExecutor& operator=(const CudaExecutor&) = delete;
@@ -159,24 +159,18 @@ class CudaExecutor {
   void copy_to_host(T* target, const T* source, std::uint64_t count) {
     require(cudaMemcpyAsync(target, source, count * sizeof(T), cudaMemcpyDeviceToHost, stream_),
             "copy to the host");
-    require(cudaStreamSynchronize(stream_), "finish its work");
+    wait();
   }
+
+  /// Waits until all that was put into the stream is done.
+  void wait() { require(cudaStreamSynchronize(stream_), "finish its work"); }
 
   [[nodiscard]] void* allocate(std::uint64_t bytes) {
-    memory_.take(bytes);
-    void* block = nullptr;
-    const cudaError_t result = cudaMallocAsync(&block, bytes, stream_);
-    if (result == cudaSuccess) return block;
-    memory_.give_back(bytes);
-    if (result == cudaErrorMemoryAllocation) report_lack_of_device_memory(bytes);
-    require(result, "allocate memory");
-    return nullptr;
+    if (void* const block = memory_.take(bytes)) return block;
+    report_lack_of_device_memory(bytes);
   }
 
-  void release(void* block, std::uint64_t bytes) noexcept {
-    static_cast<void>(cudaFreeAsync(block, stream_));
-    memory_.give_back(bytes);
-  }
+  void release(void* block, std::uint64_t bytes) noexcept { memory_.give_back(block, bytes); }
 
  private:
   template <class Body>
@@ -202,7 +196,7 @@ class CudaExecutor {
     if (buffers.current.data() != current) buffers.current.swap(buffers.other);
   }
 
-  base::MemoryMeter& memory_;
+  KeptMemory& memory_;
   cudaStream_t stream_;
 };
 

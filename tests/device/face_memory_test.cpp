@@ -1,0 +1,180 @@
+// Memory of devices through the caller's allocator: every block is given back, a call that finds
+// none ends in an error and leaves a detector that works, and what is held is within the plan.
+
+#include "device/face_detection.hpp"
+#include "support/error_expectations.hpp"
+#include "support/scene_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Scene;
+
+/// An allocator that cuts its blocks from one array of the device, which it gets as a column of
+/// numbers: no program that uses the face needs CUDA for it. Each place is given out once.
+class CountingAllocator {
+ public:
+  explicit CountingAllocator(std::uint64_t bytes)
+      : numbers_(bytes / sizeof(double)), array_(discs(numbers_, numbers_, 1.0)) {}
+
+  [[nodiscard]] device::Allocator functions() {
+    return {[this](std::uint64_t bytes, device::Stream) { return allocate(bytes); },
+            [this](void* block, std::uint64_t bytes, device::Stream) { release(block, bytes); }};
+  }
+
+  void refuse_request(std::uint64_t number) {
+    requests = 0;
+    refused_ = number;
+  }
+
+  std::uint64_t requests = 0;  ///< since the last call of refuse_request
+  std::uint64_t held_bytes = 0;
+  std::uint64_t most_bytes = 0;
+
+ private:
+  static constexpr std::uint64_t alignment = 256;
+
+  void* allocate(std::uint64_t bytes) {
+    if (requests++ == refused_) return nullptr;
+    const std::uint64_t room = (bytes + alignment - 1) / alignment * alignment;
+    // The first gap that is wide enough.
+    std::uint64_t place = 0;
+    for (const auto& [begin, end] : blocks_) {
+      if (begin - place >= room) break;
+      place = end;
+    }
+    if (place + room > numbers_.size() * sizeof(double)) return nullptr;
+    blocks_[place] = place + room;
+    held_bytes += bytes;
+    most_bytes = std::max(most_bytes, held_bytes);
+    return const_cast<std::byte*>(array_.elements().center(0).first) + place;
+  }
+
+  void release(void* block, std::uint64_t bytes) {
+    const auto place = static_cast<std::uint64_t>(static_cast<std::byte*>(block) -
+                                                  array_.elements().center(0).first);
+    EXPECT_EQ(blocks_.erase(place), 1U) << "a block that nobody has";
+    held_bytes -= bytes;
+  }
+
+  std::vector<double> numbers_;
+  device::ElementCopy array_;
+  std::map<std::uint64_t, std::uint64_t> blocks_;
+  std::uint64_t refused_ = ~std::uint64_t{0};
+};
+
+constexpr std::uint64_t enough = std::uint64_t{16} << 20;
+
+/// Scenes that take other ways through the stages: one level, levels of sizes, doubts, wide gaps.
+std::vector<Scene> scenes_of_all_ways() {
+  std::vector<Scene> all;
+  for (const char* const name : {"dense", "graded", "touching_cubic", "two_far_clusters"}) {
+    all.push_back(scenes::scene_named(name).make(600, 2));
+  }
+  return all;
+}
+
+TEST(FaceMemory, IsTheCallers) {
+  for (const Scene& scene : scenes_of_all_ways()) {
+    CountingAllocator allocator(enough);
+    const PairList list = list_by_face(view_of(scene), {}, allocator.functions());
+    EXPECT_EQ(pairs_of(list), pairs_of(list_by_face(view_of(scene))));
+    EXPECT_GT(allocator.requests, 5U);
+    EXPECT_EQ(allocator.held_bytes, 0U);
+    EXPECT_EQ(allocator.most_bytes, list.statistics().peak_bytes);
+  }
+}
+
+/// Each allocation of a call fails once, in a detector that is new and in one that has worked.
+TEST(FaceMemory, EachAllocationMayFail) {
+  for (const Scene& scene : scenes_of_all_ways()) {
+    const device::ElementCopy copy(view_of(scene));
+    const PairVector expected = pairs_of(list_by_face(view_of(scene)));
+    CountingAllocator allocator(enough);
+    std::uint64_t failures = 0;
+    for (std::uint64_t which = 0;; ++which) {
+      device::Detector detector({}, device::on(0), allocator.functions());
+      allocator.refuse_request(which);
+      try {
+        detector.find_contact_pairs(copy.elements());
+      } catch (const Error& error) {
+        ++failures;
+        EXPECT_EQ(error.code(), ErrorCode::limit_exceeded) << error.what();
+      }
+      if (allocator.requests <= which) break;
+      allocator.refuse_request(~std::uint64_t{0});
+      EXPECT_EQ(pairs_of(detector.find_contact_pairs(copy.elements()).to_host()), expected);
+    }
+    EXPECT_GT(failures, 5U);
+    EXPECT_EQ(allocator.held_bytes, 0U);
+  }
+}
+
+TEST(FaceMemory, OfCountsMayFail) {
+  const Scene scene = scenes::scene_named("log_uniform").make(600, 2);
+  const device::ElementCopy copy(view_of(scene));
+  CountingAllocator allocator(enough);
+  device::Detector detector({}, device::on(0), allocator.functions());
+  for (std::uint64_t which = 0; which < 3; ++which) {
+    allocator.refuse_request(which);
+    expect_error(ErrorCode::limit_exceeded, {},
+                 [&] { detector.count_contact_pairs(copy.elements()); });
+  }
+}
+
+TEST(FaceMemory, AnAllocatorHasTwoFunctions) {
+  CountingAllocator allocator(4096);
+  device::Allocator half = allocator.functions();
+  half.release = {};
+  expect_error(ErrorCode::wrong_usage, {"both"},
+               [&] { const device::Detector detector({}, device::on(0), half); });
+}
+
+/// The first call learns how much it takes, the second takes it in one piece, and from then on
+/// nothing is allocated, whether pairs are listed or counted and elements become fewer.
+TEST(FaceMemory, NothingIsAllocatedWhereNothingGrows) {
+  for (const Scene& scene : scenes_of_all_ways()) {
+    const device::ElementCopy copy(view_of(scene));
+    const device::ElementCopy fewer(view_of(scenes::scene_named("dense").make(100, 3)));
+    const PairVector expected = pairs_of(list_by_face(view_of(scene)));
+    CountingAllocator allocator(enough);
+    device::Detector detector({}, device::on(0), allocator.functions());
+    for (int call = 0; call < 2; ++call) detector.find_contact_pairs(copy.elements());
+    const std::uint64_t held = allocator.held_bytes;
+    allocator.refuse_request(0);
+    for (int call = 0; call < 3; ++call) {
+      EXPECT_EQ(pairs_of(detector.find_contact_pairs(copy.elements()).to_host()), expected);
+      EXPECT_EQ(detector.count_contact_pairs(copy.elements()).contact_pairs, expected.size());
+      EXPECT_GT(detector.find_contact_pairs(fewer.elements()).size(), 0U);
+    }
+    EXPECT_EQ(allocator.requests, 0U);
+    EXPECT_EQ(allocator.held_bytes, held);
+    EXPECT_EQ(detector.find_contact_pairs(copy.elements()).statistics().peak_bytes, held);
+  }
+}
+
+/// With scratch memory of sorts and scans, which a device alone can tell.
+TEST(FaceMemory, IsWithinThePlan) {
+  for (const char* const name : {"dense", "gas", "log_uniform", "graded", "one_giant",
+                                 "touching_fcc", "coincident", "gas_2d"}) {
+    SCOPED_TRACE(name);
+    const std::size_t count = name == std::string("coincident") ? 800 : elements_of_a_scene();
+    const Scene scene = scenes::scene_named(name).make(count, 5);
+    const Statistics found = list_by_face(view_of(scene)).statistics();
+    const device::MemoryPlan plan =
+        device::plan(scene.size(), found.contact_pairs + found.exact_decisions);
+    EXPECT_LE(found.peak_bytes, plan.bytes() + plan.scratch_bytes + plan.gap_bytes);
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

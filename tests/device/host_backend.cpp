@@ -1,0 +1,145 @@
+// A backend that runs the stages of the device engine on the host, with memory of its own: what
+// stands above a backend (the detector, the tool) is tested with it where there is no device. It
+// stands in the place of CUDA's, and refuses arrays that were not copied to it as that does.
+
+#include "device/backend.hpp"
+#include "device/columns_of.hpp"
+#include "device/host_executor.hpp"
+#include "device/kept_memory.hpp"
+#include "device/pipeline.hpp"
+
+#include <abut/error.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abut::device {
+namespace {
+
+/// Blocks that stand for the memory of the device, by their addresses.
+class Blocks {
+ public:
+  void* add(std::uint64_t bytes) {
+    void* const block = ::operator new(bytes);
+    const std::lock_guard lock(mutex_);
+    ends_[static_cast<std::byte*>(block)] = static_cast<std::byte*>(block) + bytes;
+    return block;
+  }
+
+  void remove(void* block) noexcept {
+    const std::lock_guard lock(mutex_);
+    ends_.erase(static_cast<std::byte*>(block));
+    ::operator delete(block);
+  }
+
+  [[nodiscard]] bool hold(const std::byte* address) {
+    const std::lock_guard lock(mutex_);
+    const auto behind = ends_.upper_bound(address);
+    return behind != ends_.begin() && std::less<>{}(address, std::prev(behind)->second);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<const std::byte*, const std::byte*> ends_;  ///< of each block
+};
+
+Blocks& blocks() {
+  static Blocks all;
+  return all;
+}
+
+void require_on_device(const ElementView& elements) {
+  const auto require = [&](const ElementView::Numbers& numbers) {
+    if (elements.size() == 0 || blocks().hold(numbers.first)) return;
+    throw Error(ErrorCode::wrong_usage,
+                "a column lies in the memory of the host; copy it to the device");
+  };
+  for (int axis = 0; axis < elements.dimensions(); ++axis) require(elements.center(axis));
+  if (!elements.has_common_radius()) require(elements.radii());
+}
+
+Allocator allocator_of_blocks() {
+  return {[](std::uint64_t bytes, Stream) { return blocks().add(bytes); },
+          [](void* block, std::uint64_t, Stream) { blocks().remove(block); }};
+}
+
+class HostBackend final : public Backend {
+ public:
+  explicit HostBackend(Allocator allocator)
+      : memory_(allocator.allocate ? std::move(allocator) : allocator_of_blocks()) {}
+
+  Answer list(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+              const Stream& stream, base::ProgressReporter& progress) override {
+    return answer(spheres, request, max_bytes, stream, progress,
+                  [](auto pipeline) { return pipeline.list(); });
+  }
+
+  Answer count(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+               const Stream& stream, base::ProgressReporter& progress) override {
+    return answer(spheres, request, max_bytes, stream, progress,
+                  [](auto pipeline) { return pipeline.count(); });
+  }
+
+  void copy_to_host(ContactPair* target, const ContactPair* pairs, std::uint64_t count) override {
+    executor_->copy_to_host(target, pairs, count);
+  }
+
+  void wait() override {}
+
+  void* allocate(std::uint64_t bytes) override { return blocks().add(bytes); }
+  void release(void* block) noexcept override { blocks().remove(block); }
+  void copy_to_device(void* target, const void* source, std::uint64_t bytes) override {
+    std::memcpy(target, source, bytes);
+  }
+
+ private:
+  template <class Call>
+  Answer answer(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+                const Stream& stream, base::ProgressReporter& progress, const Call& call) {
+    found_ = {};
+    require_on_device(spheres);
+    memory_.begin(max_bytes, stream);
+    executor_.emplace(memory_, ItemOrder::shuffled, 2);
+    const auto run = [&]<int Dim, class T>(SphereColumns<Dim, T> columns) {
+      return call(Pipeline<Dim, T, HostExecutor>(*executor_, columns, request, progress));
+    };
+    const bool is_double = spheres.precision() == Precision::float64;
+    if (spheres.dimensions() == 2) {
+      found_ = is_double ? run(columns_of<2, double>(spheres)) : run(columns_of<2, float>(spheres));
+    } else {
+      found_ = is_double ? run(columns_of<3, double>(spheres)) : run(columns_of<3, float>(spheres));
+    }
+    return {found_.pairs.data(), found_.count, found_.exact_decisions, memory_.peak()};
+  }
+
+  KeptMemory memory_;
+  std::optional<HostExecutor> executor_;
+  FoundList<HostExecutor> found_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> open_backend(int device, Allocator allocator) {
+  if (device != 0) {
+    throw Error(ErrorCode::unavailable, "there is no device " + std::to_string(device) +
+                                            ", this machine has 1; they are numbered from 0");
+  }
+  return std::make_unique<HostBackend>(std::move(allocator));
+}
+
+std::vector<DeviceInfo> found_devices() {
+  return {{0, "stand-in on the host", std::uint64_t{1} << 30}};
+}
+
+}  // namespace abut::device

@@ -44,6 +44,7 @@ bool begins(TimedDetector& detector, const Effort& effort, Console& console,
     return false;
   }
   detector.set_progress(console.progress());
+  if (measurement.subject.device) return true;
   const int threads = detector.statistics().threads;
   const std::vector<int>& measured = effort.measured_threads;
   measurement.threads_are_measured =
@@ -68,7 +69,7 @@ Measurement measure(const Subject& subject, const ElementView& elements, const D
   options.threads = subject.threads;
   Measurement measurement;
   measurement.subject = subject;
-  TimedDetector detector(elements, domain, options, subject.form);
+  TimedDetector detector(elements, domain, options, subject.form, subject.device);
   if (!begins(detector, effort, console, measurement)) return measurement;
   double spent = 0.0;
   while (!is_enough(effort, measurement.steady.size(), spent)) {

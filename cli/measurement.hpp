@@ -1,6 +1,7 @@
 #pragma once
 
 #include "console.hpp"
+#include "options/device_option.hpp"
 #include "timed_detector.hpp"
 
 #include <cstddef>
@@ -15,6 +16,7 @@ struct Subject {
   Algorithm algorithm = Algorithm::rows;
   int threads = 0;  ///< asked for; 0: what OpenMP takes
   Form form = Form::canonical;
+  DeviceChoice device = {};
 };
 
 /// The time that a measurement may take.

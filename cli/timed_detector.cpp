@@ -34,10 +34,16 @@ std::string_view name_of(Form form) {
 }
 
 TimedDetector::TimedDetector(const ElementView& elements, const Domain& domain,
-                             const Options& options, Form form)
-    : elements_(elements), domain_(domain), form_(form), detector_(in_order_of(form, options)) {}
+                             const Options& options, Form form, DeviceChoice device)
+    : elements_(elements), domain_(domain), form_(form), detector_(in_order_of(form, options)) {
+  if (device) on_device_.emplace(*device, elements, options);
+}
 
 void TimedDetector::set_progress(ProgressHook hook) {
+  if (on_device_) {
+    on_device_->set_progress(std::move(hook));
+    return;
+  }
   Options options = detector_.options();
   options.progress = std::move(hook);
   detector_.set_options(std::move(options));
@@ -45,6 +51,23 @@ void TimedDetector::set_progress(ProgressHook hook) {
 
 double TimedDetector::call() {
   PhaseStopwatch stopwatch;
+  on_device_ ? call_on_device() : call_on_processor();
+  const double seconds = stopwatch.lap();
+  if (neighbors_ != nullptr) statistics_ = neighbors_->statistics();
+  if (pairs_ != nullptr) statistics_ = pairs_->statistics();
+  if (pairs_on_device_ != nullptr) statistics_ = pairs_on_device_->statistics();
+  return seconds;
+}
+
+void TimedDetector::call_on_device() {
+  if (form_ == Form::count) {
+    statistics_ = on_device_->count(domain_);
+  } else {
+    pairs_on_device_ = &on_device_->find(domain_);
+  }
+}
+
+void TimedDetector::call_on_processor() {
   if (form_ == Form::count) {
     statistics_ = detector_.count_contact_pairs(elements_, domain_);
   } else if (form_ == Form::half_list || form_ == Form::full_list) {
@@ -53,10 +76,6 @@ double TimedDetector::call() {
   } else {
     pairs_ = &detector_.find_contact_pairs(elements_, domain_);
   }
-  const double seconds = stopwatch.lap();
-  if (neighbors_ != nullptr) statistics_ = neighbors_->statistics();
-  if (pairs_ != nullptr) statistics_ = pairs_->statistics();
-  return seconds;
 }
 
 std::string TimedDetector::digest() const {
@@ -66,6 +85,10 @@ std::string TimedDetector::digest() const {
 
 std::vector<ContactPair> TimedDetector::canonical_pairs() const {
   std::vector<ContactPair> pairs;
+  if (pairs_on_device_ != nullptr) {
+    const PairList copy = pairs_on_device_->to_host();
+    pairs.assign(copy.begin(), copy.end());
+  }
   if (pairs_ != nullptr) {
     pairs.assign(pairs_->begin(), pairs_->end());
     if (form_ == Form::as_found) std::sort(pairs.begin(), pairs.end());

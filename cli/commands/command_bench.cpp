@@ -1,5 +1,6 @@
 #include "commands/command_bench.hpp"
 
+#include "device_search.hpp"
 #include "measurement.hpp"
 #include "talk.hpp"
 #include "text/bench_report.hpp"
@@ -18,12 +19,14 @@ constexpr double longest_first_call = 0.5;
 
 constexpr std::array forms_of_every_algorithm{Form::canonical, Form::as_found};
 constexpr std::array forms_of_the_best{Form::count, Form::half_list, Form::full_list};
+constexpr std::array forms_of_a_device{Form::canonical, Form::count};
 
 /// `rows` first: the answer that the others are compared with. Those that do not support the domain
-/// are left out unless asked for.
+/// are left out unless asked for, and beside a device all others.
 std::vector<Algorithm> algorithms_of(const BenchOptions& options, const Domain& domain) {
   if (!options.algorithms.empty()) return options.algorithms;
   std::vector<Algorithm> all{Algorithm::rows};
+  if (options.device) return all;
   for (const AlgorithmInfo& row : algorithms()) {
     if (row.algorithm == Algorithm::rows || (domain.is_periodic() && !row.periodic)) continue;
     all.push_back(row.algorithm);
@@ -49,7 +52,7 @@ class Bench {
     const std::vector<Algorithm> algorithms = algorithms_of(options_, domain_);
     // Most algorithms use one thread whatever they are asked for.
     planned_ = (algorithms.size() + threads_.size() - 1) * forms_of_every_algorithm.size() +
-               forms_of_the_best.size();
+               forms_of_the_best.size() + forms_of_a_device.size();
     for (const Algorithm algorithm : algorithms) add_algorithm(algorithm);
     if (const Measurement* const best = fastest_list(measurements_)) {
       Subject subject = best->subject;
@@ -58,10 +61,19 @@ class Bench {
         measurements_.push_back(measured(subject, {}));
       }
     }
+    add_device();
     return std::move(measurements_);
   }
 
  private:
+  void add_device() {
+    if (!options_.device) return;
+    for (const Form form : forms_of_a_device) {
+      const Subject subject{Algorithm::rows, 0, form, options_.device};
+      measurements_.push_back(in_words_of_tool([&] { return measured(subject, {}); }));
+    }
+  }
+
   void add_algorithm(Algorithm algorithm) {
     std::vector<int> measured_threads;
     for (const int threads : threads_) {
@@ -108,6 +120,7 @@ class Bench {
 void run(const BenchOptions& options) {
   Console console(options.console);
   require_one_standard_input({options.source.input.path, options.rule.exclude});
+  if (options.device) require_device(*options.device);
   ElementSets sets;
   sets.first = load_snapshot(options.source, console);
   sets.domain = domain_of(options.source.input.domain, sets.first);

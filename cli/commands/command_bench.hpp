@@ -3,6 +3,7 @@
 #include "console.hpp"
 #include "file_or_scene.hpp"
 #include "listing.hpp"
+#include "options/device_option.hpp"
 #include "options/rule_options.hpp"
 
 #include <abut/algorithm.hpp>
@@ -19,6 +20,7 @@ struct BenchOptions {
   std::vector<Algorithm> algorithms;       ///< empty: rows, and those that are fast enough
   std::vector<int> threads;                ///< empty: one, and what OpenMP takes
   std::optional<std::size_t> repetitions;  ///< as many as a few seconds allow
+  DeviceChoice device;                     ///< is measured besides
   double margin = 0.0;
   std::uint64_t max_bytes = 0;  ///< 0: the bound of the library
   ConsoleOptions console;

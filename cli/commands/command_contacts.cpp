@@ -1,5 +1,6 @@
 #include "commands/command_contacts.hpp"
 
+#include "device_search.hpp"
 #include "element_sets.hpp"
 #include "interrupt.hpp"
 #include "io/write/digest.hpp"
@@ -10,6 +11,7 @@
 
 #include <abut/detect.hpp>
 #include <abut/error.hpp>
+#include <abut/measure.hpp>
 #include <abut/two_sets.hpp>
 
 #include <fmt/format.h>
@@ -51,6 +53,25 @@ ElementSets read(const ContactsOptions& options, Console& console) {
   return sets;
 }
 
+/// The pairs of a device, whose quantities the processor measures.
+PairList detect_on_device(int device, const ElementSets& sets, Options detection,
+                          bool only_counted) {
+  const Quantities quantities = std::exchange(detection.quantities, {});
+  const ElementView elements = sets.first.elements();
+  return in_words_of_tool([&]() -> PairList {
+    DeviceSearch search(device, elements, detection);
+    if (only_counted) return {{}, search.count(sets.domain)};
+    const PairList found = search.find(sets.domain).to_host();
+    Statistics statistics = found.statistics();
+    PhaseStopwatch stopwatch;
+    PairGeometry geometry = measure(elements, found, quantities, sets.domain, detection);
+    statistics.measure_seconds = stopwatch.lap();
+    return {PairArray(found.begin(), found.end()),
+            ShiftArray(found.shifts().begin(), found.shifts().end()), std::move(geometry),
+            statistics};
+  });
+}
+
 /// Pairs are stored unless only their number is asked for.
 PairList detect(const ContactsOptions& options, const ElementSets& sets, const LoadedRule& rule,
                 Console& console) {
@@ -61,6 +82,7 @@ PairList detect(const ContactsOptions& options, const ElementSets& sets, const L
   if (sets.domain.is_periodic() && !only_counted) detection.shifts = Shifts::stored;
   const bool summarized = options.report == Report::summary && !console.is_quiet();
   if (summarized || !options.output.empty()) detection.quantities = options.with | Quantity::gap;
+  if (options.device) return detect_on_device(*options.device, sets, detection, only_counted);
   const ElementView first = sets.first.elements();
   if (sets.are_two()) {
     const ElementView second = sets.second->elements();
@@ -100,17 +122,19 @@ std::string digest_line(const ContactsOptions& options, const PairList& pairs) {
   return io::digest(sorted, shifts) + '\n';
 }
 
-std::string json_object(const ElementSets& sets, const Statistics& statistics,
-                        const PhaseSeconds& seconds) {
+std::string json_object(const ContactsOptions& options, const ElementSets& sets,
+                        const Statistics& statistics, const PhaseSeconds& seconds) {
   const std::string counts =
       sets.are_two() ? fmt::format("\"sets\": [{}, {}], ", sets.first.size(), sets.second->size())
                      : "";
   return fmt::format(
       "{{\"elements\": {}, {}\"dimensions\": {}, \"contact_pairs\": {}, \"algorithm\": {}, "
-      "\"threads\": {}, \"seconds\": {{\"read\": {}, \"search\": {}, \"write\": {}, "
+      "\"threads\": {}, \"device\": {}, \"seconds\": {{\"read\": {}, \"search\": {}, \"write\": "
+      "{}, "
       "\"total\": {}}}, \"peak_bytes\": {}, \"candidate_tests\": {}}}\n",
       statistics.elements, counts, statistics.dimensions, statistics.contact_pairs,
-      json_string(name_of(statistics.algorithm)), statistics.threads, json_number(seconds.read),
+      json_string(name_of(statistics.algorithm)), statistics.threads,
+      json_string(options.device ? device_text(*options.device) : "cpu"), json_number(seconds.read),
       json_number(seconds.search), json_number(seconds.write), json_number(seconds.total),
       statistics.peak_bytes, statistics.candidate_tests);
 }
@@ -124,7 +148,7 @@ std::string report_text(const ContactsOptions& options, const Contacts& contacts
     case Report::digest:
       return digest_line(options, contacts.pairs);
     case Report::json:
-      return json_object(contacts.sets, statistics, seconds);
+      return json_object(options, contacts.sets, statistics, seconds);
     case Report::summary:
       break;
   }
@@ -139,6 +163,7 @@ void run(const ContactsOptions& options) {
   PhaseSeconds seconds;
   Console console(options.console);
   const io::ContactFormat format = output_format(options);
+  if (options.device) require_device(*options.device);
   const ElementSets sets = read(options, console);
   const LoadedRule rule(options.input, options.rule, sets, console);
   seconds.read = stopwatch.lap();

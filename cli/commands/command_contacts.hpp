@@ -2,6 +2,7 @@
 
 #include "console.hpp"
 #include "load_snapshot.hpp"
+#include "options/device_option.hpp"
 #include "options/rule_options.hpp"
 
 #include <abut/options.hpp>
@@ -19,6 +20,7 @@ struct ContactsOptions {
   std::string against;  ///< the file of a second set; empty: one set
   RuleOptions rule;
   Options detection;
+  DeviceChoice device;
   ConsoleOptions console;
   std::string output;         ///< empty: pairs are not written; "-" is standard output
   std::string output_format;  ///< empty: by suffix

@@ -4,6 +4,7 @@
 
 #include "io/read/read_snapshot.hpp"
 #include "options/argument.hpp"
+#include "options/device_option.hpp"
 #include "options/parse.hpp"
 #include "options/rule_options.hpp"
 
@@ -12,6 +13,7 @@
 #include <abut/algorithm.hpp>
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -197,6 +199,26 @@ inline void add_algorithm_list(CLI::App& app, std::vector<Algorithm>& list,
       list.push_back(info(algorithm_given(name)).algorithm);
     }
   });
+}
+
+inline void add_device(CLI::App& app, DeviceChoice& device, const std::string& description) {
+  add_value(app, "--device", "cpu|gpu|gpu:N", description,
+            [&device](const std::string& text) { device = device_given(text); });
+}
+
+[[noreturn]] inline void reject_beside_device(std::string_view option) {
+  throw Error(ErrorCode::wrong_usage,
+              fmt::format("{} is not for devices; leave out {} or --device", option, option));
+}
+
+/// Throws Error{wrong_usage} if a device is asked for beside options that it has no use for, or
+/// does not support yet.
+inline void require_options_of_device(const CLI::App& app, const DeviceChoice& device,
+                                      std::initializer_list<const char*> others) {
+  if (!device) return;
+  for (const char* const other : others) {
+    if (app.get_option(other)->count() > 0) reject_beside_device(other);
+  }
 }
 
 inline void add_margin(CLI::App& app, double& margin) {

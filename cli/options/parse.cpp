@@ -99,6 +99,37 @@ void add_report(CLI::App& app, Report& report) {
   digest->excludes(json);
 }
 
+/// The options of the file that pairs are written to; `format` may be that of the input as well.
+void add_contacts_output(CLI::App& sub, const std::shared_ptr<ContactsOptions>& options,
+                         std::string& format) {
+  add_output(
+      sub, "OUT",
+      "write the pairs to a file .csv, .json or .vtp, CSV without a suffix; - is standard output",
+      options->output);
+  add_name(sub, "--format", "NAME",
+           "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_data, lammps_dump, xyz; "
+           "default by suffix, then by content",
+           format);
+  CLI::Option* ids = add_switch(sub, "--ids", "add the file's own ids to OUT", options->ids, true);
+  ids->needs(sub.get_option("--output"));
+  add_value(
+      sub, "--with", "NAMES",
+      "add these to the gap in OUT, with commas between them: normal, point, distance, vector",
+      [options](const std::string& text) { options->with = quantities_named("--with", text); })
+      ->needs(sub.get_option("--output"));
+}
+
+/// A search on a device takes no options that are the processor's, or not supported there yet.
+void require_contacts_of_device(const CLI::App& sub, const ContactsOptions& options) {
+  require_options_of_device(
+      sub, options.device,
+      {"--against", "--threads", "--simd", "--groups", "--exclude", "--box", "--lattice"});
+  const Algorithm algorithm = options.detection.algorithm;
+  if (options.device && algorithm != Algorithm::automatic && algorithm != Algorithm::rows) {
+    reject_beside_device("--algorithm " + std::string(name_of(algorithm)));
+  }
+}
+
 void add_contacts(CLI::App& app, Command& command) {
   CLI::App& sub = *app.add_subcommand("contacts", "finds which elements of a file touch");
   sub.footer(
@@ -111,30 +142,19 @@ void add_contacts(CLI::App& app, Command& command) {
   auto format = std::make_shared<std::string>();
   add_file(sub, "FILE", "elements to read; - is standard input", options->input.path)->required();
   add_against(sub, options->against);
-  add_output(
-      sub, "OUT",
-      "write the pairs to a file .csv, .json or .vtp, CSV without a suffix; - is standard output",
-      options->output);
-  add_name(sub, "--format", "NAME",
-           "of OUT if there is one: csv, json, vtp; of FILE: csv, lammps_data, lammps_dump, xyz; "
-           "default by suffix, then by content",
-           *format);
-  CLI::Option* ids = add_switch(sub, "--ids", "add the file's own ids to OUT", options->ids, true);
-  ids->needs(sub.get_option("--output"));
-  add_value(
-      sub, "--with", "NAMES",
-      "add these to the gap in OUT, with commas between them: normal, point, distance, vector",
-      [options](const std::string& text) { options->with = quantities_named("--with", text); })
-      ->needs(sub.get_option("--output"));
+  add_contacts_output(sub, options, *format);
   add_report(sub, options->report);
   add_detection(sub, options->detection);
+  add_device(sub, options->device,
+             "where pairs are searched: cpu, the default, or a GPU of this machine, by its number");
   add_rule(sub, options->input, options->rule);
   add_frame_and_radius(sub, options->input);
   add_domain(sub, options->input.domain);
   add_console(sub, options->console);
-  sub.callback([&command, options, format] {
+  sub.callback([&command, &sub, options, format] {
     const bool of_output = is_format_of_output(*format, options->output);
     (of_output ? options->output_format : options->input.format) = *format;
+    require_contacts_of_device(sub, *options);
     command = *options;
   });
 }
@@ -248,6 +268,7 @@ void add_bench(CLI::App& app, Command& command) {
                 options->threads.push_back(thread_count("--threads", one));
               }
             });
+  add_device(sub, options->device, "measure a GPU besides, of the others rows unless asked for");
   add_value(sub, "--repetitions", "R", "calls after the first; default as many as 4 s in all allow",
             [options](const std::string& text) {
               options->repetitions = positive("--repetitions", text);
@@ -258,6 +279,11 @@ void add_bench(CLI::App& app, Command& command) {
   add_rule(sub, options->source.input, options->rule);
   add_input(sub, options->source.input);
   add_console(sub, options->console);
+  sub.callback([&command, &sub, options] {
+    require_options_of_device(sub, options->device,
+                              {"--groups", "--exclude", "--box", "--lattice"});
+    command = *options;
+  });
 }
 
 void add_explain(CLI::App& app, Command& command) {

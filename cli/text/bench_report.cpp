@@ -1,5 +1,6 @@
 #include "text/bench_report.hpp"
 
+#include "device_search.hpp"
 #include "load_snapshot.hpp"
 #include "text/human_text.hpp"
 #include "text/json_text.hpp"
@@ -35,6 +36,8 @@ std::string rounded(double value) {
 }
 
 std::string with_threads(const Subject& subject) {
+  if (subject.device)
+    return fmt::format("{} on gpu:{}", name_of(subject.algorithm), *subject.device);
   if (subject.threads == 0) return fmt::format("{} on all threads", name_of(subject.algorithm));
   return fmt::format("{} on {}", name_of(subject.algorithm),
                      counted(static_cast<std::uint64_t>(subject.threads), "thread"));
@@ -46,7 +49,8 @@ std::vector<std::string> table_row(const Measurement& measurement) {
     return rounded(per_element(nanoseconds * seconds, measurement));
   };
   return {std::string(name_of(measurement.subject.algorithm)),
-          std::to_string(statistics.threads),
+          measurement.subject.device ? fmt::format("gpu:{}", *measurement.subject.device)
+                                     : std::to_string(statistics.threads),
           std::string(name_of(measurement.subject.form)),
           time(measurement.first),
           time(measurement.median()),
@@ -71,7 +75,7 @@ std::string refusals_of(const std::vector<Measurement>& measurements) {
   std::string lines;
   for (const Measurement& measurement : measurements) {
     if (measurement.has_result()) continue;
-    lines += refusal_line(measurement.threads_are_measured
+    lines += refusal_line(measurement.threads_are_measured || measurement.subject.device
                               ? with_threads(measurement.subject)
                               : std::string(name_of(measurement.subject.algorithm)),
                           measurement.refusal);
@@ -111,11 +115,13 @@ std::string json_of(const Measurement& measurement) {
     return json_number(per_element(nanoseconds * seconds, measurement));
   };
   return head + fmt::format(
-                    "\"threads\": {}, \"simd\": {}, \"repetitions\": {}, \"ns_per_element\": "
+                    "\"threads\": {}, \"simd\": {}, \"device\": {}, \"repetitions\": {}, "
+                    "\"ns_per_element\": "
                     "{{\"first\": {}, \"median\": {}, \"minimum\": {}}}, \"contact_pairs\": {}, "
                     "\"candidate_tests_per_element\": {}, \"peak_bytes_per_element\": {}, "
                     "\"digest\": {}}}",
                     statistics.threads, json_string(name_of(statistics.simd)),
+                    json_string(subject.device ? device_text(*subject.device) : "cpu"),
                     measurement.steady.size(), time(measurement.first), time(measurement.median()),
                     time(measurement.minimum()), statistics.contact_pairs,
                     json_number(per_element(statistics.candidate_tests, measurement)),

@@ -1,6 +1,7 @@
 #include "text/contact_summary.hpp"
 
 #include "contact_findings.hpp"
+#include "device_search.hpp"
 #include "io/quoted_text.hpp"
 #include "io/suffix.hpp"
 #include "text/human_text.hpp"
@@ -126,6 +127,7 @@ std::string next_command(const ContactsOptions& options) {
   if (options.detection.margin > 0.0) {
     command += fmt::format(" --margin {}", options.detection.margin);
   }
+  if (options.device) command += fmt::format(" --device gpu:{}", *options.device);
   return command + " -o contacts.vtp";
 }
 
@@ -155,9 +157,12 @@ std::string contact_summary(const ContactsOptions& options, const Contacts& cont
     }
   }
   table.add_row(
-      {"algorithm", fmt::format("{}, {}: {}", name_of(statistics.algorithm),
-                                counted(static_cast<std::uint64_t>(statistics.threads), "thread"),
-                                statistics.reason)});
+      {"algorithm",
+       fmt::format("{}, {}: {}", name_of(statistics.algorithm),
+                   options.device
+                       ? device_text(*options.device)
+                       : counted(static_cast<std::uint64_t>(statistics.threads), "thread"),
+                   statistics.reason)});
   table.add_row({"work", fmt::format("{}, {} of memory",
                                      counted(statistics.candidate_tests, "candidate test"),
                                      byte_size(statistics.peak_bytes))});

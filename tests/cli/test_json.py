@@ -10,7 +10,7 @@ YADE = DATA / "yade_settled_5000.csv"
 def test_contacts(abut):
     found = json.loads(abut("contacts", YADE, "--json", "--algorithm", "sorting_array").stdout)
     assert list(found) == ["elements", "dimensions", "contact_pairs", "algorithm", "threads",
-                           "seconds", "peak_bytes", "candidate_tests"]
+                           "device", "seconds", "peak_bytes", "candidate_tests"]
     assert list(found["seconds"]) == ["read", "search", "write", "total"]
     assert (found["elements"], found["dimensions"], found["contact_pairs"]) == (5000, 3, 10658)
     assert (found["algorithm"], found["threads"]) == ("sorting_array", 1)

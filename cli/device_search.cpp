@@ -1,0 +1,48 @@
+#include "device_search.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace abut::cli {
+
+void require_device(int device) {
+  in_words_of_tool([&] { return device::Detector({}, device::on(device)); });
+}
+
+std::string device_text(int device) {
+  for (const device::DeviceInfo& info : device::devices()) {
+    if (info.number == device) return fmt::format("gpu:{}, {}", device, info.name);
+  }
+  return fmt::format("gpu:{}", device);
+}
+
+Error in_words_of_tool(const Error& error) {
+  if (error.code() != ErrorCode::unavailable && error.code() != ErrorCode::wrong_usage) {
+    return error;
+  }
+  const std::string sentence = error.what();
+  return {error.code(),
+          fmt::format("{}; leave out --device", sentence.substr(0, sentence.find(';')))};
+}
+
+DeviceSearch::DeviceSearch(int device, const ElementView& elements, const Options& options)
+    : copy_(elements, device::on(device)), detector_(options, device::on(device)) {}
+
+void DeviceSearch::set_progress(ProgressHook hook) {
+  Options options = detector_.options();
+  options.progress = std::move(hook);
+  detector_.set_options(std::move(options));
+}
+
+const device::PairList& DeviceSearch::find(const Domain& domain) {
+  const device::PairList& pairs = detector_.find_contact_pairs(copy_.elements(), domain);
+  pairs.wait();
+  return pairs;
+}
+
+Statistics DeviceSearch::count(const Domain& domain) {
+  return detector_.count_contact_pairs(copy_.elements(), domain);
+}
+
+}  // namespace abut::cli

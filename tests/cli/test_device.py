@@ -1,0 +1,129 @@
+"""--device: the sentences where there is none, and the same output from a stand-in on the host."""
+
+import json
+import os
+import subprocess
+
+import pytest
+from conftest import DATA, DISCS, environment, without_measurements
+
+YADE = str(DATA / "yade_settled_5000.csv")
+LAMMPS = str(DATA / "lammps_pour.dump")
+STAND_IN = "gpu:0, stand-in on the host"
+
+
+@pytest.fixture
+def with_device():
+    """with_device(arguments...): the tool whose only device is the host."""
+
+    def run(*arguments, stdin=""):
+        return subprocess.run([os.environ["ABUT_WITH_STAND_IN"], *arguments], input=stdin,
+                              capture_output=True, text=True, env=environment(), check=False,
+                              timeout=300)
+
+    return run
+
+
+def has_device(abut):
+    return "Devices here      none" not in abut("--version", "--verbose").stdout
+
+
+def test_2_wrong_usage(fails):
+    for name in ("tpu", "GPU", "gpu:", "gpu:-1", "gpu:x", "gpu:1x", "gpu:99999999999", ""):
+        told = fails(2, "contacts", YADE, "--device", name)
+        assert "cpu, gpu or gpu:N" in told
+    for option in (["--threads", "2"], ["--simd", "scalar"], ["--against", YADE],
+                   ["--groups", "mol"], ["--exclude", "pairs.csv"], ["--box", "1,1,1"],
+                   ["--lattice", "1,0,0,0,1,0,0,0,1"], ["--algorithm", "sorting_array"]):
+        told = fails(2, "contacts", YADE, "--device", "gpu", *option)
+        assert f"{option[0]}" in told and "leave out" in told and "--device" in told
+    assert "--groups" in fails(2, "bench", YADE, "--device", "gpu", "--groups", "mol")
+
+
+def test_processor_is_the_default(abut):
+    plain = abut("contacts", YADE, "--digest").stdout
+    assert abut("contacts", YADE, "--digest", "--device", "cpu", "--threads", "2").stdout == plain
+    assert json.loads(abut("contacts", YADE, "--json").stdout)["device"] == "cpu"
+
+
+def test_6_without_a_device(abut, fails):
+    """Before the file is read, which is not there; the sentence says which of the three it is."""
+    number = "99" if has_device(abut) else "0"
+    for arguments in (["contacts", "nosuch.csv"], ["contacts", "nosuch.csv", "--count"],
+                      ["bench", "nosuch.csv"]):
+        told = fails(6, *arguments, "--device", f"gpu:{number}")
+        assert told.endswith("; leave out --device") and "abut::" not in told
+        reasons = ("no driver of CUDA", "finds none", "the driver is of CUDA",
+                   "this build of abut has no CUDA", "there is no device 99")
+        assert sum(reason in told for reason in reasons) == 1, told
+
+
+@pytest.mark.parametrize("file", [YADE, "-"])
+@pytest.mark.parametrize("arguments", [
+    ["--count"], ["--digest"], ["--digest", "--margin", "0.001"], ["--count", "--radius", "0.05"],
+    ["-o", "-", "-q"], ["-o", "-", "-q", "--with", "normal,point,distance,vector"],
+    ["-o", "-", "-q", "--format", "json"], ["--digest", "--order", "as_found"]])
+def test_output_is_that_of_the_processor(abut, with_device, file, arguments):
+    given = DISCS if file == "-" else ""
+    expected = abut("contacts", file, *arguments, stdin=given)
+    found = with_device("contacts", file, *arguments, "--device", "gpu", stdin=given)
+    assert (expected.returncode, found.returncode) == (0, 0), found.stderr
+    assert found.stdout == expected.stdout and len(found.stdout) > 1
+
+
+def test_json_and_summary_name_the_device(abut, with_device):
+    found = json.loads(with_device("contacts", YADE, "--device", "gpu", "--json").stdout)
+    assert found["device"] == STAND_IN and found["contact_pairs"] == 10658
+    assert found["algorithm"] == "rows" and found["peak_bytes"] > 5000 * 30
+    summary = without_measurements(with_device("contacts", YADE, "--device", "gpu").stdout)
+    expected = without_measurements(abut("contacts", YADE).stdout).splitlines()
+    lines = summary.splitlines()
+    assert lines[:-4] == expected[:-4] and len(lines) == len(expected)
+    assert f"rows, {STAND_IN}: " in lines[-4]
+    assert lines[-1].endswith("--device gpu:0 -o contacts.vtp")
+    assert STAND_IN in with_device("--version", "--verbose").stdout
+
+
+@pytest.mark.parametrize("arguments, code, told", [
+    (["contacts", LAMMPS], 2, "periodic domains yet; leave out --device"),
+    (["contacts", YADE, "--max-pairs", "10657"], 4, "10657"),
+    (["contacts", YADE, "--max-memory", "1K"], 4, "bytes are needed"),
+    (["contacts", "nosuch.csv"], 3, "nosuch.csv"),
+    (["bench", LAMMPS], 2, "periodic domains yet; leave out --device")])
+def test_what_a_device_refuses(with_device, arguments, code, told):
+    done = with_device(*arguments, "--device", "gpu")
+    assert (done.returncode, done.stdout) == (code, "") and told in done.stderr
+
+
+def test_a_device_that_is_not_there(with_device):
+    done = with_device("contacts", YADE, "--device", "gpu:1")
+    assert (done.returncode, done.stdout) == (6, "")
+    assert done.stderr == "abut: there is no device 1, this machine has 1; leave out --device\n"
+
+
+def test_open_space_of_a_periodic_file(abut, with_device):
+    arguments = ["contacts", LAMMPS, "--periodic", "none", "--digest"]
+    assert with_device(*arguments, "--device", "gpu:0").stdout == abut(*arguments).stdout
+
+
+def test_nothing_at_all(with_device):
+    for arguments in (["--count"], ["-o", "-", "-q"], []):
+        done = with_device("contacts", "-", *arguments, "--device", "gpu", stdin="x,y,z,radius\n")
+        assert done.returncode == 0, done.stderr
+
+
+def test_bench(with_device):
+    done = with_device("bench", YADE, "--device", "gpu", "--repetitions", "2", "--threads", "1",
+                       "--json")
+    found = json.loads(done.stdout)
+    assert done.returncode == 0 and found["equal"] is True
+    on_device = [run for run in found["runs"] if run["device"] == STAND_IN]
+    assert [run["result"] for run in on_device] == ["canonical", "count"]
+    assert {run["algorithm"] for run in found["runs"]} == {"rows"}
+    assert {run["device"] for run in found["runs"]} == {"cpu", STAND_IN}
+    digests = {run["digest"] for run in found["runs"] if run["digest"] is not None}
+    assert len(digests) == 1 and on_device[0]["digest"] in digests
+    assert all(run["contact_pairs"] == 10658 for run in found["runs"])
+    table = with_device("bench", YADE, "--device", "gpu", "--repetitions", "1", "--threads", "1")
+    rows = [line.split()[:3] for line in table.stdout.splitlines()]
+    assert ["rows", "gpu:0", "canonical"] in rows and ["rows", "gpu:0", "count"] in rows

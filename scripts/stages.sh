@@ -1,0 +1,25 @@
+# shellcheck shell=bash
+# Sourced by scripts that do several things one after the other: all of them run, also after one has
+# failed, and the last lines say what came of each.
+report=()
+failed=0
+
+# stage NAME COMMAND...: runs it and keeps its outcome, and what it puts into details, for the end.
+stage() {
+  local name=$1 start=$SECONDS status=0
+  shift
+  say "$name"
+  details=()
+  "$@" || failed=1 status=1
+  report+=("$(printf '%-44s %-6s %5d s' "$name" "$( ((status)) && echo FAILED || echo passed)" \
+    $((SECONDS - start)))" "${details[@]}")
+  return $status
+}
+
+# end_stages: what came of them; ends the script.
+end_stages() {
+  say "summary"
+  printf '%s\n' "${report[@]}"
+  if ((failed)); then fail "at least one stage FAILED"; fi
+  exit 0
+}

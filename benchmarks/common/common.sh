@@ -27,7 +27,8 @@ results_folder() {
   echo "benchmarks/results/$(slug "${1:-$processor${family:+ family $family model $model}}")_$(slug "$compiler")"
 }
 
-# record TABLE COMMAND...: what the command prints, once it has all of it, under a heading.
+# record TABLE COMMAND...: what the command prints, once it has all of it, under a heading. What a
+# command printed that failed stays in TABLE.unfinished.
 record() {
   table=$1
   shift
@@ -38,6 +39,6 @@ record() {
     echo "# date: $(date -u +%Y-%m-%d)"
     echo "# commit: $(git rev-parse --short HEAD)$(git diff --quiet HEAD -- src include scenes || echo ' and changes')"
     "$@"
-  } > "$table.unfinished"
+  } > "$table.unfinished" || return
   mv "$table.unfinished" "$table"
 }

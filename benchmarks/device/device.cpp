@@ -1,0 +1,127 @@
+// Times abut::device beside ceilings of the device, the processor and a plain grid, part by part.
+// benchmarks/device/run runs it. Exit code 6 without a device, 7 where an answer of abut is wrong.
+
+#include "benchmarks/common/program.hpp"
+#include "benchmarks/device/ceilings.hpp"
+#include "benchmarks/device/cuda_calls.hpp"
+#include "benchmarks/device/device_case.hpp"
+
+#include <abut/device.hpp>
+#include <abut/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <initializer_list>
+#include <string>
+
+namespace abut::benchmarks {
+namespace {
+
+/// The scenes of the matrix, dense and thin, of equal sizes and not.
+constexpr const char* scenes_of_matrix[] = {"dense",
+                                            "dense_spread",
+                                            "ordered",
+                                            "gas",
+                                            "sparse",
+                                            "clusters",
+                                            "bidisperse",
+                                            "log_uniform",
+                                            "log_uniform_1000",
+                                            "graded",
+                                            "graded_1000",
+                                            "one_giant",
+                                            "touching_cubic",
+                                            "touching_fcc",
+                                            "touching_fcc_shuffled",
+                                            "hexagonal_2d",
+                                            "gas_2d"};
+
+/// What the table was measured with.
+void print_versions() {
+  int driver = 0;
+  require(cudaDriverGetVersion(&driver), "tell its driver");
+  const device::DeviceInfo device = device::devices().front();
+  std::printf("# device: %s, %.1f GiB\n", device.name.c_str(),
+              static_cast<double>(device.memory_bytes) / 1073741824.0);
+  std::printf("# CUDA: driver %d.%d, runtime %d.%d\n", driver / 1000, driver % 1000 / 10,
+              CUDART_VERSION / 1000, CUDART_VERSION % 1000 / 10);
+  std::printf("# abut: %s\n", std::string(build_description()).c_str());
+}
+
+bool run_ceilings(std::initializer_list<std::uint64_t> sizes) {
+  std::puts("ceiling,items,ms,ns_per_item,billions_per_second,bytes_per_second");
+  for (const std::uint64_t items : sizes) {
+    for (const Ceiling& ceiling : measure_ceilings(items)) {
+      const auto n = static_cast<double>(ceiling.items);
+      std::printf("%s,%llu,%.4f,%.5f,%.3f,%.3e\n", ceiling.name.c_str(),
+                  static_cast<unsigned long long>(ceiling.items), 1e3 * ceiling.seconds,
+                  1e9 * ceiling.seconds / n, 1e-9 * n / ceiling.seconds,
+                  n * ceiling.bytes_of_item / ceiling.seconds);
+      std::fflush(stdout);
+    }
+  }
+  return true;
+}
+
+template <class Names>
+bool run_scenes(const Names& names, std::initializer_list<std::uint64_t> sizes) {
+  const DeviceEffort effort{7, copy_speed()};
+  std::printf("# copy: %.3e bytes a second\n", effort.copy_speed);
+  print_heading();
+  bool all_right = true;
+  for (const std::uint64_t elements : sizes) {
+    for (const char* const name : names) all_right &= measure_scene(name, elements, effort);
+  }
+  return all_right;
+}
+
+bool run_billion() {
+  const DeviceEffort effort{1, copy_speed()};
+  std::printf("# copy: %.3e bytes a second\n", effort.copy_speed);
+  print_heading();
+  return measure_copies("dense", 100'000'000, 10, effort);
+}
+
+bool run_part(int part) {
+  const std::initializer_list<const char*> some = {"dense", "ordered", "gas", "graded_1000",
+                                                   "touching_fcc_shuffled"};
+  switch (part) {
+    case 1:
+      return run_ceilings({1'000'000, 100'000'000});
+    case 2:
+      return run_scenes(scenes_of_matrix, {100'000, 1'000'000});
+    case 3:
+      return run_scenes(some, {10'000'000});
+    case 4:
+      return run_scenes(std::initializer_list<const char*>{"dense"}, {100'000'000});
+    default:
+      return run_billion();
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("times abut::device", "device");
+  int part = 1;
+  app.add_option("--part", part,
+                 "1 ceilings, 2 all scenes of 10^5 and 10^6 elements, 3 some of 10^7, 4 dense of "
+                 "10^8, 5 of 10^9")
+      ->check(CLI::Range(1, 5));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? EXIT_SUCCESS : static_cast<int>(ErrorCode::wrong_usage);
+  }
+  { const device::Detector needed; }
+  print_versions();
+  return run_part(part) ? EXIT_SUCCESS : different_answers;
+}
+
+}  // namespace
+}  // namespace abut::benchmarks
+
+int main(int argc, char** argv) {
+  return abut::benchmarks::run_program("device", abut::benchmarks::run, argc, argv);
+}

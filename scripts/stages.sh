@@ -13,7 +13,7 @@ stage() {
   "$@" || failed=1 status=1
   report+=("$(printf '%-44s %-6s %5d s' "$name" "$( ((status)) && echo FAILED || echo passed)" \
     $((SECONDS - start)))" "${details[@]}")
-  return $status
+  return "$status"
 }
 
 # end_stages: what came of them; ends the script.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/box.hpp"
 #include "exact/lattice.hpp"
 #include "exact/numbers/bits.hpp"
@@ -16,14 +17,14 @@ using FarShift = std::array<Int128, 3>;
 /// contract has it. Slow: it says which of these images make a pair, that is refused, and which do
 /// not.
 template <int Dim>
-[[nodiscard]] bool far_image_within_reach(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                          const FarShift& shift, const Lattice& lattice,
-                                          double margin) noexcept;
+[[nodiscard]] ABUT_HD bool far_image_within_reach(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                  const FarShift& shift, const Lattice& lattice,
+                                                  double margin) noexcept;
 
 /// Tells it of boxes.
 template <int Dim>
-[[nodiscard]] bool far_image_within_reach(const Box<Dim>& a, const Box<Dim>& b,
-                                          const FarShift& shift, const Lattice& lattice,
-                                          double margin) noexcept;
+[[nodiscard]] ABUT_HD bool far_image_within_reach(const Box<Dim>& a, const Box<Dim>& b,
+                                                  const FarShift& shift, const Lattice& lattice,
+                                                  double margin) noexcept;
 
 }  // namespace abut::exact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/lattice.hpp"
 #include "exact/numbers/double_double.hpp"
 #include "exact/numbers/exact_accumulator.hpp"
@@ -13,9 +14,9 @@ namespace abut::exact {
 /// and negating n negates it, to the bit. Products of an integer and a double lose nothing by
 /// underflow: all are multiples of the last bit of the double.
 template <int Dim>
-[[nodiscard]] CompensatedSum image_difference(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                              const LatticeSteps<Dim>& steps, int axis,
-                                              double scale = 1.0) noexcept {
+[[nodiscard]] ABUT_HD CompensatedSum image_difference(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                      const LatticeSteps<Dim>& steps, int axis,
+                                                      double scale = 1.0) noexcept {
   CompensatedSum difference;
   difference.add(a.center[axis] * scale);
   difference.add(-b.center[axis] * scale);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/host_device.hpp"
+
 #include <abut/image_shift.hpp>
 
 #include <array>
@@ -24,7 +26,7 @@ struct Lattice {
 template <int Dim>
 class LatticeSteps {
  public:
-  LatticeSteps(const ImageShift& shift, const Lattice& lattice) noexcept {
+  ABUT_HD LatticeSteps(const ImageShift& shift, const Lattice& lattice) noexcept {
     for (std::size_t k = 0; k < Dim; ++k) {
       const std::int32_t number = numbers(shift)[k];
       if (!lattice.periodic[k] || number == 0) continue;
@@ -37,9 +39,9 @@ class LatticeSteps {
     const double* vector;  ///< Dim components
   };
 
-  [[nodiscard]] const Step* begin() const noexcept { return steps_.data(); }
-  [[nodiscard]] const Step* end() const noexcept { return steps_.data() + count_; }
-  [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
+  [[nodiscard]] ABUT_HD const Step* begin() const noexcept { return steps_.data(); }
+  [[nodiscard]] ABUT_HD const Step* end() const noexcept { return steps_.data() + count_; }
+  [[nodiscard]] ABUT_HD bool empty() const noexcept { return count_ == 0; }
 
  private:
   std::array<Step, Dim> steps_{};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/lattice.hpp"
 #include "exact/sphere_predicate.hpp"
 
@@ -11,8 +12,9 @@ namespace abut::exact {
 /// The slow path: whether |x_a - (x_b + n A)|^2 <= (r_a + r_b + margin)^2 in real arithmetic, for
 /// every finite double and every shift n of a lattice A.
 template <int Dim>
-[[nodiscard]] bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                        const LatticeSteps<Dim>& steps, double margin) noexcept;
+[[nodiscard]] ABUT_HD bool within_reach_exactly(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                const LatticeSteps<Dim>& steps,
+                                                double margin) noexcept;
 
 // THE BAND IS ABSOLUTE: x_a and x_b + n A may be large and almost equal. u = 2^-53, D and S the
 // real distance and reach, m the sum of the magnitudes of all that is added up: coordinates,

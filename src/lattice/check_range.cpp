@@ -49,11 +49,19 @@ void check_range(std::span<const exact::Sphere<Dim>> spheres, const ReducedLatti
   const auto largest =
       std::max_element(spheres.begin(), spheres.end(),
                        [](const auto& a, const auto& b) { return a.radius < b.radius; });
+  check_reach<Dim>(static_cast<std::size_t>(largest - spheres.begin()), largest->radius, lattice,
+                   margin, shape, unit);
+}
+
+template <int Dim>
+void check_reach(std::size_t number, double largest_radius, const ReducedLattice<Dim>& lattice,
+                 double margin, Shape shape, double unit) {
+  const OrthogonalCell<Dim> orthogonal_cell(lattice, 1.0);
   const double reach =
-      2.0 * (largest->radius * unit * lattice.scale) + margin * unit * lattice.scale;
+      2.0 * (largest_radius * unit * lattice.scale) + margin * unit * lattice.scale;
   for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
     if (orthogonal_cell.dual_length[k] * reach <= most_cells_away) continue;
-    refuse_reach(static_cast<std::size_t>(largest - spheres.begin()), largest->radius, shape);
+    refuse_reach(number, largest_radius, shape);
   }
 }
 
@@ -87,6 +95,12 @@ void require_narrow_window(double most_cells) {
       "told apart for elements so many cells out; move the elements into the cell");
 }
 
+void refuse_number_of_images() {
+  throw Error(ErrorCode::limit_exceeded,
+              "more than 4294967294 periodic images are within reach of the cell; make the lattice "
+              "vectors longer, or elements and margin smaller");
+}
+
 void refuse_shift(std::size_t i, std::size_t j) {
   throw Error(ErrorCode::invalid_input,
               "elements " + std::to_string(std::min(i, j)) + " and " +
@@ -98,6 +112,8 @@ template void check_range(std::span<const exact::Sphere<2>>, const ReducedLattic
                           Shape, double);
 template void check_range(std::span<const exact::Sphere<3>>, const ReducedLattice<3>&, double,
                           Shape, double);
+template void check_reach(std::size_t, double, const ReducedLattice<2>&, double, Shape, double);
+template void check_reach(std::size_t, double, const ReducedLattice<3>&, double, Shape, double);
 template void check_range_as_given(std::span<const exact::Sphere<2>>, const exact::Lattice&, double,
                                    Shape);
 template void check_range_as_given(std::span<const exact::Sphere<3>>, const exact::Lattice&, double,

@@ -30,6 +30,15 @@ void check_range_as_given(std::span<const exact::Sphere<Dim>> spheres,
 /// short one.
 void require_narrow_window(double most_cells);
 
+/// More images are within reach of the cell than can be numbered.
+[[noreturn]] void refuse_number_of_images();
+
+/// Throws Error{invalid_input} naming the element of the largest radius where that reaches over
+/// more than 2^31 - 1 cells. The lattice is given times `unit`.
+template <int Dim>
+void check_reach(std::size_t number, double largest_radius, const ReducedLattice<Dim>& lattice,
+                 double margin, Shape shape, double unit);
+
 /// Elements i and j pair with a shift beyond 2^31 - 1.
 [[noreturn]] void refuse_shift(std::size_t i, std::size_t j);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/sphere.hpp"
 #include "lattice/cell_extent.hpp"
 #include "lattice/orthogonal_cell.hpp"
@@ -43,7 +44,7 @@ class GhostWindow {
     } while (lower(farthest_numbers));
   }
 
-  [[nodiscard]] std::size_t sides() const noexcept { return orthogonal_cell_.count; }
+  [[nodiscard]] ABUT_HD std::size_t sides() const noexcept { return orthogonal_cell_.count; }
 
   /// The distance from the locals that an image may have along side k, in sides, with the largest
   /// radius.
@@ -70,10 +71,11 @@ class GhostWindow {
   /// reach, by their numbers along the sides, the last of which runs from first to last; no further
   /// where it returns false.
   template <class Visit>
-  void for_each_row(const exact::Sphere<Dim>& local, Shell shell, Visit&& visit) const {
+  ABUT_HD void for_each_row(const exact::Sphere<Dim>& local, Shell shell, Visit&& visit) const {
     std::array<double, Dim> places{};
     Limits limits;
-    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+    for (std::size_t k = 0; k < Dim; ++k) {
+      if (k >= orthogonal_cell_.count) break;
       places[k] = orthogonal_cell_.coordinate(k, local.center);
       limits.lower[k] = extent_.lower[k] - below_[k].at(local.radius);
       limits.upper[k] = extent_.upper[k] + above_[k].at(local.radius);
@@ -94,7 +96,9 @@ class GhostWindow {
     double per_radius = 0.0;
     double least = 0.0;
 
-    [[nodiscard]] double at(double radius) const noexcept { return per_radius * radius + least; }
+    [[nodiscard]] ABUT_HD double at(double radius) const noexcept {
+      return per_radius * radius + least;
+    }
   };
 
   /// Coordinates between which images may be.
@@ -200,8 +204,8 @@ class GhostWindow {
 
   /// Returns whether to go on.
   template <std::size_t k, Shell shell, class Visit>
-  bool walk(const std::array<double, Dim>& places, const Limits& limits, bool all_zero,
-            ImageNumbers& numbers, Visit& visit) const {
+  ABUT_HD bool walk(const std::array<double, Dim>& places, const Limits& limits, bool all_zero,
+                    ImageNumbers& numbers, Visit& visit) const {
     const std::int64_t last = below(limits.upper[k] - places[k]);
     std::int64_t first = -below(places[k] - limits.lower[k]);
     const bool is_last = k + 1 == orthogonal_cell_.count;
@@ -230,7 +234,7 @@ class GhostWindow {
   }
 
   /// The largest whole number that is not above x, where |x| < 2^62: without a call to the library.
-  static std::int64_t below(double x) noexcept {
+  ABUT_HD static std::int64_t below(double x) noexcept {
     const auto whole = static_cast<std::int64_t>(x);
     return whole - static_cast<std::int64_t>(static_cast<double>(whole) > x);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "lattice/reduced_lattice.hpp"
 
 #include <array>
@@ -41,7 +42,7 @@ struct OrthogonalCell {
   Vector rise{};         ///< the same, sum of the positive coefficients
   Vector fall{};         ///< the same, sum of the magnitudes of the negative ones
 
-  [[nodiscard]] double coordinate(std::size_t k, const double* position) const noexcept {
+  [[nodiscard]] ABUT_HD double coordinate(std::size_t k, const double* position) const noexcept {
     double sum = coefficients[k][0] * position[0];
     for (std::size_t axis = 1; axis < Dim; ++axis) sum += coefficients[k][axis] * position[axis];
     return sum;

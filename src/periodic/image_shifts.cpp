@@ -13,21 +13,21 @@
 namespace abut::periodic {
 
 template <int Dim>
-void Images<Dim>::note_shifts(const Window& window) {
-  std::array<double, 3> shift{};
+void Images<Dim>::note_shifts(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                              const Window& window) {
+  const std::array<double, 3> shift =
+      lattice::most_shifts<Dim>(*lattice_, orthogonal_cell, window, cells_moved_at_most_);
   std::array<std::size_t, 3> side_of_axis{2, 2, 2};
   bool as_given = true;
   for (std::size_t k = 0; k < lattice_->count; ++k) {
     const std::size_t vector = vector_of_[k];
     side_of_axis[lattice_->axis_of[vector]] = k;
     for (std::size_t l = 0; l < lattice_->count; ++l) {
-      const std::int64_t taken = lattice_->to_given[vector][l];
-      as_given = as_given && taken == (l == vector ? 1 : 0);
-      shift[l] += (window.most_cells(k) + 2.0 * cells_moved_at_most_[k]) *
-                  std::fabs(static_cast<double>(taken));
+      as_given = as_given && lattice_->to_given[vector][l] == (l == vector ? 1 : 0);
     }
   }
-  shifts_always_fit_ = std::all_of(shift.begin(), shift.end(), [](double n) { return n < 0x1p30; });
+  shifts_always_fit_ = std::all_of(shift.begin(), shift.end(),
+                                   [](double n) { return n < lattice::largest_bound_of_shifts; });
   side_of_axis_.reset();
   if (shifts_always_fit_ && as_given) side_of_axis_ = side_of_axis;
 }
@@ -83,13 +83,13 @@ ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
   lattice::refuse_shift(i, j);
 }
 
-template void Images<2>::note_shifts(const Window&);
+template void Images<2>::note_shifts(const lattice::OrthogonalCell<2>&, const Window&);
 template void Images<2>::shifts_between(std::span<const ContactPair>, std::span<ImageShift>) const;
 template lattice::ImageNumbers Images<2>::numbers_between(std::size_t, std::size_t,
                                                           const std::array<std::int32_t, 3>&) const;
 template ImageShift Images<2>::shift_between(std::size_t, std::size_t,
                                              const std::array<std::int32_t, 3>&) const;
-template void Images<3>::note_shifts(const Window&);
+template void Images<3>::note_shifts(const lattice::OrthogonalCell<3>&, const Window&);
 template void Images<3>::shifts_between(std::span<const ContactPair>, std::span<ImageShift>) const;
 template lattice::ImageNumbers Images<3>::numbers_between(std::size_t, std::size_t,
                                                           const std::array<std::int32_t, 3>&) const;

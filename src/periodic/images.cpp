@@ -4,6 +4,7 @@
 #include "grid/scaling.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/lattice_unit.hpp"
+#include "lattice/wrap_rules.hpp"
 #include "periodic/most_ghosts.hpp"
 #include "periodic/place_locals.hpp"
 
@@ -15,9 +16,8 @@
 namespace abut::periodic {
 namespace {
 
-/// Relative to magnitude_of (docs/derivations/periodic_images.md, 4).
-constexpr double slack_of_ghosts = 0x1p-48;
-constexpr double slack_of_fast_wraps = 0x1p-47;
+/// Relative to the magnitude (docs/derivations/periodic_images.md, 4).
+constexpr double slack_of_fast_wraps = 2.0 * lattice::slack_of_ghosts;
 
 /// Number of locals between two questions to the hook: no small part of a detection.
 constexpr std::size_t locals_between_polls = 512 * kernels::BlockList::room;
@@ -30,13 +30,6 @@ void overwrite(base::Array<T>& array, std::size_t size, std::size_t room) {
     array.reserve(room);
   }
   array.resize(size);
-}
-
-template <int Dim>
-std::array<bool, Dim> all_sides() {
-  std::array<bool, Dim> along{};
-  along.fill(true);
-  return along;
 }
 
 template <int Dim>
@@ -64,13 +57,13 @@ void Images<Dim>::find(base::Array<exact::Sphere<Dim>>& elements, const grid::Bo
   measure(elements, orthogonal_cell, settings.workers);
   const lattice::Reaches reaches{bounds.largest_radius, settings.margin, settings.shape};
   const Windows windows(lattice, orthogonal_cell, extent_, reaches, settings.size_cut, 1.0);
-  if (!is_in_range(orthogonal_cell, windows.of_large)) {
+  if (!lattice::is_in_range(orthogonal_cell, extent_, windows.of_large)) {
     lattice::check_range<Dim>(elements, lattice, settings.margin, settings.shape);
   }
-  const Along along = sides_to_wrap(orthogonal_cell, windows.of_large);
+  const Along along = lattice::sides_to_wrap<Dim>(orthogonal_cell, extent_, windows.of_large);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
-    slack_ = slack_of_ghosts * magnitude_of(windows.of_large, along, settings.shape);
+    slack_ = lattice::slack_of_ghosts * magnitude_of(windows.of_large, along, settings.shape);
     return add_ghosts(elements, {orthogonal_cell, windows, {}, {}}, settings);
   }
   overwrite(own_locals_, elements.size(), elements.size() + elements.size() / 8);
@@ -87,7 +80,7 @@ void Images<Dim>::find(base::Array<exact::Sphere<Dim>>& elements, const grid::Bo
   const lattice::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_,
                                 settings.shape};
   const Windows after(lattice, scaled_orthogonal_cell, extent_, scaled, size_cut_, unit_);
-  slack_ = slack_of_ghosts * magnitude_of(after.of_large, along, settings.shape);
+  slack_ = lattice::slack_of_ghosts * magnitude_of(after.of_large, along, settings.shape);
   add_ghosts(own_locals_, {scaled_orthogonal_cell, after, {}, {}}, settings);
 }
 
@@ -121,11 +114,7 @@ void Images<Dim>::measure(std::span<const exact::Sphere<Dim>> elements,
                           const lattice::OrthogonalCell<Dim>& orthogonal_cell,
                           std::size_t workers) {
   vector_of_ = orthogonal_cell.vector_of;
-  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      steps_[k][axis] = lattice_->vectors[vector_of_[k]][axis] * unit_;
-    }
-  }
+  steps_ = lattice::side_steps<Dim>(*lattice_, orthogonal_cell, unit_);
   if (orthogonal_cell.is_aligned()) {
     extent_ = lattice::extent_of(bounds_, orthogonal_cell);
     return;
@@ -139,43 +128,6 @@ void Images<Dim>::measure(std::span<const exact::Sphere<Dim>> elements,
   for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(parts_[worker].extent);
 }
 
-/// True if all elements are far from what lattice::check_range refuses.
-template <int Dim>
-bool Images<Dim>::is_in_range(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
-                              const Window& window) const {
-  const WrapEstimate<Dim> wrap_estimate(*lattice_, orthogonal_cell, extent_, all_sides<Dim>());
-  bool in_range = true;
-  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-    in_range = in_range && wrap_estimate.most_cells[k] <= 0x1p30 && window.widest(k) <= 0x1p30;
-  }
-  return in_range;
-}
-
-/// Elements are moved along the sides that they spread over more than a cell of. A little more, a
-/// quarter of what ghosts are within, costs fewer ghosts than moving elements costs time. What
-/// overflows is left to the wrapper, which knows the element.
-///
-/// Moved along an earlier side, elements move along this one, too, and are brought back if they
-/// have gone far. Where this side is far longer than the earlier one they have not: then some of
-/// those on both sides of a face would be moved by a long vector, and all rounding would be
-/// relative to that.
-template <int Dim>
-typename Images<Dim>::Along Images<Dim>::sides_to_wrap(
-    const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Window& window) const {
-  constexpr double far = 0.0625;
-  Along along{};
-  std::array<double, Dim> cells{};
-  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-    const double moved = moved_along_earlier_sides(orthogonal_cell, k, cells);
-    const double magnitude = orthogonal_cell.magnitude(k, extent_.farthest);
-    const double spread = extent_.upper[k] - extent_.lower[k] + 2.0 * moved;
-    along[k] = !std::isfinite(magnitude) || moved > far ||
-               !(spread <= 1.0 + 0.25 * std::min(window.widest(k), 1.0));
-    if (along[k]) cells[k] = most_cells_moved(magnitude, moved);
-  }
-  return along;
-}
-
 /// Moves the elements in the fast way, but does nothing and returns false where rounding would make
 /// the search use larger cells than the reach asks for, or images must be counted.
 template <int Dim>
@@ -184,7 +136,8 @@ bool Images<Dim>::wrap_fast_if_near(std::span<const exact::Sphere<Dim>> elements
                                     const ImageSettings& settings) {
   const double most = 2.0 * ghosts_of_long_reach * static_cast<double>(elements.size());
   const double ghosts = most_ghosts<Dim>(elements, plan.windows);
-  if (!wrap_estimate.is_short || !(ghosts <= std::min(most, most_locals_and_ghosts))) return false;
+  if (!wrap_estimate.is_short || !(ghosts <= std::min(most, lattice::most_locals_and_ghosts)))
+    return false;
   const lattice::CellExtent<Dim> as_given = extent_;
   extent_ = wrap_estimate.extent;
   slack_ = slack_of_fast_wraps * magnitude_of(plan.windows.of_large, plan.along, settings.shape);
@@ -247,7 +200,7 @@ template <int Dim>
 void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
                              const ImageSettings& settings) {
   require_narrow_windows<Dim>(plan.orthogonal_cell.count, plan.windows);
-  note_shifts(plan.windows.of_large);
+  note_shifts(plan.orthogonal_cell, plan.windows.of_large);
   reach_is_long_ = plan.to_move.empty() && is_long_reach<Dim>(home, plan.windows);
   if (reach_is_long_) {
     windows_.emplace(plan.windows);
@@ -328,24 +281,12 @@ void Images<Dim>::append_ghosts(base::Array<exact::Sphere<Dim>>& home,
   for (std::size_t worker = 0; worker < workers; ++worker) places_.include(parts_[worker].places);
 }
 
-/// The magnitude to which rounding is relative. Where locals are moved and images made along no
-/// vector that leads along an axis, nothing is added to coordinates on it.
 template <int Dim>
 double Images<Dim>::magnitude_of(const Window& window, const Along& along, Shape shape) const {
-  double magnitude = 0.0;
   const double width = shape == Shape::box ? 2.0 * bounds_.largest_radius : 0.0;
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    double moved = 0.0;
-    for (std::size_t k = 0; k < lattice_->count; ++k) {
-      const double cells = std::max(window.most_cells(k), along[k] ? 1.0 : 0.0);
-      moved += cells * std::fabs(steps_[k][axis]);
-    }
-    if (moved > 0.0) magnitude += extent_.farthest[axis] + moved + width;
-  }
-  return magnitude;
+  return lattice::magnitude_of<Dim>(extent_, window, along, steps_, width);
 }
 
-/// By upper bounds; the roundings of doubles are far below the half that is left.
 template class Images<2>;
 template class Images<3>;
 

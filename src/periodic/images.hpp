@@ -6,8 +6,9 @@
 #include "grid/bounds.hpp"
 #include "kernels/image_kernels.hpp"
 #include "lattice/cell_extent.hpp"
-#include "lattice/ghost_window.hpp"
+#include "lattice/ghost_windows.hpp"
 #include "lattice/reduced_lattice.hpp"
+#include "lattice/wrap_rules.hpp"
 #include "lattice/wrapper.hpp"
 #include "periodic/list_ghosts.hpp"
 #include "periodic/moved_cells.hpp"
@@ -123,7 +124,7 @@ class Images {
 
   /// The least length of cells, times unit(): in smaller ones the slack would not be covered
   /// (docs/derivations/tile_filter.md, section 3).
-  [[nodiscard]] double least_cell() const noexcept { return slack_ * cells_of_error; }
+  [[nodiscard]] double least_cell() const noexcept { return slack_ * lattice::cells_of_error; }
 
   /// The shift n for which x_i - (x_j + n A), of the elements as given, is what local i and local
   /// j, or local i and a ghost, stand for. Throws Error{invalid_input} where |n| would exceed
@@ -148,8 +149,6 @@ class Images {
   void shifts_between(std::span<const ContactPair> pairs, std::span<ImageShift> shifts) const;
 
  private:
-  static constexpr double cells_of_error = 0x1p24;
-
   /// Extents and counts that one worker finds for its elements.
   struct FoundGhosts {
     explicit FoundGhosts(base::MemoryMeter& memory)
@@ -178,10 +177,6 @@ class Images {
                   const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
   void measure(std::span<const exact::Sphere<Dim>> elements,
                const lattice::OrthogonalCell<Dim>& orthogonal_cell, std::size_t workers);
-  [[nodiscard]] bool is_in_range(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
-                                 const Window& window) const;
-  [[nodiscard]] Along sides_to_wrap(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
-                                    const Window& window) const;
   bool wrap_fast_if_near(std::span<const exact::Sphere<Dim>> elements,
                          const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
                          const ImageSettings& settings);
@@ -193,7 +188,7 @@ class Images {
   void join_boxes(std::size_t workers);
   void join_ghosts(std::size_t workers);
   void append_ghosts(base::Array<exact::Sphere<Dim>>& home, const ImageSettings& settings);
-  void note_shifts(const Window& window);
+  void note_shifts(const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Window& window);
   [[nodiscard]] double magnitude_of(const Window& window, const Along& along, Shape shape) const;
   void packed_shifts_between(std::span<const ContactPair> pairs,
                              std::span<ImageShift> shifts) const;

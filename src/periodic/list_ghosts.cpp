@@ -1,15 +1,9 @@
 #include "periodic/list_ghosts.hpp"
 
-#include <abut/error.hpp>
+#include "lattice/check_range.hpp"
 
 namespace abut::periodic {
 namespace {
-
-[[noreturn]] void refuse_number_of_images() {
-  throw Error(ErrorCode::limit_exceeded,
-              "more than 4294967294 periodic images are within reach of the cell; make the lattice "
-              "vectors longer, or elements and margin smaller");
-}
 
 /// Number of locals between two questions to the hook: no small part of a detection.
 constexpr std::size_t ghosts_between_polls = std::size_t{1} << 18;
@@ -38,14 +32,14 @@ void require_countable(std::span<const exact::Sphere<Dim>> locals,
                        const GhostWindows<Dim>& windows) {
   const lattice::GhostWindow<Dim>& window = windows.of_large;
   for (std::size_t k = 0; k < window.sides(); ++k) {
-    if (!(window.most_cells(k) <= lattice::most_cells_away)) refuse_number_of_images();
+    if (!(window.most_cells(k) <= lattice::most_cells_away)) lattice::refuse_number_of_images();
   }
   double count = static_cast<double>(locals.size());
-  if (count * window.most_images() <= most_locals_and_ghosts) return;
+  if (count * window.most_images() <= lattice::most_locals_and_ghosts) return;
   for (const exact::Sphere<Dim>& local : locals) {
     windows.for_each_row(local, [&](std::int64_t first, std::int64_t last, const auto&) {
       count += static_cast<double>(last - first + 1);
-      if (count > most_locals_and_ghosts) refuse_number_of_images();
+      if (count > lattice::most_locals_and_ghosts) lattice::refuse_number_of_images();
       return true;
     });
   }

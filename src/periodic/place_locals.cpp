@@ -58,11 +58,7 @@ WrapEstimate<Dim>::WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,
     : extent(given) {
   constexpr double longest = 0x1p24;  // in sides
   constexpr double rounding = 0x1p-20;
-  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-    if (!along[k]) continue;
-    most_cells[k] = most_cells_moved(orthogonal_cell.magnitude(k, given.farthest),
-                                     moved_along_earlier_sides(orthogonal_cell, k, most_cells));
-  }
+  most_cells = lattice::most_cells_moved<Dim>(orthogonal_cell, given, along);
   for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
     const auto& vector = lattice.vectors[orthogonal_cell.vector_of[k]];
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -74,7 +70,7 @@ WrapEstimate<Dim>::WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,
                   (lattice.length[orthogonal_cell.vector_of[l]] * lattice.scale) * most_cells[l];
     }
     is_short = is_short && distance <= longest;
-    const double moved = moved_along_earlier_sides(orthogonal_cell, k, most_cells);
+    const double moved = lattice::moved_along_earlier_sides(orthogonal_cell, k, most_cells);
     extent.lower[k] = (along[k] ? 0.0 : given.lower[k] - moved) - rounding;
     extent.upper[k] = (along[k] ? 1.0 : given.upper[k] + moved) + rounding;
   }

@@ -6,6 +6,7 @@
 #include "kernels/image_kernels.hpp"
 #include "lattice/cell_extent.hpp"
 #include "lattice/orthogonal_cell.hpp"
+#include "lattice/wrap_rules.hpp"
 #include "lattice/wrapper.hpp"
 #include "periodic/list_ghosts.hpp"
 #include "periodic/moved_cells.hpp"
@@ -23,22 +24,6 @@ template <int Dim>
                                                 const lattice::OrthogonalCell<Dim>& orthogonal_cell,
                                                 const std::array<bool, Dim>& along,
                                                 const GhostWindows<Dim>& windows);
-
-/// The distance along side k, in sides, that so many cells along earlier sides move an element by.
-template <int Dim>
-[[nodiscard]] double moved_along_earlier_sides(
-    const lattice::OrthogonalCell<Dim>& orthogonal_cell, std::size_t k,
-    const typename lattice::OrthogonalCell<Dim>::Vector& cells) noexcept {
-  double moved = 0.0;
-  for (std::size_t l = 0; l < k; ++l) moved += std::fabs(orthogonal_cell.offset[l][k]) * cells[l];
-  return moved;
-}
-
-/// Upper bound of the cells along a side that bring a coordinate of no more than that magnitude,
-/// after moves along earlier sides, into the cell at the origin.
-[[nodiscard]] inline double most_cells_moved(double magnitude, double moved) noexcept {
-  return magnitude + 2.0 + moved;
-}
 
 /// Moves that bring some elements into the orthogonal cell at the origin.
 template <int Dim>

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "exact/sphere.hpp"
+#include "lattice/ghost_window.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::lattice {
+
+/// The periodic image of an element moved by `image` vectors of the sides of the orthogonal cell.
+struct Ghost {
+  std::uint32_t element;
+  std::array<std::int32_t, 3> image;
+
+  /// True if the image is lexicographically positive: its first number that is not 0 is positive.
+  [[nodiscard]] ABUT_HD bool is_positive() const noexcept {
+    if (image[0] != 0) return image[0] > 0;
+    if (image[1] != 0) return image[1] > 0;
+    return image[2] > 0;
+  }
+};
+
+/// Locals and ghosts are numbered by 32 bits.
+inline constexpr double most_locals_and_ghosts = 4294967294.0;
+
+/// The images of locals that are ghosts. Those of small elements, positive ones only, that small
+/// locals may reach; all those of large elements, of a radius of at least `cut`, that any local may
+/// reach. So the few large elements do not make ghosts of all that they might reach.
+template <int Dim>
+struct GhostWindows {
+  GhostWindow<Dim> of_small;
+  GhostWindow<Dim> of_large;
+  double cut;  ///< infinite: all are small
+
+  GhostWindows(const ReducedLattice<Dim>& lattice, const OrthogonalCell<Dim>& orthogonal_cell,
+               const CellExtent<Dim>& extent, const Reaches& reaches, double least_large,
+               double unit)
+      : of_small(lattice, orthogonal_cell, extent,
+                 {std::min(reaches.largest_radius, least_large), reaches.margin, reaches.shape},
+                 unit),
+        of_large(lattice, orthogonal_cell, extent, reaches, unit),
+        cut(least_large) {}
+
+  /// Calls visit(first, last, numbers) as GhostWindow does.
+  template <class Visit>
+  ABUT_HD void for_each_row(const exact::Sphere<Dim>& local, Visit&& visit) const {
+    if (local.radius >= cut) return of_large.for_each_row(local, Shell::full, visit);
+    of_small.for_each_row(local, Shell::half, visit);
+  }
+};
+
+}  // namespace abut::lattice

@@ -57,15 +57,6 @@ void require_in_range(const Options& options) {
 
 }  // namespace
 
-void require_dimensions(const ElementView& elements, const Domain& domain) {
-  if (domain.dimensions() == 0 || domain.dimensions() == elements.dimensions()) return;
-  throw Error(ErrorCode::wrong_usage, "a domain of " + std::to_string(domain.dimensions()) +
-                                          " dimensions for elements of " +
-                                          std::to_string(elements.dimensions()) +
-                                          "; give lengths or vectors of " +
-                                          std::to_string(elements.dimensions()) + " numbers");
-}
-
 void validate(const Options& options, const ElementView& elements, const Domain& domain) {
   require_in_range(options);
   require_dimensions(elements, domain);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "elements/require_dimensions.hpp"
+
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/options.hpp>
@@ -9,8 +11,7 @@
 
 namespace abut::detect {
 
-/// Throws Error{wrong_usage} for a periodic domain of other dimensions than the elements.
-void require_dimensions(const ElementView& elements, const Domain& domain);
+using elements::require_dimensions;
 
 /// Throws Error{wrong_usage} for two sets of unequal dimensions or shapes.
 void require_alike(const ElementView& first, const ElementView& second);

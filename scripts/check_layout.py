@@ -38,8 +38,8 @@ ROOMS_BELOW = {
     "history": "base exact lattice elements geometry detect walls",
     "walls": "base exact/features exact kernels lattice elements lists geometry detect",
     "simplices": "base exact exact/simplices lists detect walls",
-    "device/bodies": "base exact/numbers exact",
-    "device": "base exact grid elements device/bodies",
+    "device/bodies": "base exact/numbers exact lattice",
+    "device": "base exact grid lattice elements device/bodies",
     "device/cuda": "base exact device/bodies device",
 }
 CORE = {"include/abut": set()} | {

@@ -16,14 +16,15 @@ namespace abut::device {
 /// Divides the axes of a level that is far wider than its elements need into stretches: gaps wider
 /// than a cell are closed, so that there are few cells for each element however far apart they are.
 /// It sorts the coordinates of each axis once, and must outlive all who look into the level.
-template <int Dim, class T, class E>
+template <class Spheres, class E>
 class AxisStretches {
+  static constexpr int Dim = Spheres::dimensions;
+
  public:
-  AxisStretches(E& executor, const SphereColumns<Dim, T>& elements, const Frame<Dim>& frame,
-                std::uint32_t level)
+  AxisStretches(E& executor, const Spheres& elements, const Frame<Dim>& frame, std::uint32_t level)
       : executor_(executor), count_(frame.levels[level].end_slot - frame.levels[level].first_slot) {
     for (int axis = 0; axis < Dim; ++axis) {
-      sort(axis, CoordinateInLevel<Dim, T>{elements, frame, level, axis, nullptr, nullptr},
+      sort(axis, CoordinateInLevel<Spheres>{elements, frame, level, axis, nullptr, nullptr},
            elements.count);
     }
   }
@@ -46,7 +47,7 @@ class AxisStretches {
     Buffer<Stretch, E> stretches;
   };
 
-  void sort(int axis, CoordinateInLevel<Dim, T> body, std::uint64_t elements) {
+  void sort(int axis, CoordinateInLevel<Spheres> body, std::uint64_t elements) {
     TwinBuffer<std::uint64_t, E> coordinates(executor_, elements);
     TwinBuffer<std::uint32_t, E> numbers(executor_, elements);
     body.coordinates = coordinates.current.data();

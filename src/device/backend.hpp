@@ -5,6 +5,7 @@
 
 #include <abut/device.hpp>
 #include <abut/element_view.hpp>
+#include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
 #include <cstdint>
@@ -21,9 +22,10 @@ class Backend {
   Backend(const Backend&) = delete;
   Backend& operator=(const Backend&) = delete;
 
-  /// What a detection leaves: `pairs` is memory of the device, valid until the next detection.
+  /// What a detection leaves: arrays are memory of the device, valid until the next detection.
   struct Answer {
     const ContactPair* pairs = nullptr;
+    const ImageShift* shifts = nullptr;  ///< of the pairs, where they are asked for
     std::uint64_t count = 0;
     std::uint64_t exact_decisions = 0;
     std::uint64_t peak_bytes = 0;
@@ -36,8 +38,9 @@ class Backend {
                                      std::uint64_t max_bytes, const Stream& stream,
                                      base::ProgressReporter& progress) = 0;
 
-  /// Copies pairs of the last answer; waits for them.
+  /// Copies what the last answer holds; waits for it.
   virtual void copy_to_host(ContactPair* target, const ContactPair* pairs, std::uint64_t count) = 0;
+  virtual void copy_to_host(ImageShift* target, const ImageShift* shifts, std::uint64_t count) = 0;
 
   /// Waits until the last answer is complete.
   virtual void wait() = 0;

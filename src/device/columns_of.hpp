@@ -5,22 +5,31 @@
 #include <abut/element_view.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace abut::device {
+
+template <class T>
+[[nodiscard]] NumberColumn<T> column_of(const ElementView::Numbers& numbers, Precision precision) {
+  if constexpr (std::is_same_v<T, EitherNumber>) {
+    return {numbers.first, numbers.stride_bytes, precision == Precision::float64};
+  } else {
+    return {numbers.first, numbers.stride_bytes};
+  }
+}
 
 /// The columns of a view of spheres of Dim dimensions and numbers of type T.
 template <int Dim, class T>
 [[nodiscard]] SphereColumns<Dim, T> columns_of(const ElementView& spheres) {
-  using Column = typename SphereColumns<Dim, T>::Column;
   SphereColumns<Dim, T> columns{};
   for (int axis = 0; axis < Dim; ++axis) {
     const ElementView::Numbers& numbers = spheres.center(axis);
-    columns.center[axis] = Column{numbers.first, numbers.stride_bytes};
+    columns.center[axis] = column_of<T>(numbers, spheres.precision());
   }
   if (spheres.has_common_radius()) {
     columns.common_radius = spheres.common_radius();
   } else {
-    columns.radii = Column{spheres.radii().first, spheres.radii().stride_bytes};
+    columns.radii = column_of<T>(spheres.radii(), spheres.precision());
   }
   columns.count = static_cast<std::uint32_t>(spheres.size());
   return columns;

@@ -2,7 +2,6 @@
 
 #include "device/bodies/cross_level.hpp"
 #include "device/bodies/meet.hpp"
-#include "device/device_request.hpp"
 #include "device/executor.hpp"
 #include "device/partner_search.hpp"
 #include "device/sorted_elements.hpp"
@@ -14,18 +13,27 @@
 
 namespace abut::device {
 
-/// Finds the pairs of all levels: elements of a level meet each other, and larger ones meet it.
-template <int Dim, class T, class Key, class E>
-class ContactSearch {
- public:
-  using Sorted = SortedElements<Dim, T, Key, E>;
+/// What a search is asked for, in the unit of its spheres.
+struct SearchSettings {
+  double margin;
+  double slack;  ///< of distances
+  std::uint64_t items_at_a_time;
+};
 
-  ContactSearch(E& executor, const SphereColumns<Dim, T>& elements, const Frame<Dim>& frame,
-                const DeviceRequest& request)
+/// Finds the pairs of all levels: elements of a level meet each other, and larger ones meet it.
+template <class Spheres, class Key, class E>
+class ContactSearch {
+  static constexpr int Dim = Spheres::dimensions;
+
+ public:
+  using Sorted = SortedElements<Spheres, Key, E>;
+
+  ContactSearch(E& executor, const Spheres& elements, const Frame<Dim>& frame,
+                const SearchSettings& settings)
       : executor_(executor),
         elements_(elements),
         frame_(frame),
-        request_(request),
+        settings_(settings),
         sorted_(executor, elements, frame) {
     for (std::uint32_t k = 0; k < frame_.level_count; ++k) {
       const SizeLevel<Dim>& level = frame_.levels[k];
@@ -53,8 +61,8 @@ class ContactSearch {
   }
 
  private:
-  using Meet = MeetInLevel<Dim, Key>;
-  using Across = MeetCoarse<Dim, T, Key>;
+  using Meet = MeetInLevel<Spheres, Key>;
+  using Across = MeetCoarse<Spheres, Key>;
   using CrossLevelSearch = PartnerSearch<Across, E>;
 
   void add(const PartnerCount& some) noexcept {
@@ -63,7 +71,7 @@ class ContactSearch {
   }
 
   [[nodiscard]] Meet meet_in(const SizeLevel<Dim>& level) const {
-    Meet meet{sorted_.records(), sorted_.directory(), sorted_.sizes(level), {}};
+    Meet meet{elements_, sorted_.records(), sorted_.directory(), sorted_.sizes(level), {}};
     for (int axis = 0; axis < Dim; ++axis) meet.pitch[axis] = level.pitch[axis];
     return meet;
   }
@@ -76,19 +84,19 @@ class ContactSearch {
     const std::uint64_t coarse = elements_.count - level.end_slot;
     if (coarse == 0 || level.first_slot == level.end_slot) return;
     Buffer<std::uint64_t, E> items(executor_, coarse + 1);
-    const Across across{elements_,   frame_.scale,      frame_.margin,   request_.margin,
-                        level,       sorted_.records(), sorted_.radii(), sorted_.directory(),
-                        items.data()};
+    const Across across{elements_,        frame_.scale,        frame_.margin, frame_.slack,
+                        settings_.margin, settings_.slack,     level,         sorted_.records(),
+                        sorted_.radii(),  sorted_.directory(), items.data()};
     executor_.for_each(coarse + 1, CountItems<Across>{across, coarse, items.data()});
     const std::uint64_t all = sum_before_each(executor_, items.data(), coarse);
-    CrossLevelSearch search(executor_, across, 0, all, request_.items_at_a_time);
+    CrossLevelSearch search(executor_, across, 0, all, settings_.items_at_a_time);
     use(search);
   }
 
   E& executor_;
-  SphereColumns<Dim, T> elements_;
+  Spheres elements_;
   Frame<Dim> frame_;
-  DeviceRequest request_;
+  SearchSettings settings_;
   Sorted sorted_;
   std::vector<PartnerSearch<Meet, E>> meets_;
   PartnerCount totals_;

@@ -1,5 +1,10 @@
 #pragma once
 
+#include "exact/lattice.hpp"
+
+#include <abut/options.hpp>
+
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -13,6 +18,17 @@ struct DeviceRequest {
   double margin = 0.0;
   std::uint64_t max_pairs = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t items_at_a_time = most_items_at_a_time;
+  Shifts shifts = Shifts::none;
+  exact::Lattice lattice = {};
+
+  /// Whether elements of so many dimensions have images.
+  [[nodiscard]] bool is_periodic(int dimensions) const noexcept {
+    bool any = false;
+    for (int axis = 0; axis < dimensions; ++axis) {
+      any = any || lattice.periodic[static_cast<std::size_t>(axis)];
+    }
+    return any;
+  }
 };
 
 }  // namespace abut::device

@@ -1,6 +1,7 @@
 #include "device/frame.hpp"
 
 #include "grid/scaling.hpp"
+#include "lattice/wrap_rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ double set_cells(SizeLevel<Dim>& level, const Extent<Dim>& extent, double scale)
 }  // namespace
 
 template <int Dim>
-Frame<Dim> make_frame(const Extent<Dim>& extent, double margin) {
+Frame<Dim> make_frame(const Extent<Dim>& extent, double margin, double slack) {
   double largest = std::max(extent.largest_radius, margin);
   for (int axis = 0; axis < Dim; ++axis) {
     largest = std::max({largest, std::fabs(extent.lower[axis]), std::fabs(extent.upper[axis])});
@@ -39,6 +40,7 @@ Frame<Dim> make_frame(const Extent<Dim>& extent, double margin) {
   Frame<Dim> frame{};
   frame.scale = largest > grid::largest_unscaled ? grid::scale_down : 1.0;
   frame.margin = margin * frame.scale;
+  frame.slack = slack * frame.scale;
   return frame;
 }
 
@@ -54,7 +56,7 @@ CellWidths lay_out(SizeLevel<Dim>& level, const Extent<Dim>& extent, const Frame
   }
   const double wanted =
       level.largest_reach > 0.0 ? level.largest_reach * cell_margin : longest / cells_of_points;
-  const double narrowest = std::max(wanted, smallest_cell);
+  const double narrowest = std::max({wanted, smallest_cell, frame.slack * lattice::cells_of_error});
   double cell = std::max(narrowest, longest / most_cells_along_axis);
   level.units_of_one = units_of_cell / cell;
   while (set_cells(level, extent, frame.scale) > most_keys_of_level) {
@@ -74,8 +76,8 @@ void number_keys(Frame<Dim>& frame) {
   }
 }
 
-template Frame<2> make_frame(const Extent<2>&, double);
-template Frame<3> make_frame(const Extent<3>&, double);
+template Frame<2> make_frame(const Extent<2>&, double, double);
+template Frame<3> make_frame(const Extent<3>&, double, double);
 template CellWidths lay_out(SizeLevel<2>&, const Extent<2>&, const Frame<2>&);
 template CellWidths lay_out(SizeLevel<3>&, const Extent<3>&, const Frame<3>&);
 template void number_keys(Frame<2>&);

@@ -13,9 +13,9 @@ inline constexpr double most_cells_along_axis = 0x1p30;
 /// The keys of all levels together stay below 2^62.
 inline constexpr double most_keys_of_level = 0x1p59;
 
-/// Scale and margin for elements of that extent; no levels yet.
+/// Scale, margin and slack for elements of that extent; no levels yet.
 template <int Dim>
-[[nodiscard]] Frame<Dim> make_frame(const Extent<Dim>& extent, double margin);
+[[nodiscard]] Frame<Dim> make_frame(const Extent<Dim>& extent, double margin, double slack);
 
 /// What cells of a level may be: how wide for the reach, and how wide in one piece, where the keys
 /// of narrower ones would be too many.

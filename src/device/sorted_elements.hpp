@@ -12,14 +12,16 @@
 namespace abut::device {
 
 /// Elements in the order of their cells, and the directory of these.
-template <int Dim, class T, class Key, class E>
+template <class Spheres, class Key, class E>
 class SortedElements {
+  static constexpr int Dim = Spheres::dimensions;
+
  public:
-  SortedElements(E& executor, const SphereColumns<Dim, T>& elements, const Frame<Dim>& frame)
+  SortedElements(E& executor, const Spheres& elements, const Frame<Dim>& frame)
       : executor_(executor), elements_(elements), frame_(frame) {
     sort();
     write_directory();
-    if (frame_.level_count > 1 || elements_.radii.first != nullptr) gather_radii();
+    if (frame_.level_count > 1 || !elements_.has_common_radius()) gather_radii();
     numbers_ = {};
   }
 
@@ -41,8 +43,8 @@ class SortedElements {
     TwinBuffer<Key, E> keys(executor_, count);
     TwinBuffer<std::uint32_t, E> numbers(executor_, count);
     Buffer<PlacedRecord<Dim>, E> records(executor_, count);
-    executor_.for_each(count, PlaceElement<Dim, T, Key>{elements_, frame_, keys.current.data(),
-                                                        numbers.current.data(), records.data()});
+    executor_.for_each(count, PlaceElement<Spheres, Key>{elements_, frame_, keys.current.data(),
+                                                         numbers.current.data(), records.data()});
     executor_.sort_by_key(keys, numbers, count,
                           static_cast<int>(std::bit_width(frame_.key_count - 1)));
     keys_.swap(keys.current);
@@ -66,11 +68,11 @@ class SortedElements {
   void gather_radii() {
     radii_ = Buffer<float, E>(executor_, elements_.count);
     executor_.for_each(elements_.count,
-                       GatherRadius<Dim, T>{elements_, frame_, numbers_.data(), radii_.data()});
+                       GatherRadius<Spheres>{elements_, frame_, numbers_.data(), radii_.data()});
   }
 
   E& executor_;
-  SphereColumns<Dim, T> elements_;
+  Spheres elements_;
   Frame<Dim> frame_;
   Buffer<Key, E> keys_;
   Buffer<std::uint32_t, E> numbers_;

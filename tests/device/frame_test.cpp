@@ -77,7 +77,7 @@ TEST(DeviceFrame, PartnersAreInAdjacentCells) {
     const double length = 2.0 * radius * cells;
     const double lower = random.uniform(-1.0, 1.0) * (system % 3 == 0 ? 1e9 : 1.0);
     Extent<2> extent{{lower, 0.0}, {lower + length, 0.0}, radius, radius, radius, no_element};
-    const Frame<2> frame = make_frame(extent, 0.0);
+    const Frame<2> frame = make_frame(extent, 0.0, 0.0);
     SizeLevel<2> level{};
     const CellWidths widths = lay_out(level, extent, frame);
     ASSERT_EQ(widths.narrowest, widths.in_one_piece);
@@ -118,7 +118,7 @@ scenes::Scene far_clusters() {
 TEST(DeviceFrame, WideGapsAreClosed) {
   const scenes::Scene scene = far_clusters();
   const Extent<3> extent = extent_of_all(scene);
-  Frame<3> frame = make_frame(extent, 0.0);
+  Frame<3> frame = make_frame(extent, 0.0, 0.0);
   frame.level_count = 1;
   SizeLevel<3>& level = frame.levels[0];
   level.radius_end = std::numeric_limits<double>::infinity();
@@ -128,8 +128,8 @@ TEST(DeviceFrame, WideGapsAreClosed) {
 
   base::MemoryMeter memory;
   HostExecutor executor(memory, ItemOrder::shuffled, 1);
-  AxisStretches<3, double, HostExecutor> stretches(executor, columns_of<3, double>(view_of(scene)),
-                                                   frame, 0);
+  AxisStretches<SphereColumns<3, double>, HostExecutor> stretches(
+      executor, columns_of<3, double>(view_of(scene)), frame, 0);
   stretches.lay_out(level, widths);
   EXPECT_EQ(level.units_of_one, units_of_cell / widths.narrowest);
   EXPECT_LE(level.cells[0], 2 * scene.size());

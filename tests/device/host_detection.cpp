@@ -1,8 +1,11 @@
 #include "device/host_detection.hpp"
 
 #include "base/float_environment.hpp"
+#include "device/bodies/decide_images.hpp"
 #include "device/columns_of.hpp"
+#include "device/periodic_pipeline.hpp"
 #include "device/pipeline.hpp"
+#include "elements/lattice_of.hpp"
 
 namespace abut::testing {
 namespace {
@@ -11,37 +14,64 @@ using device::HostExecutor;
 
 enum class Wanted { list, count };
 
-template <int Dim, class T>
-HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
+/// Runs a pipeline, which is made by make(executor, request, progress).
+template <class Make>
+HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const Make& make) {
   const base::FloatEnvironment environment;
   base::MemoryMeter memory(run.max_bytes);
   HostAnswer result;
   {
     HostExecutor executor(memory, run.order, run.workers);
     base::ProgressReporter progress(run.progress);
-    device::Pipeline<Dim, T, HostExecutor> pipeline(executor, device::columns_of<Dim, T>(spheres),
-                                                    {margin, run.max_pairs, run.items_at_a_time},
-                                                    progress);
+    auto pipeline = make(executor,
+                         device::DeviceRequest{margin, run.max_pairs, run.items_at_a_time,
+                                               run.shifts, elements::lattice_of(run.domain)},
+                         progress);
     const auto found = wanted == Wanted::list ? pipeline.list() : pipeline.count();
     result.count = found.count;
     result.exact_decisions = found.exact_decisions;
     result.peak_bytes = memory.peak();
     if (wanted == Wanted::list) {
       result.pairs.assign(found.pairs.data(), found.pairs.data() + found.count);
+      if (found.shifts.data() != nullptr) {
+        result.shifts.assign(found.shifts.data(), found.shifts.data() + found.count);
+      }
     }
   }
   result.held_bytes = memory.held();
   return result;
 }
 
+template <int Dim, class T>
+HostAnswer open_answer(const ElementView& spheres, double margin, const HostRun& run,
+                       Wanted wanted) {
+  return run_pipeline(margin, run, wanted,
+                      [&](HostExecutor& executor, const device::DeviceRequest& request,
+                          base::ProgressReporter& progress) {
+                        return device::Pipeline<Dim, T, HostExecutor>(
+                            executor, device::columns_of<Dim, T>(spheres), request, progress);
+                      });
+}
+
+template <int Dim>
 HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
   const bool is_double = spheres.precision() == Precision::float64;
-  if (spheres.dimensions() == 2) {
-    return is_double ? answer<2, double>(spheres, margin, run, wanted)
-                     : answer<2, float>(spheres, margin, run, wanted);
+  if (!device::DeviceRequest{.lattice = elements::lattice_of(run.domain)}.is_periodic(Dim)) {
+    return is_double ? open_answer<Dim, double>(spheres, margin, run, wanted)
+                     : open_answer<Dim, float>(spheres, margin, run, wanted);
   }
-  return is_double ? answer<3, double>(spheres, margin, run, wanted)
-                   : answer<3, float>(spheres, margin, run, wanted);
+  return run_pipeline(margin, run, wanted,
+                      [&](HostExecutor& executor, const device::DeviceRequest& request,
+                          base::ProgressReporter& progress) {
+                        return device::PeriodicPipeline<Dim, HostExecutor>(
+                            executor, device::columns_of<Dim, device::EitherNumber>(spheres),
+                            request, progress);
+                      });
+}
+
+HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
+  return spheres.dimensions() == 2 ? answer<2>(spheres, margin, run, wanted)
+                                   : answer<3>(spheres, margin, run, wanted);
 }
 
 }  // namespace

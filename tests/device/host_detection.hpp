@@ -4,12 +4,15 @@
 #include "device/host_executor.hpp"
 #include "support/oracle.hpp"
 
+#include <abut/domain.hpp>
 #include <abut/element_view.hpp>
+#include <abut/image_shift.hpp>
 #include <abut/options.hpp>
 #include <abut/progress.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace abut::testing {
 
@@ -21,17 +24,20 @@ struct HostRun {
   std::uint64_t max_pairs = unlimited_pairs;
   std::uint64_t items_at_a_time = device::most_items_at_a_time;
   ProgressHook progress = {};
+  Domain domain = Domain::open();
+  Shifts shifts = Shifts::none;
 };
 
 struct HostAnswer {
-  PairVector pairs;  ///< in the order of the answer
+  PairVector pairs;                ///< in the order of the answer
+  std::vector<ImageShift> shifts;  ///< of the pairs, where they are asked for
   std::uint64_t count = 0;
   std::uint64_t exact_decisions = 0;
   std::uint64_t peak_bytes = 0;
   std::uint64_t held_bytes = 0;  ///< when all is done
 };
 
-/// Lists the contact pairs of spheres in an open domain by the stages of the device engine.
+/// Lists the contact pairs of spheres by the stages of the device engine.
 [[nodiscard]] HostAnswer list_on_host(const ElementView& spheres, double margin,
                                       const HostRun& run = {});
 

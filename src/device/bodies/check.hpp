@@ -79,9 +79,11 @@ template <int Dim>
 }
 
 /// Body of the first stage: the extent of element k alone, or that it is a bad one.
-template <int Dim, class T>
+template <class Spheres>
 struct ElementExtent {
-  SphereColumns<Dim, T> elements;
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
 
   [[nodiscard]] ABUT_HD Extent<Dim> operator()(std::uint64_t k) const noexcept {
     const auto number = static_cast<std::uint32_t>(k);

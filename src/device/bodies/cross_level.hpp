@@ -35,12 +35,16 @@ struct CoarseSphere {
 
 /// One level and all larger elements, which stand in the slots behind it. An item is a row of cells
 /// that the ball of a coarse element cuts, or some of the elements for one that looks at all.
-template <int Dim, class T, class Key>
+template <class Spheres, class Key>
 struct MeetCoarse {
-  SphereColumns<Dim, T> elements;
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
   double scale;
   double scaled_margin;
-  double margin;
+  double scaled_slack;
+  double margin;  ///< not scaled, as the slack below
+  double slack;
   SizeLevel<Dim> level;
   const PlacedRecord<Dim>* records;
   const float* radii;
@@ -94,7 +98,7 @@ struct MeetCoarse {
       if (coarse.in_double) continue;
       coarse.units[axis] = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(units)));
     }
-    coarse.box = cells_about(level, center, farthest * (1.0 + 0x1p-40));
+    coarse.box = cells_about(level, center, (farthest + scaled_slack) * (1.0 + 0x1p-40));
     return coarse;
   }
 
@@ -130,9 +134,10 @@ struct MeetCoarse {
   ABUT_HD void compare(const CoarseSphere<Dim>& coarse, const SlotRun& run,
                        Sink& sink) const noexcept {
     for (std::uint32_t k = run.first; k < run.end; ++k) {
-      const FilterVerdict verdict =
-          filter<Dim>(coarse.units, records[k].units, coarse.own_reach + radii[k], coarse.slack);
-      if (verdict != FilterVerdict::apart) sink.take(coarse.number, records[k].number, verdict);
+      take_if_near(
+          elements, coarse.number, records[k].number,
+          filter<Dim>(coarse.units, records[k].units, coarse.own_reach + radii[k], coarse.slack),
+          sink);
     }
   }
 
@@ -142,8 +147,8 @@ struct MeetCoarse {
     const exact::Sphere<Dim> own = elements[own_number];
     for (std::uint32_t k = run.first; k < run.end; ++k) {
       const std::uint32_t number = records[k].number;
-      const FilterVerdict verdict = filter(own, elements[number], margin);
-      if (verdict != FilterVerdict::apart) sink.take(own_number, number, verdict);
+      take_if_near(elements, own_number, number, filter(own, elements[number], margin, slack),
+                   sink);
     }
   }
 };

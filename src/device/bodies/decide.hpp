@@ -15,19 +15,23 @@ namespace abut::device {
 // Doubtful pairs are decided in place, on the caller's numbers. A pair has first < second; one that
 // stays open after the first stages is turned round, and one that is apart has first == second.
 
-/// Body: the first two exact stages, which need no memory. They decide nearly all.
-template <int Dim, class T>
+/// Body: the first two exact stages, which need no memory. They decide nearly all pairs that no
+/// periodic face lies between.
+template <class Spheres>
 struct DecideMost {
-  SphereColumns<Dim, T> elements;
+  Spheres elements;
   double margin;
   ContactPair* pairs;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     const ContactPair pair = pairs[k];
-    const exact::Sphere<Dim> a = elements[pair.first];
-    const exact::Sphere<Dim> b = elements[pair.second];
-    std::optional<bool> decided = exact::decide_if_nothing_rounded(a, b, margin);
-    if (!decided) decided = exact::decide_in_double_double(a, b, margin);
+    std::optional<bool> decided;
+    if (elements.is_as_given(pair)) {
+      const auto a = elements.given()[pair.first];
+      const auto b = elements.given()[pair.second];
+      decided = exact::decide_if_nothing_rounded(a, b, margin);
+      if (!decided) decided = exact::decide_in_double_double(a, b, margin);
+    }
     if (!decided) {
       pairs[k] = {pair.second, pair.first};
     } else if (!*decided) {
@@ -36,22 +40,43 @@ struct DecideMost {
   }
 };
 
-/// Body: the last two stages, for the pairs that were turned round.
+/// The last two stages.
 template <int Dim, class T>
+[[nodiscard]] ABUT_HD std::optional<bool> decide_at_last(const SphereColumns<Dim, T>& elements,
+                                                         const ContactPair& pair,
+                                                         double margin) noexcept {
+  const exact::Sphere<Dim> a = elements[pair.first];
+  const exact::Sphere<Dim> b = elements[pair.second];
+  if (const std::optional<bool> scaled = exact::decide_scaled(a, b, margin)) return scaled;
+  return exact::decide_accumulated(a, b, margin);
+}
+
+/// Body: the last stages, for the pairs that were turned round. Those that cannot be told, a pair
+/// across too many periodic cells, stay so.
+template <class Spheres>
 struct DecideOpen {
-  SphereColumns<Dim, T> elements;
+  Spheres elements;
   double margin;
   ContactPair* pairs;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     const ContactPair pair = pairs[k];
     if (pair.first <= pair.second) return;
-    const exact::Sphere<Dim> a = elements[pair.second];
-    const exact::Sphere<Dim> b = elements[pair.first];
-    const std::optional<bool> scaled = exact::decide_scaled(a, b, margin);
-    const bool within = scaled ? *scaled : exact::decide_accumulated(a, b, margin);
-    pairs[k] = within ? ContactPair{pair.second, pair.first} : ContactPair{0, 0};
+    const ContactPair asked{pair.second, pair.first};
+    const std::optional<bool> within = decide_at_last(elements, asked, margin);
+    if (within) pairs[k] = *within ? asked : ContactPair{0, 0};
   }
+};
+
+/// Body of a reduction: the place of a pair that stayed open; else that of none.
+struct PlaceOfOpenPair {
+  const ContactPair* pairs;
+
+  [[nodiscard]] ABUT_HD std::uint64_t operator()(std::uint64_t k) const noexcept {
+    return pairs[k].first > pairs[k].second ? k : no_place;
+  }
+
+  static constexpr std::uint64_t no_place = ~std::uint64_t{0};
 };
 
 /// Body: copies pair k.

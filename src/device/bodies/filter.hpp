@@ -1,15 +1,12 @@
 #pragma once
 
 #include "base/host_device.hpp"
-#include "device/bodies/place.hpp"
+#include "device/bodies/filter_verdict.hpp"
 #include "exact/sphere_predicate.hpp"
 
 #include <cstdint>
 
 namespace abut::device {
-
-/// What a filter says of a candidate: only `doubtful` ones are decided exactly.
-enum class FilterVerdict : std::uint8_t { apart, doubtful, within };
 
 /// Half of the width of the band, in units: whole numbers and single precision are off by less
 /// than 3.2 between two elements of one level (docs/derivations/whole_numbers.md, section 3).
@@ -33,12 +30,21 @@ template <int Dim>
   return FilterVerdict::doubtful;
 }
 
-/// Compares the caller's numbers in double precision: the filter of exact::within_reach, of which
-/// docs/derivations/predicate_band.md is the proof.
+/// Hands a candidate to a sink unless it is apart.
+template <class Spheres, class Sink>
+ABUT_HD inline void take_if_near(const Spheres& elements, std::uint32_t one, std::uint32_t other,
+                                 FilterVerdict verdict, Sink& sink) noexcept {
+  if (verdict == FilterVerdict::apart) return;
+  const FilterVerdict counted = elements.counted(one, other, verdict);
+  if (counted != FilterVerdict::apart) sink.take(one, other, counted);
+}
+
+/// Compares positions in double precision whose distance is off by `slack` at most: without one the
+/// filter of exact::within_reach, of which docs/derivations/predicate_band.md is the proof.
 template <int Dim>
 [[nodiscard]] ABUT_HD inline FilterVerdict filter(const exact::Sphere<Dim>& a,
-                                                  const exact::Sphere<Dim>& b,
-                                                  double margin) noexcept {
+                                                  const exact::Sphere<Dim>& b, double margin,
+                                                  double slack) noexcept {
   double difference = a.center[0] - b.center[0];
   double distance_squared = difference * difference;
   for (int axis = 1; axis < Dim; ++axis) {
@@ -46,10 +52,18 @@ template <int Dim>
     distance_squared += difference * difference;
   }
   const double reach = a.radius + b.radius + margin;
-  const double reach_squared = reach * reach;
-  if (reach_squared >= exact::smallest_safe_square && reach_squared <= exact::largest_safe_square) {
-    if (distance_squared > reach_squared * (1.0 + exact::band)) return FilterVerdict::apart;
-    if (distance_squared < reach_squared * (1.0 - exact::band)) return FilterVerdict::within;
+  const double farthest = reach + slack;
+  const double farthest_squared = farthest * farthest;
+  if (!(farthest_squared >= exact::smallest_safe_square &&
+        farthest_squared <= exact::largest_safe_square)) {
+    return FilterVerdict::doubtful;
+  }
+  if (distance_squared > farthest_squared * (1.0 + exact::band)) return FilterVerdict::apart;
+  const double nearest = reach - slack;
+  const double nearest_squared = nearest * nearest;
+  if (nearest > 0.0 && nearest_squared >= exact::smallest_safe_square &&
+      distance_squared < nearest_squared * (1.0 - exact::band)) {
+    return FilterVerdict::within;
   }
   return FilterVerdict::doubtful;
 }

@@ -54,6 +54,7 @@ template <int Dim>
 struct Frame {
   double scale;
   double margin;  ///< scaled
+  double slack;   ///< of distances, scaled: positions of periodic images are rounded
   std::uint32_t level_count;
   SizeLevel<Dim> levels[most_levels];  ///< smallest elements first
   std::uint64_t key_count;

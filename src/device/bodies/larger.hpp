@@ -12,4 +12,12 @@ struct Larger {
   }
 };
 
+/// The smaller of two numbers.
+struct Smaller {
+  template <class Number>
+  [[nodiscard]] ABUT_HD Number operator()(Number a, Number b) const noexcept {
+    return b < a ? b : a;
+  }
+};
+
 }  // namespace abut::device

@@ -23,8 +23,11 @@ struct Sizes {
 
 /// An item for each slot of one level: the element there meets those of its own cell behind it and
 /// of half of the neighboring cells, in five runs of slots; two in 2D.
-template <int Dim, class Key>
+template <class Spheres, class Key>
 struct MeetInLevel {
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
   const PlacedRecord<Dim>* records;
   Directory<Key> directory;
   Sizes sizes;
@@ -55,9 +58,8 @@ struct MeetInLevel {
     const PlacedRecord<Dim> own = records[slot];
     for (std::uint32_t k = run.first; k < run.end; ++k) {
       const PlacedRecord<Dim>& other = records[k];
-      const FilterVerdict verdict =
-          filter<Dim>(own.units, other.units, sizes.reach(slot, k), filter_slack);
-      if (verdict != FilterVerdict::apart) sink.take(own.number, other.number, verdict);
+      take_if_near(elements, own.number, other.number,
+                   filter<Dim>(own.units, other.units, sizes.reach(slot, k), filter_slack), sink);
     }
   }
 };

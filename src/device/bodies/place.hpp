@@ -18,9 +18,11 @@ struct PlacedRecord {
 };
 
 /// Body: the extent of element k if it belongs to a level, else that of none.
-template <int Dim, class T>
+template <class Spheres>
 struct ExtentInLevel {
-  SphereColumns<Dim, T> elements;
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
   Frame<Dim> frame;
   std::uint32_t level;
 
@@ -31,9 +33,11 @@ struct ExtentInLevel {
 };
 
 /// Body: the key of element k, and its number, which is sorted with it.
-template <int Dim, class T, class Key>
+template <class Spheres, class Key>
 struct PlaceElement {
-  SphereColumns<Dim, T> elements;
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
   Frame<Dim> frame;
   Key* keys;
   std::uint32_t* numbers;
@@ -71,9 +75,11 @@ struct GatherRecord {
 };
 
 /// Body: the radius of slot k in units of its own level; only where radii differ.
-template <int Dim, class T>
+template <class Spheres>
 struct GatherRadius {
-  SphereColumns<Dim, T> elements;
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
   Frame<Dim> frame;
   const std::uint32_t* numbers;
   float* radii;

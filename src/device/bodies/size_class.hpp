@@ -30,9 +30,9 @@ inline constexpr std::uint32_t size_classes = 64;
 }
 
 /// Body of the histogram: the class of element k.
-template <int Dim, class T>
+template <class Spheres>
 struct SizeClassOf {
-  SphereColumns<Dim, T> elements;
+  Spheres elements;
   std::uint32_t largest_half_octave;
 
   [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint64_t k) const noexcept {

@@ -26,9 +26,11 @@ inline constexpr std::uint64_t cells_between_stretches = 1;
 
 /// Body: the scaled coordinate of element k on one axis, to be sorted; those of other levels come
 /// behind all.
-template <int Dim, class T>
+template <class Spheres>
 struct CoordinateInLevel {
-  SphereColumns<Dim, T> elements;
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
   Frame<Dim> frame;
   std::uint32_t level;
   int axis;
@@ -39,7 +41,7 @@ struct CoordinateInLevel {
     const auto number = static_cast<std::uint32_t>(k);
     const bool is_here = level_of(frame, elements.radius(number)) == level;
     coordinates[k] =
-        is_here ? ordered_bits(elements.center[axis][number] * frame.scale) : ~std::uint64_t{0};
+        is_here ? ordered_bits(elements.coordinate(number, axis) * frame.scale) : ~std::uint64_t{0};
     numbers[k] = number;
   }
 };

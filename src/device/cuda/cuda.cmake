@@ -1,13 +1,15 @@
 # What is compiled by nvcc. CMake 3.25.1 cannot name CUDA C++20, so that the option stands here.
-add_library(abut_device_cuda OBJECT cuda/cuda_backend.cu cuda/decide_open.cu cuda/device_columns.cu
-  cuda/discs.cu cuda/discs_float.cu cuda/spheres.cu cuda/spheres_float.cu)
+set(cuda_pipelines cuda/discs.cu cuda/discs_float.cu cuda/periodic_discs.cu
+  cuda/periodic_spheres.cu cuda/spheres.cu cuda/spheres_float.cu)
+add_library(abut_device_cuda OBJECT cuda/cuda_backend.cu cuda/decide_images.cu cuda/decide_open.cu
+  cuda/device_columns.cu ${cuda_pipelines})
 # No fused multiply-add, on either processor: the same bits everywhere (docs/contract.md).
 target_compile_options(abut_device_cuda PRIVATE -std=c++20 --fmad=false --expt-relaxed-constexpr
   "-Xcompiler=-ffp-contract=off,-fno-math-errno,-Wall,-Wextra"
   $<$<BOOL:${ABUT_WARNINGS_AS_ERRORS}>:-Werror=all-warnings>)
 # The report of the compiler as a test: registers that do not suffice, and memory of a thread, are
-# warnings, but for the last exact stage, which keeps a number of 4480 bits there.
-set_source_files_properties(cuda/discs.cu cuda/discs_float.cu cuda/spheres.cu cuda/spheres_float.cu
+# warnings, but for the last exact stages, which keep a number of 4480 bits there.
+set_source_files_properties(${cuda_pipelines}
   PROPERTIES COMPILE_OPTIONS "-Xptxas=--warn-on-spills,--warn-on-local-memory-usage")
 target_include_directories(abut_device_cuda PRIVATE "${PROJECT_SOURCE_DIR}/src"
   "${PROJECT_SOURCE_DIR}/include")

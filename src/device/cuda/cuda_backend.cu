@@ -10,6 +10,7 @@
 
 #include <cuda_runtime.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,14 +70,14 @@ class CudaBackend final : public Backend {
 
   Answer list(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
               const Stream& stream, base::ProgressReporter& progress) override {
-    return answer(spheres, max_bytes, stream, [&](const auto& columns) {
+    return answer(spheres, request, max_bytes, stream, [&](const auto& columns) {
       return list_on_device(*executor_, columns, request, progress);
     });
   }
 
   Answer count(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
                const Stream& stream, base::ProgressReporter& progress) override {
-    return answer(spheres, max_bytes, stream, [&](const auto& columns) {
+    return answer(spheres, request, max_bytes, stream, [&](const auto& columns) {
       return count_on_device(*executor_, columns, request, progress);
     });
   }
@@ -84,6 +85,11 @@ class CudaBackend final : public Backend {
   void copy_to_host(ContactPair* target, const ContactPair* pairs, std::uint64_t count) override {
     const CurrentDevice current(device_);
     executor_->copy_to_host(target, pairs, count);
+  }
+
+  void copy_to_host(ImageShift* target, const ImageShift* shifts, std::uint64_t count) override {
+    const CurrentDevice current(device_);
+    executor_->copy_to_host(target, shifts, count);
   }
 
   void wait() override {
@@ -109,8 +115,8 @@ class CudaBackend final : public Backend {
 
  private:
   template <class Call>
-  Answer answer(const ElementView& spheres, std::uint64_t max_bytes, const Stream& stream,
-                const Call& call) {
+  Answer answer(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+                const Stream& stream, const Call& call) {
     const CurrentDevice current(device_);
     found_ = {};
     const auto handle = static_cast<cudaStream_t>(stream.handle);
@@ -118,17 +124,18 @@ class CudaBackend final : public Backend {
     require_device_columns(spheres, device_);
     memory_.begin(max_bytes, stream);
     executor_.emplace(memory_, handle);
-    found_ = found(spheres, call);
-    return {found_.pairs.data(), found_.count, found_.exact_decisions, memory_.peak()};
+    found_ = spheres.dimensions() == 2 ? found<2>(spheres, request, call)
+                                       : found<3>(spheres, request, call);
+    return {found_.pairs.data(), found_.shifts.data(), found_.count, found_.exact_decisions,
+            memory_.peak()};
   }
 
-  template <class Call>
-  static FoundList<CudaExecutor> found(const ElementView& spheres, const Call& call) {
-    const bool is_double = spheres.precision() == Precision::float64;
-    if (spheres.dimensions() == 2) {
-      return is_double ? call(columns_of<2, double>(spheres)) : call(columns_of<2, float>(spheres));
-    }
-    return is_double ? call(columns_of<3, double>(spheres)) : call(columns_of<3, float>(spheres));
+  template <int Dim, class Call>
+  static FoundList<CudaExecutor> found(const ElementView& spheres, const DeviceRequest& request,
+                                       const Call& call) {
+    if (request.is_periodic(Dim)) return call(columns_of<Dim, EitherNumber>(spheres));
+    return spheres.precision() == Precision::float64 ? call(columns_of<Dim, double>(spheres))
+                                                     : call(columns_of<Dim, float>(spheres));
   }
 
   int device_;

@@ -16,15 +16,16 @@
 #include <cub/device/device_select.cuh>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace abut::device {
 
-template <int Dim, class T>
+template <class Spheres>
 struct DecideOpen;
 
 template <class Body>
-__global__ void __launch_bounds__(threads_of_block, blocks_at_once)
+__global__ void __launch_bounds__(threads_of_block, blocks_at_once<Body>)
     run_items(std::uint64_t count, Body body) {
   const std::uint64_t stride = std::uint64_t{gridDim.x} * blockDim.x;
   for (std::uint64_t k = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; k < count;
@@ -71,10 +72,10 @@ class CudaExecutor {
     run(count, body);
   }
 
-  /// The long accumulator takes memory of each thread. It is compiled apart (decide_open.cu), so
-  /// that the compiler can refuse that of all other bodies.
-  template <int Dim, class T>
-  void for_each(std::uint64_t count, const DecideOpen<Dim, T>& body);
+  /// The long accumulator takes memory of each thread. It is compiled apart (decide_open.cu,
+  /// decide_images.cu), so that the compiler can refuse that of all other bodies.
+  template <class Spheres>
+  void for_each(std::uint64_t count, const DecideOpen<Spheres>& body);
 
   /// In two steps and a last one on the host: extents are too large for what CUB keeps of each
   /// thread in registers, and the order in which parts are joined does not matter.

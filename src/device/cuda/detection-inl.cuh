@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device/cuda/detection.cuh"
+#include "device/pipeline.hpp"
 
 namespace abut::device {
 

@@ -5,7 +5,7 @@
 #include "device/bodies/sphere_columns.hpp"
 #include "device/cuda/cuda_executor.cuh"
 #include "device/device_request.hpp"
-#include "device/pipeline.hpp"
+#include "device/found_list.hpp"
 
 namespace abut::device {
 
@@ -22,5 +22,16 @@ template <int Dim, class T>
                                                       const SphereColumns<Dim, T>& spheres,
                                                       const DeviceRequest& request,
                                                       base::ProgressReporter& progress);
+
+/// The same in a periodic domain.
+template <int Dim>
+[[nodiscard]] FoundList<CudaExecutor> list_on_device(
+    CudaExecutor& executor, const SphereColumns<Dim, EitherNumber>& spheres,
+    const DeviceRequest& request, base::ProgressReporter& progress);
+
+template <int Dim>
+[[nodiscard]] FoundList<CudaExecutor> count_on_device(
+    CudaExecutor& executor, const SphereColumns<Dim, EitherNumber>& spheres,
+    const DeviceRequest& request, base::ProgressReporter& progress);
 
 }  // namespace abut::device

@@ -2,10 +2,23 @@
 
 namespace abut::device {
 
+template <int Dim, class T>
+struct PeriodicSpheres;
+
 /// Threads of a block. Not measured yet: no device has run this.
 inline constexpr unsigned threads_of_block = 256;
-/// Blocks that fit into a multiprocessor at once, at least: no more than 80 registers a thread.
-inline constexpr unsigned blocks_at_once = 3;
+/// Whether a body computes positions of periodic images.
+template <class Body>
+inline constexpr bool has_images = false;
+template <int Dim, class T>
+inline constexpr bool has_images<PeriodicSpheres<Dim, T>> = true;
+template <template <class...> class Body, class... Parts>
+inline constexpr bool has_images<Body<Parts...>> = (has_images<Parts> || ...);
+
+/// Blocks that fit into a multiprocessor at once, at least: no more than 80 registers a thread, or
+/// 128.
+template <class Body>
+inline constexpr unsigned blocks_at_once = has_images<Body> ? 2 : 3;
 /// More items than blocks of threads are taken in strides.
 inline constexpr unsigned most_blocks = 1U << 20;
 /// Threads that a reduction begins with, and results that are left to the host.

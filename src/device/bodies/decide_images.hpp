@@ -1,0 +1,37 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "device/bodies/decide.hpp"
+#include "device/bodies/periodic_spheres.hpp"
+#include "exact/far_image-inl.hpp"
+#include "exact/periodic_predicate-inl.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace abut::device {
+
+/// All stages of the predicate with a lattice. Nothing for a pair within reach whose shift exceeds
+/// 2^31 - 1: it must be refused.
+template <int Dim, class T>
+[[nodiscard]] ABUT_HD std::optional<bool> decide_at_last(const PeriodicSpheres<Dim, T>& spheres,
+                                                         const ContactPair& pair,
+                                                         double margin) noexcept {
+  const exact::Sphere<Dim> a = spheres.elements[pair.first];
+  const exact::Sphere<Dim> b = spheres.elements[spheres.element_of(pair.second)];
+  constexpr exact::Int128 largest = 2147483647;
+  const exact::FarShift far = spheres.far_shift_of(pair);
+  bool fits = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    fits = fits && far[axis] <= largest && far[axis] >= -largest;
+  }
+  if (fits) {
+    const exact::LatticeSteps<Dim> steps(spheres.shift_of(pair), spheres.map.given);
+    return exact::within_reach_exactly(a, b, steps, margin);
+  }
+  if (exact::far_image_within_reach(a, b, far, spheres.map.given, margin)) return std::nullopt;
+  return false;
+}
+
+}  // namespace abut::device

@@ -1,0 +1,148 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "device/bodies/check.hpp"
+#include "device/bodies/periodic_spheres.hpp"
+#include "lattice/cell_extent.hpp"
+#include "lattice/ghost_windows.hpp"
+#include "lattice/orthogonal_cell.hpp"
+#include "lattice/wrapper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::device {
+
+/// Body of a reduction: the coordinates of local element k along the sides of a cell.
+template <class Spheres>
+struct PlaceInCell {
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
+  lattice::OrthogonalCell<Dim> orthogonal_cell;
+
+  [[nodiscard]] ABUT_HD lattice::CellExtent<Dim> operator()(std::uint64_t k) const noexcept {
+    const exact::Sphere<Dim> sphere = elements[static_cast<std::uint32_t>(k)];
+    lattice::CellExtent<Dim> extent;
+    for (std::size_t side = 0; side < Dim; ++side) {
+      if (side >= orthogonal_cell.count) break;
+      extent.lower[side] = orthogonal_cell.coordinate(side, sphere.center);
+      extent.upper[side] = extent.lower[side];
+    }
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      extent.farthest[axis] = std::fabs(sphere.center[axis]);
+    }
+    return extent;
+  }
+};
+
+struct JoinCellExtents {
+  template <int Dim>
+  [[nodiscard]] ABUT_HD lattice::CellExtent<Dim> operator()(
+      const lattice::CellExtent<Dim>& a, const lattice::CellExtent<Dim>& b) const noexcept {
+    lattice::CellExtent<Dim> joined;
+    for (std::size_t k = 0; k < Dim; ++k) {
+      joined.lower[k] = std::min(a.lower[k], b.lower[k]);
+      joined.upper[k] = std::max(a.upper[k], b.upper[k]);
+      joined.farthest[k] = std::max(a.farthest[k], b.farthest[k]);
+    }
+    return joined;
+  }
+};
+
+/// Body: moves element k into the cell, and notes by how many cells.
+template <int Dim, class T>
+struct WrapElement {
+  SphereColumns<Dim, T> elements;
+  lattice::Wrapper<Dim> wrapper;
+  double unit;  ///< lattice::unit_of
+  lattice::CellsMoved* cells_moved;
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept {
+    lattice::CellsMoved cells{};
+    static_cast<void>(wrap(k, cells));
+    cells_moved[k] = cells;
+  }
+
+  [[nodiscard]] ABUT_HD bool wrap(std::uint64_t k, lattice::CellsMoved& cells) const noexcept {
+    exact::Sphere<Dim> sphere = elements[static_cast<std::uint32_t>(k)];
+    for (double& x : sphere.center) x *= unit;
+    return wrapper.wrap_if_near(sphere, cells);
+  }
+};
+
+/// Body of a reduction: the number of an element that lies too many cells out; else that of none.
+template <int Dim, class T>
+struct FarElement {
+  WrapElement<Dim, T> wrapping;
+
+  [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint64_t k) const noexcept {
+    lattice::CellsMoved cells{};
+    return wrapping.wrap(k, cells) ? no_element : static_cast<std::uint32_t>(k);
+  }
+};
+
+/// Body of a reduction: the number of an element of that radius; else that of none.
+template <int Dim, class T>
+struct ElementOfRadius {
+  SphereColumns<Dim, T> elements;
+  double radius;
+
+  [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint64_t k) const noexcept {
+    const auto number = static_cast<std::uint32_t>(k);
+    return elements.radius(number) == radius ? number : no_element;
+  }
+};
+
+/// Body: how many ghosts local element k has, not counted beyond what can be numbered; none behind
+/// the last one.
+template <class Spheres>
+struct CountGhosts {
+  static constexpr std::uint64_t most = std::uint64_t{1} << 32;
+
+  Spheres locals;  ///< and no ghosts yet
+  lattice::GhostWindows<Spheres::dimensions> windows;
+  std::uint64_t* counts;
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept {
+    std::uint64_t count = 0;
+    if (k < locals.count) {
+      windows.for_each_row(locals[static_cast<std::uint32_t>(k)],
+                           [&](std::int64_t first, std::int64_t last, const auto&) {
+                             count += static_cast<std::uint64_t>(last - first) + 1;
+                             return count < most;
+                           });
+    }
+    counts[k] = count < most ? count : most;
+  }
+};
+
+/// Body: writes the ghosts of local element k.
+template <class Spheres>
+struct WriteGhosts {
+  Spheres locals;
+  lattice::GhostWindows<Spheres::dimensions> windows;
+  const std::uint64_t* places;  ///< of the first ghost of each element
+  lattice::Ghost* ghosts;
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept {
+    const auto number = static_cast<std::uint32_t>(k);
+    lattice::Ghost* next = ghosts + places[k];
+    const std::size_t last_side = windows.of_large.sides() - 1;
+    windows.for_each_row(locals[number], [&](std::int64_t first, std::int64_t last,
+                                             const lattice::ImageNumbers& row) {
+      for (std::int64_t m = first; m <= last; ++m) {
+        lattice::Ghost ghost{number, {}};
+        for (std::size_t side = 0; side < 3; ++side) {
+          ghost.image[side] = static_cast<std::int32_t>(side == last_side ? m : row[side]);
+        }
+        *next++ = ghost;
+      }
+      return true;
+    });
+  }
+};
+
+}  // namespace abut::device

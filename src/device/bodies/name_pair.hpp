@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "base/opposite_shift.hpp"
+#include "device/bodies/periodic_spheres.hpp"
+
+#include <abut/image_shift.hpp>
+#include <abut/pair.hpp>
+
+#include <cstdint>
+
+namespace abut::device {
+
+/// Whether the first component of a shift that is not 0 is positive.
+[[nodiscard]] ABUT_HD inline bool is_positive(const ImageShift& shift) noexcept {
+  if (shift.x != 0) return shift.x > 0;
+  if (shift.y != 0) return shift.y > 0;
+  return shift.z > 0;
+}
+
+/// Body: turns pair k of locals and ghosts into one of elements, and tells its shift.
+template <class Spheres>
+struct NamePair {
+  Spheres elements;
+  ContactPair* pairs;
+  ImageShift* shifts;  ///< null where nobody asks for them
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept {
+    const ContactPair pair = pairs[k];
+    const std::uint32_t first = pair.first;
+    const std::uint32_t second = elements.element_of(pair.second);
+    pairs[k] = first < second ? ContactPair{first, second} : ContactPair{second, first};
+    if (shifts == nullptr) return;
+    const ImageShift shift = elements.shift_of(pair);
+    const bool in_order = first < second || (first == second && is_positive(shift));
+    shifts[k] = in_order ? shift : base::opposite(shift);
+  }
+};
+
+}  // namespace abut::device

@@ -1,0 +1,161 @@
+#pragma once
+
+#include "base/host_device.hpp"
+#include "base/opposite_shift.hpp"
+#include "device/bodies/filter_verdict.hpp"
+#include "device/bodies/sphere_columns.hpp"
+#include "exact/far_image.hpp"
+#include "exact/lattice.hpp"
+#include "lattice/ghost_windows.hpp"
+#include "lattice/wrap_rules.hpp"
+#include "lattice/wrapper.hpp"
+
+#include <abut/image_shift.hpp>
+#include <abut/pair.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::device {
+
+/// How elements of a periodic domain are moved, and what the shifts of pairs are then
+/// (docs/derivations/periodic_images.md).
+template <int Dim>
+struct ImageMap {
+  lattice::Wrapper<Dim> wrapper;
+  lattice::SideSteps<Dim> steps;  ///< times all units
+  double given_unit;              ///< lattice::unit_of
+  double unit;                    ///< lattice::unit_of_moved
+  double size_cut;                ///< lattice::GhostWindows::cut, times all units
+  bool has_large;                 ///< whether some elements are as large as that
+  bool shifts_always_fit;         ///< into 32 bits
+  /// A step along a side in terms of the lattice as given, by axis.
+  std::int64_t shift_of_side[Dim][3];
+  exact::Lattice given;
+};
+
+/// The elements of a periodic domain as a search in open space takes them: the elements themselves
+/// in about one cell, the locals, whose numbers are theirs, and behind them the ghosts. Nothing but
+/// the numbers of a ghost is stored: positions are computed from the caller's whenever they are
+/// asked for, always by the same sequence.
+template <int Dim, class T>
+struct PeriodicSpheres {
+  using Given = SphereColumns<Dim, T>;
+  static constexpr int dimensions = Dim;
+
+  Given elements;
+  ImageMap<Dim> map;
+  const lattice::CellsMoved* cells_moved;  ///< of each element; null where none was moved
+  const lattice::Ghost* ghosts;
+  std::uint32_t count;  ///< locals and ghosts
+
+  [[nodiscard]] ABUT_HD const Given& given() const noexcept { return elements; }
+  [[nodiscard]] ABUT_HD bool has_common_radius() const noexcept {
+    return elements.has_common_radius();
+  }
+
+  [[nodiscard]] ABUT_HD std::uint32_t element_of(std::uint32_t k) const noexcept {
+    return k < elements.count ? k : ghosts[k - elements.count].element;
+  }
+
+  [[nodiscard]] ABUT_HD double radius(std::uint32_t k) const noexcept {
+    return elements.radius(element_of(k)) * map.given_unit * map.unit;
+  }
+
+  [[nodiscard]] ABUT_HD exact::Sphere<Dim> operator[](std::uint32_t k) const noexcept {
+    exact::Sphere<Dim> sphere{};
+    for (int axis = 0; axis < Dim; ++axis) sphere.center[axis] = coordinate(k, axis);
+    sphere.radius = radius(k);
+    return sphere;
+  }
+
+  [[nodiscard]] ABUT_HD double coordinate(std::uint32_t k, int axis) const noexcept {
+    const std::uint32_t element = element_of(k);
+    const auto along = static_cast<std::size_t>(axis);
+    lattice::CellsMoved cells{};
+    if (cells_moved != nullptr) cells = cells_moved[element];
+    const double given = elements.coordinate(element, axis) * map.given_unit;
+    double coordinate = map.wrapper.moved(given, along, cells);
+    if (k < elements.count) return coordinate;
+    const lattice::Ghost& ghost = ghosts[k - elements.count];
+    for (std::size_t side = 0; side < Dim; ++side) {
+      coordinate += ghost.image[side] * map.steps[side][along];
+    }
+    return coordinate;
+  }
+
+  [[nodiscard]] ABUT_HD bool is_as_given(const ContactPair& pair) const noexcept {
+    if (pair.second >= elements.count) return false;
+    if (cells_moved == nullptr) return true;
+    bool is_same = true;
+    for (std::size_t side = 0; side < Dim; ++side) {
+      is_same = is_same && cells_moved[pair.first][side] == cells_moved[pair.second][side];
+    }
+    return is_same;
+  }
+
+  [[nodiscard]] ABUT_HD bool decides_all() const noexcept { return map.shifts_always_fit; }
+
+  /// Two ghosts, and a local element with a ghost that does not count for it, are found elsewhere,
+  /// too. Where shifts may be too large, all pairs are decided one by one.
+  [[nodiscard]] ABUT_HD FilterVerdict counted(std::uint32_t one, std::uint32_t other,
+                                              FilterVerdict verdict) const noexcept {
+    const std::uint32_t local = one < other ? one : other;
+    const std::uint32_t second = one < other ? other : one;
+    if (local >= elements.count) return FilterVerdict::apart;
+    if (map.has_large && second >= elements.count &&
+        !counts(local, ghosts[second - elements.count])) {
+      return FilterVerdict::apart;
+    }
+    return map.shifts_always_fit ? verdict : FilterVerdict::doubtful;
+  }
+
+  /// The steps along a side from the image that a pair's second element stands for to its own
+  /// place, beside that of the first: Images::numbers_between.
+  [[nodiscard]] ABUT_HD std::int64_t steps_along(const ContactPair& pair,
+                                                 std::size_t side) const noexcept {
+    std::int64_t steps = 0;
+    if (pair.second >= elements.count) steps = ghosts[pair.second - elements.count].image[side];
+    if (cells_moved != nullptr) {
+      steps += cells_moved[pair.first][side];
+      steps -= cells_moved[element_of(pair.second)][side];
+    }
+    return steps;
+  }
+
+  /// The shift of a pair, where it fits into 32 bits: what overflows on the way comes back.
+  [[nodiscard]] ABUT_HD ImageShift shift_of(const ContactPair& pair) const noexcept {
+    std::uint64_t shift[3] = {0, 0, 0};
+    for (std::size_t side = 0; side < Dim; ++side) {
+      const auto steps = static_cast<std::uint64_t>(steps_along(pair, side));
+      for (int axis = 0; axis < 3; ++axis) {
+        shift[axis] += steps * static_cast<std::uint64_t>(map.shift_of_side[side][axis]);
+      }
+    }
+    return {static_cast<std::int32_t>(shift[0]), static_cast<std::int32_t>(shift[1]),
+            static_cast<std::int32_t>(shift[2])};
+  }
+
+  /// The shift of any pair.
+  [[nodiscard]] ABUT_HD exact::FarShift far_shift_of(const ContactPair& pair) const noexcept {
+    exact::FarShift shift{};
+    for (std::size_t side = 0; side < Dim; ++side) {
+      const exact::Int128 steps = steps_along(pair, side);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        shift[axis] += steps * map.shift_of_side[side][axis];
+      }
+    }
+    return shift;
+  }
+
+ private:
+  /// Images::counts
+  [[nodiscard]] ABUT_HD bool counts(std::uint32_t local,
+                                    const lattice::Ghost& ghost) const noexcept {
+    const bool is_large = radius(local) >= map.size_cut;
+    if (radius(ghost.element) < map.size_cut) return !is_large;
+    return !is_large || ghost.is_positive();
+  }
+};
+
+}  // namespace abut::device

@@ -1,0 +1,19 @@
+#include "device/bodies/decide_images.hpp"
+#include "device/cuda/cuda_executor.cuh"
+#include "exact/sphere_predicate-inl.hpp"
+
+#include <cstdint>
+
+namespace abut::device {
+
+template <class Spheres>
+void CudaExecutor::for_each(std::uint64_t count, const DecideOpen<Spheres>& body) {
+  run(count, body);
+}
+
+template void CudaExecutor::for_each(std::uint64_t,
+                                     const DecideOpen<PeriodicSpheres<2, EitherNumber>>&);
+template void CudaExecutor::for_each(std::uint64_t,
+                                     const DecideOpen<PeriodicSpheres<3, EitherNumber>>&);
+
+}  // namespace abut::device

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "device/bodies/check.hpp"
+#include "device/bodies/periodic_spheres.hpp"
+#include "device/levels.hpp"
+#include "exact/lattice.hpp"
+#include "grid/bounds.hpp"
+#include "lattice/cell_extent.hpp"
+#include "lattice/ghost_windows.hpp"
+#include "lattice/orthogonal_cell.hpp"
+#include "lattice/reduced_lattice.hpp"
+#include "lattice/wrap_rules.hpp"
+#include "lattice/wrapper.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+namespace abut::device {
+
+/// What the host decides of the images of a detection, from extents that the device tells: the
+/// steps of periodic::Images, in which no element is looked at.
+template <int Dim>
+class ImagePlan {
+ public:
+  /// Throws Error{invalid_input} as lattice::ReducedLattice does.
+  ImagePlan(const exact::Lattice& given, const Extent<Dim>& extent, double margin);
+
+  /// Sets the radius from which on spheres are large (lattice::choose_ghost_cut). `count_sizes`
+  /// tells SizeCounts, and is asked at most once.
+  void choose_size_cut(std::uint64_t elements, const std::function<SizeCounts()>& count_sizes);
+
+  /// Cell, wrapper along all sides, and what it moves is multiplied by, for elements as given.
+  [[nodiscard]] const lattice::OrthogonalCell<Dim>& cell_as_given() const noexcept { return cell_; }
+  [[nodiscard]] lattice::Wrapper<Dim> wrapper_of_all() const;
+  [[nodiscard]] const lattice::ReducedLattice<Dim>& reduced() const noexcept { return reduced_; }
+  [[nodiscard]] double given_unit() const noexcept { return given_unit_; }
+
+  /// Takes the extent of the elements as given, times given_unit(), and chooses how they are moved.
+  void take_extent_as_given(const lattice::CellExtent<Dim>& extent);
+
+  /// True if no element can be too far out, or too large, to be told by shifts.
+  [[nodiscard]] bool is_in_range() const noexcept { return is_in_range_; }
+  [[nodiscard]] bool moves_any() const noexcept { return moves_any_; }
+  [[nodiscard]] lattice::Wrapper<Dim> wrapper() const;
+
+  /// The cell that locals are in, which are all times unit(), and their extent in it.
+  [[nodiscard]] double unit() const noexcept { return unit_; }
+  [[nodiscard]] lattice::OrthogonalCell<Dim> cell_of_locals() const { return {reduced_, unit_}; }
+  [[nodiscard]] bool needs_extent_of_locals() const noexcept { return moves_any_ || unit_ != 1.0; }
+  void take_extent_of_locals(const lattice::CellExtent<Dim>& extent) noexcept { extent_ = extent; }
+
+  /// Which images are ghosts. Throws where they cannot be told apart, or numbered.
+  [[nodiscard]] lattice::GhostWindows<Dim> windows() const;
+
+  /// Of locals as given, and as they are moved, while there are no ghosts.
+  [[nodiscard]] ImageMap<Dim> map_as_given() const { return map_of(wrapper_of_all(), 1.0); }
+  [[nodiscard]] ImageMap<Dim> map_of_locals() const { return map_of(wrapper(), unit_); }
+  /// Of windows().
+  [[nodiscard]] ImageMap<Dim> map(const lattice::GhostWindows<Dim>& windows) const;
+  /// How far the distance of two positions may be off, times unit().
+  [[nodiscard]] double slack(const lattice::GhostWindows<Dim>& windows) const;
+  [[nodiscard]] double margin() const noexcept { return margin_ * unit_; }
+
+ private:
+  [[nodiscard]] ImageMap<Dim> map_of(const lattice::Wrapper<Dim>& wrapper, double unit) const {
+    return {wrapper, {}, given_unit_, unit, HUGE_VAL, false, true, {}, given_};
+  }
+  [[nodiscard]] lattice::GhostWindows<Dim> windows_in(const lattice::OrthogonalCell<Dim>& cell,
+                                                      double unit) const;
+
+  exact::Lattice given_;
+  grid::Bounds<Dim> bounds_;  ///< as given
+  double given_unit_;
+  double margin_;  ///< and the rest times that
+  lattice::ReducedLattice<Dim> reduced_;
+  lattice::OrthogonalCell<Dim> cell_;
+  double unit_;
+  double size_cut_;
+  lattice::CellExtent<Dim> extent_;
+  lattice::AlongSides<Dim> along_{};
+  std::array<double, Dim> cells_moved_at_most_{};
+  bool is_in_range_ = false;
+  bool moves_any_ = false;
+};
+
+}  // namespace abut::device

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "device/bodies/images.hpp"
+#include "device/bodies/larger.hpp"
+#include "device/bodies/size_class.hpp"
+#include "device/checked_elements.hpp"
+#include "device/executor.hpp"
+#include "device/image_plan.hpp"
+#include "device/partner_search.hpp"
+#include "lattice/check_range.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace abut::device {
+
+/// The locals and ghosts of the elements of a periodic domain: counted, then written. They live as
+/// long as this.
+template <int Dim, class T, class E>
+class ImageSearch {
+ public:
+  using Given = SphereColumns<Dim, T>;
+  using Spheres = PeriodicSpheres<Dim, T>;
+
+  ImageSearch(E& executor, const Given& elements, const Extent<Dim>& extent,
+              const exact::Lattice& lattice, double margin)
+      : executor_(executor), elements_(elements), plan_(lattice, extent, margin) {
+    plan_.choose_size_cut(elements_.count,
+                          [&] { return count_sizes(executor_, elements_, extent); });
+    plan_.take_extent_as_given(extent_in(plan_.cell_as_given(), as_given()));
+    if (!plan_.is_in_range()) check_range(extent, margin);
+    wrap();
+    const lattice::GhostWindows<Dim> windows = find_windows();
+    slack_ = plan_.slack(windows);
+    list_ghosts(windows);
+  }
+
+  [[nodiscard]] const Spheres& spheres() const noexcept { return *spheres_; }
+  /// What the search is asked for, in the unit of its spheres.
+  [[nodiscard]] double margin() const noexcept { return plan_.margin(); }
+  [[nodiscard]] double slack() const noexcept { return slack_; }
+
+ private:
+  [[nodiscard]] Spheres as_given() const {
+    return {elements_, plan_.map_as_given(), nullptr, nullptr, elements_.count};
+  }
+
+  template <class Locals>
+  [[nodiscard]] lattice::CellExtent<Dim> extent_in(const lattice::OrthogonalCell<Dim>& cell,
+                                                   const Locals& locals) {
+    return executor_.reduce(elements_.count, lattice::CellExtent<Dim>{},
+                            PlaceInCell<Locals>{locals, cell}, JoinCellExtents{});
+  }
+
+  /// Throws what lattice::check_range throws, and what wrapping throws.
+  void check_range(const Extent<Dim>& extent, double margin) {
+    for (const lattice::Wrapper<Dim>& wrapper : {plan_.wrapper_of_all(), plan_.wrapper()}) {
+      const std::uint32_t far = executor_.reduce(
+          elements_.count, no_element,
+          FarElement<Dim, T>{{elements_, wrapper, plan_.given_unit(), nullptr}}, Smaller{});
+      if (far == no_element) continue;
+      exact::Sphere<Dim> sphere = sphere_on_host(executor_, elements_, far);
+      for (double& x : sphere.center) x *= plan_.given_unit();
+      static_cast<void>(wrapper.wrap(sphere, far));
+    }
+    const std::uint32_t largest =
+        executor_.reduce(elements_.count, no_element,
+                         ElementOfRadius<Dim, T>{elements_, extent.largest_radius}, Smaller{});
+    lattice::check_reach<Dim>(largest, extent.largest_radius, plan_.reduced(), margin,
+                              Shape::sphere, plan_.given_unit());
+  }
+
+  void wrap() {
+    if (!plan_.moves_any()) return;
+    cells_moved_ = Buffer<lattice::CellsMoved, E>(executor_, elements_.count);
+    executor_.for_each(
+        elements_.count,
+        WrapElement<Dim, T>{elements_, plan_.wrapper(), plan_.given_unit(), cells_moved_.data()});
+  }
+
+  [[nodiscard]] lattice::GhostWindows<Dim> find_windows() {
+    if (plan_.needs_extent_of_locals()) {
+      const Spheres locals{elements_, plan_.map_of_locals(), cells_moved_.data(), nullptr,
+                           elements_.count};
+      plan_.take_extent_of_locals(extent_in(plan_.cell_of_locals(), locals));
+    }
+    return plan_.windows();
+  }
+
+  void list_ghosts(const lattice::GhostWindows<Dim>& windows) {
+    spheres_.emplace(
+        Spheres{elements_, plan_.map(windows), cells_moved_.data(), nullptr, elements_.count});
+    const std::uint64_t count = elements_.count;
+    const Buffer<std::uint64_t, E> places(executor_, count + 1);
+    executor_.for_each(count + 1, CountGhosts<Spheres>{*spheres_, windows, places.data()});
+    const std::uint64_t ghosts = sum_before_each(executor_, places.data(), count);
+    if (static_cast<double>(count) + static_cast<double>(ghosts) >
+        lattice::most_locals_and_ghosts) {
+      lattice::refuse_number_of_images();
+    }
+    ghosts_ = Buffer<lattice::Ghost, E>(executor_, ghosts);
+    executor_.for_each(count,
+                       WriteGhosts<Spheres>{*spheres_, windows, places.data(), ghosts_.data()});
+    spheres_->ghosts = ghosts_.data();
+    spheres_->count = static_cast<std::uint32_t>(count + ghosts);
+  }
+
+  E& executor_;
+  Given elements_;
+  ImagePlan<Dim> plan_;
+  Buffer<lattice::CellsMoved, E> cells_moved_;
+  Buffer<lattice::Ghost, E> ghosts_;
+  std::optional<Spheres> spheres_;
+  double slack_ = 0.0;
+};
+
+}  // namespace abut::device

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "base/progress_reporter.hpp"
+#include "device/bodies/name_pair.hpp"
+#include "device/checked_elements.hpp"
+#include "device/detection.hpp"
+#include "device/device_request.hpp"
+#include "device/executor.hpp"
+#include "device/found_list.hpp"
+#include "device/image_search.hpp"
+#include "device/order_pairs.hpp"
+
+#include <abut/image_shift.hpp>
+#include <abut/options.hpp>
+
+namespace abut::device {
+
+/// One detection of spheres in a periodic domain: those of an open one among locals and ghosts,
+/// whose pairs are named by elements and shifts then. Two waits more: for the extent in the cell,
+/// and for the number of ghosts. It is compiled for `float` and `double` together.
+template <int Dim, class E>
+class PeriodicPipeline {
+ public:
+  using Given = SphereColumns<Dim, EitherNumber>;
+
+  PeriodicPipeline(E& executor, const Given& elements, const DeviceRequest& request,
+                   base::ProgressReporter& progress)
+      : executor_(executor), elements_(elements), request_(request), progress_(progress) {}
+
+  /// All contact pairs, in canonical order.
+  [[nodiscard]] FoundList<E> list() {
+    FoundList<E> found;
+    detect([&](auto& detection, const auto& spheres) {
+      detection.list(found);
+      name(spheres, found);
+    });
+    progress_.begin("order", found.count);
+    if (request_.shifts == Shifts::stored) {
+      order_images(executor_, elements_.count, found);
+    } else {
+      order_pairs(executor_, elements_.count, found);
+    }
+    return found;
+  }
+
+  /// Their number.
+  [[nodiscard]] FoundList<E> count() {
+    FoundList<E> found;
+    detect([&](auto& detection, const auto&) { detection.count(found); });
+    return found;
+  }
+
+ private:
+  using Images = ImageSearch<Dim, EitherNumber, E>;
+  using Spheres = typename Images::Spheres;
+
+  template <class Use>
+  void detect(Use&& use) {
+    progress_.begin("gather", elements_.count);
+    if (elements_.count == 0) return;
+    const Extent<Dim> as_given = checked_extent(executor_, elements_);
+    Images images(executor_, elements_, as_given, request_.lattice, request_.margin);
+    const Spheres& spheres = images.spheres();
+    progress_.begin("search", spheres.count);
+    const Extent<Dim> extent = executor_.reduce(spheres.count, Extent<Dim>::of_none(),
+                                                ElementExtent<Spheres>{spheres}, JoinExtents{});
+    Detection<Spheres, E> detection(executor_, spheres, extent, request_,
+                                    {images.margin(), images.slack(), request_.items_at_a_time});
+    use(detection, spheres);
+  }
+
+  void name(const Spheres& spheres, FoundList<E>& found) {
+    if (request_.shifts == Shifts::stored) {
+      found.shifts = Buffer<ImageShift, E>(executor_, found.count);
+    }
+    executor_.for_each(found.count,
+                       NamePair<Spheres>{spheres, found.pairs.data(), found.shifts.data()});
+  }
+
+  E& executor_;
+  Given elements_;
+  DeviceRequest request_;
+  base::ProgressReporter& progress_;
+};
+
+}  // namespace abut::device

@@ -1,0 +1,49 @@
+#include "device/as_rows.hpp"
+
+#include <abut/detect.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace abut::testing {
+namespace {
+
+/// The runs that must give the same bytes.
+std::vector<HostRun> all_runs(std::size_t elements) {
+  return {{},
+          {.order = device::ItemOrder::descending},
+          {.order = device::ItemOrder::shuffled},
+          {.workers = 3},
+          {.items_at_a_time = elements / 4 + 1}};
+}
+
+}  // namespace
+
+std::size_t expect_as_rows(const ElementView& elements, const Domain& domain, double margin) {
+  const PairList expected = find_contact_pairs(
+      elements, domain,
+      {.algorithm = Algorithm::rows, .shifts = Shifts::stored, .margin = margin, .threads = 1});
+  for (HostRun run : all_runs(elements.size())) {
+    run.domain = domain;
+    SCOPED_TRACE(::testing::Message()
+                 << "order " << static_cast<int>(run.order) << ", " << run.workers << " threads, "
+                 << run.items_at_a_time << " items at a time");
+    const HostAnswer alone = list_on_host(elements, margin, run);
+    EXPECT_TRUE(std::ranges::equal(expected.pairs(), alone.pairs))
+        << alone.pairs.size() << " pairs for " << expected.size();
+    EXPECT_TRUE(alone.shifts.empty());
+    run.shifts = Shifts::stored;
+    const HostAnswer shifted = list_on_host(elements, margin, run);
+    EXPECT_TRUE(std::ranges::equal(expected.pairs(), shifted.pairs))
+        << shifted.pairs.size() << " pairs with shifts for " << expected.size();
+    EXPECT_TRUE(std::ranges::equal(expected.shifts(), shifted.shifts));
+    EXPECT_EQ(alone.exact_decisions, shifted.exact_decisions);
+    EXPECT_EQ(shifted.held_bytes, 0U);
+  }
+  EXPECT_EQ(count_on_host(elements, margin, {.domain = domain}).count, expected.size());
+  return expected.size();
+}
+
+}  // namespace abut::testing

@@ -3,6 +3,7 @@
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/export.hpp>
+#include <abut/image_shift.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
 #include <abut/pair_list.hpp>
@@ -82,6 +83,9 @@ class ABUT_API PairList {
  public:
   /// Address of the first pair, in the memory of the device.
   [[nodiscard]] const ContactPair* data() const noexcept { return pairs_; }
+  /// Address of the first image shift, one for each pair, in the memory of the device. Null unless
+  /// Options::shifts asks for them; zeros in an open domain.
+  [[nodiscard]] const ImageShift* shifts() const noexcept { return shifts_; }
   /// Number of pairs.
   [[nodiscard]] PairCount size() const noexcept { return statistics_.contact_pairs; }
   /// True if there is no pair.
@@ -90,13 +94,14 @@ class ABUT_API PairList {
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
   /// Waits until the pairs are there: for programs that measure, or read them in another stream.
   void wait() const;
-  /// Copies the pairs to the host, and waits for them.
+  /// Copies pairs and shifts to the host, and waits for them.
   [[nodiscard]] abut::PairList to_host() const;
 
  private:
   friend class Detector;
 
   const ContactPair* pairs_ = nullptr;
+  const ImageShift* shifts_ = nullptr;
   Statistics statistics_;
   Backend* backend_ = nullptr;
 };
@@ -105,8 +110,8 @@ class ABUT_API PairList {
 ///
 /// Options mean what they mean for abut::Detector, except that pairs always come in canonical order
 /// and that `threads` and `simd` mean nothing. What a device does not do yet throws
-/// Error{wrong_usage} and says what to take instead: boxes, periodic domains, rules, quantities,
-/// stored shifts, and algorithms other than `rows` and `automatic`.
+/// Error{wrong_usage} and says what to take instead: boxes, rules, quantities, and algorithms other
+/// than `rows` and `automatic`.
 class ABUT_API Detector {
  public:
   /// Makes a detector on a device, with memory of its own or of an allocator. Throws

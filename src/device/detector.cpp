@@ -3,6 +3,7 @@
 #include "base/progress_reporter.hpp"
 #include "device/backend.hpp"
 #include "device/validate_request.hpp"
+#include "elements/lattice_of.hpp"
 
 #include <abut/device.hpp>
 #include <abut/error.hpp>
@@ -53,7 +54,10 @@ struct Detector::State {
       const std::uint64_t max_bytes = options.max_bytes == automatic_memory_bound
                                           ? std::numeric_limits<std::uint64_t>::max()
                                           : options.max_bytes;
-      return call(DeviceRequest{.margin = options.margin, .max_pairs = options.max_pairs},
+      return call(DeviceRequest{.margin = options.margin,
+                                .max_pairs = options.max_pairs,
+                                .shifts = options.shifts,
+                                .lattice = elements::lattice_of(domain)},
                   max_bytes, progress);
     });
   }
@@ -67,7 +71,9 @@ abut::PairList PairList::to_host() const {
   return base::reporting_lack_of_memory([&] {
     PairArray pairs(size());
     if (!empty()) backend_->copy_to_host(pairs.data(), pairs_, size());
-    return abut::PairList(std::move(pairs), statistics_);
+    ShiftArray shifts(shifts_ == nullptr ? 0 : size());
+    if (!shifts.empty()) backend_->copy_to_host(shifts.data(), shifts_, size());
+    return abut::PairList(std::move(pairs), std::move(shifts), statistics_);
   });
 }
 
@@ -92,6 +98,7 @@ void Detector::set_options(Options options) {
 const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain,
                                              Stream stream) {
   state_->list.pairs_ = nullptr;
+  state_->list.shifts_ = nullptr;
   state_->list.statistics_ = {};
   const Backend::Answer answer = state_->answer(
       elements, domain,
@@ -99,6 +106,7 @@ const PairList& Detector::find_contact_pairs(const ElementView& elements, const 
         return state_->backend->list(elements, request, max_bytes, stream, progress);
       });
   state_->list.pairs_ = answer.pairs;
+  state_->list.shifts_ = answer.shifts;
   state_->list.statistics_ = statistics_of(answer, elements);
   return state_->list;
 }

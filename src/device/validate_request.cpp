@@ -1,6 +1,7 @@
 #include "device/validate_request.hpp"
 
 #include "base/shortest_text.hpp"
+#include "elements/require_dimensions.hpp"
 
 #include <abut/error.hpp>
 
@@ -23,10 +24,8 @@ void refuse(bool is_asked_for, const char* what) {
 
 void validate_request(const Options& options, const ElementView& elements, const Domain& domain) {
   refuse(elements.shape() != Shape::sphere, "boxes");
-  refuse(domain.is_periodic(), "periodic domains");
   refuse(!options.rule.is_empty(), "rules");
   refuse(!options.quantities.empty(), "quantities");
-  refuse(options.shifts == Shifts::stored, "stored shifts");
   if (options.algorithm != Algorithm::automatic && options.algorithm != Algorithm::rows) {
     throw Error(ErrorCode::wrong_usage, std::string(name_of(options.algorithm)) +
                                             " does not run on a device; take rows or auto");
@@ -35,6 +34,7 @@ void validate_request(const Options& options, const ElementView& elements, const
     throw Error(ErrorCode::invalid_input, "margin = " + base::shortest_text(options.margin) +
                                               "; it must be finite and not negative");
   }
+  elements::require_dimensions(elements, domain);
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
   if (elements.size() > most) {
     throw Error(ErrorCode::limit_exceeded, std::to_string(elements.size()) +

@@ -39,13 +39,20 @@ TEST(DeviceRequests, WhatWorksIsTaken) {
 }
 
 TEST(DeviceRequests, WhatWaitsIsRefusedByName) {
-  expect_refused({"periodic domains", "abut::Detector"}, {}, Domain::periodic({9.0, 9.0, 9.0}));
-  expect_refused({"stored shifts", "abut::Detector"}, {.shifts = Shifts::stored});
   expect_refused({"quantities", "abut::Detector"}, {.quantities = Quantity::gap});
   expect_refused({"sorting_array", "rows"}, {.algorithm = Algorithm::sorting_array});
   const scenes::BoxScene boxes = scenes::boxes_in(scenes::scene_named("dense").make(10, 1), 1);
   expect_error(ErrorCode::wrong_usage, {"boxes", "abut::Detector"},
                [&] { device::validate_request({}, view_of(boxes), Domain::open()); });
+}
+
+TEST(DeviceRequests, DomainsAreOfTheElements) {
+  const Scene scene = scenes::scene_named("dense").make(10, 1);
+  const Options options{.shifts = Shifts::stored};
+  EXPECT_NO_THROW(
+      device::validate_request(options, view_of(scene), Domain::periodic({9.0, 9.0, 9.0})));
+  expect_refused({"a domain of 2 dimensions for elements of 3"}, options,
+                 Domain::periodic({9.0, 9.0}));
 }
 
 TEST(DeviceRequests, MarginsAreThoseOfTheLibrary) {

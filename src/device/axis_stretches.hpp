@@ -29,10 +29,11 @@ class AxisStretches {
     }
   }
 
-  /// Lays out the narrowest cells whose keys fit. Those in one piece do.
+  /// Lays out the narrowest cells whose keys fit. Those in one piece do, and wider ones.
   void lay_out(SizeLevel<Dim>& level, const CellWidths& widths) {
     int too_narrow = -1;
-    int fits = static_cast<int>(std::ceil(std::log2(widths.in_one_piece / widths.narrowest)));
+    // By exponents: their quotient may exceed all doubles.
+    int fits = std::ilogb(widths.in_one_piece) - std::ilogb(widths.narrowest) + 1;
     while (fits - too_narrow > 1) {
       const int middle = too_narrow + (fits - too_narrow) / 2;
       (divide(level, std::ldexp(widths.narrowest, middle)) ? fits : too_narrow) = middle;

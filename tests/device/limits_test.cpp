@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -97,6 +98,22 @@ TEST(DeviceInput, StridesAndCommonRadii) {
   const auto with_number = list_on_host(spheres(equal.x, equal.y, equal.z, 0.7), 0.0);
   EXPECT_EQ(with_column.pairs, with_number.pairs);
   EXPECT_EQ(with_column.peak_bytes, with_number.peak_bytes);
+}
+
+/// Cells that are narrower than the extent by a factor that no double can tell.
+TEST(DeviceInput, ExtentsBeyondAllRatios) {
+  for (const int radius : {-1074, -880, -600, -100}) {
+    for (const int stray : {100, 720, 900, 1023}) {
+      SCOPED_TRACE(::testing::Message() << "2^" << radius << " beside 2^" << stray);
+      const double r = std::ldexp(1.0, radius);
+      Scene scene = scene_of(3, {{0, 0, 0, r}, {2 * r, 0, 0, r}, {0, 4 * r, 0, r}});
+      scene.x.push_back(0.0);
+      scene.y.push_back(std::ldexp(1.0, stray));
+      scene.z.push_back(-std::ldexp(1.0, stray));
+      scene.radius.push_back(r);
+      EXPECT_EQ(list_on_host(view_of(scene), 0.0).pairs, (PairVector{{0, 1}}));
+    }
+  }
 }
 
 TEST(DeviceLimits, OfPairs) {

@@ -57,7 +57,7 @@ class PeriodicPipeline {
   template <class Use>
   void detect(Use&& use) {
     progress_.begin("gather", elements_.count);
-    if (elements_.count == 0) return;
+    if (elements_.count == 0) return require_lattice();
     const Extent<Dim> as_given = checked_extent(executor_, elements_);
     Images images(executor_, elements_, as_given, request_.lattice, request_.margin);
     const Spheres& spheres = images.spheres();
@@ -67,6 +67,11 @@ class PeriodicPipeline {
     Detection<Spheres, E> detection(executor_, spheres, extent, request_,
                                     {images.margin(), images.slack(), request_.items_at_a_time});
     use(detection, spheres);
+  }
+
+  /// A lattice that cannot be reduced is refused also where it holds nothing.
+  void require_lattice() const {
+    static_cast<void>(ImagePlan<Dim>(request_.lattice, Extent<Dim>::of_none(), request_.margin));
   }
 
   void name(const Spheres& spheres, FoundList<E>& found) {

@@ -131,6 +131,26 @@ TEST(DevicePeriodic, ReachesFarBeyondTheCell) {
   EXPECT_GT(expect_as_rows(view_of(random_scene(cube, 3, 40, 1.2, 300.0, 1, 15)), cube), 1000U);
 }
 
+/// A cell so long that ghosts are rounded by a good part of the reach, where they are moved.
+TEST(DevicePeriodic, GhostsAreRoundedInLongCells) {
+  constexpr double length = 1e12;
+  const double last_place = length - std::nextafter(length, 0.0);
+  Random random(6);
+  Scene scene;
+  scene.dimensions = 2;
+  for (int k = 0; k < 300; ++k) {
+    const double far = random.uniform(-20.0, 20.0);
+    scene.x.push_back(k % 2 == 0 ? std::fabs(far) * last_place
+                                 : length - std::floor(std::fabs(far)) * last_place);
+    scene.y.push_back(random.uniform(0.0, 60.0) * last_place);
+    scene.radius.push_back(random.uniform(1.0, 3.0) * last_place);
+  }
+  EXPECT_GT(expect_as_rows(view_of(scene), Domain::periodic({length, unbounded})), 300U);
+  for (double& x : scene.x) x -= 0.4 * length;
+  EXPECT_GT(expect_as_rows(view_of(scene), Domain::lattice({length, 0.0}, {0.3 * length, length})),
+            100U);
+}
+
 /// Every pair is an exact tie, and those through faces cancel.
 TEST(DevicePeriodic, TouchingLatticesAtEveryFace) {
   for (const double offset : {0.0, -4.0, 1e6, 0.5}) {

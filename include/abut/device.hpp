@@ -63,16 +63,19 @@ struct MemoryPlan {
   std::uint64_t search_bytes = 0;  ///< bytes of the search, from the number of elements
   std::uint64_t pair_bytes = 0;    ///< bytes of the list while it is brought into order
   std::uint64_t gap_bytes = 0;     ///< bytes more in a domain far wider than its elements need
+  std::uint64_t image_bytes = 0;   ///< bytes more in a periodic domain
+  std::uint64_t shift_bytes = 0;   ///< bytes more where shifts are stored
   /// Scratch memory of sorts and scans: a bound by what is known of them, as only a device can
   /// tell.
   std::uint64_t scratch_bytes = 0;
 
-  /// Bytes in a domain without wide gaps, without scratch memory.
+  /// Bytes in an open domain without wide gaps, without scratch memory.
   [[nodiscard]] std::uint64_t bytes() const noexcept { return search_bytes + pair_bytes; }
 };
 
 /// Plans the memory of a detection. `pairs` counts the contact pairs and those that must be decided
-/// exactly, which on lattices that touch are all.
+/// exactly, which on lattices that touch are all. In a periodic domain `elements` counts the
+/// ghosts, too, the images of elements near its faces.
 [[nodiscard]] ABUT_API MemoryPlan plan(std::uint64_t elements, PairCount pairs);
 
 class Backend;

@@ -40,11 +40,13 @@ class Detection {
 
   /// All contact pairs, in no order.
   void list(FoundList<E>& found) {
+    found.searched = spheres_.count;
     search([&](auto& contacts) { write_and_decide(contacts, found); });
   }
 
   /// Their number. Only pairs in doubt take memory.
   void count(FoundList<E>& found) {
+    found.searched = spheres_.count;
     search([&](auto& contacts) {
       const PartnerCount totals = contacts.totals();
       Buffer<ContactPair, E> doubtful(executor_, totals.doubtful);

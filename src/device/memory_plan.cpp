@@ -1,6 +1,9 @@
 #include "device/device_request.hpp"
+#include "lattice/ghost_windows.hpp"
+#include "lattice/wrapper.hpp"
 
 #include <abut/device.hpp>
+#include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
 #include <cstdint>
@@ -18,6 +21,13 @@ constexpr std::uint64_t stretch_bytes = 3 * 16;
 /// tile; scans and selections keep less.
 constexpr std::uint64_t keys_of_scratch_byte = 4;
 constexpr std::uint64_t fixed_scratch_bytes = std::uint64_t{16} << 20;
+/// A pair and its shift, the shift at its place, and a key and a number twice while they are
+/// sorted.
+constexpr std::uint64_t bytes_with_shift =
+    sizeof(ContactPair) + sizeof(ImageShift) + 2 * (sizeof(std::uint64_t) + sizeof(std::uint32_t));
+static_assert(2 * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) >=
+              sizeof(std::uint64_t) + sizeof(std::uint32_t) + sizeof(ImageShift));
+static_assert(sizeof(lattice::Ghost) >= sizeof(lattice::CellsMoved));
 /// Histogram, ends of arrays, heads of few elements.
 constexpr std::uint64_t fixed_bytes = 4096;
 
@@ -31,6 +41,8 @@ MemoryPlan plan(std::uint64_t elements, PairCount pairs) {
   plan.pair_bytes = pairs * 2 * sizeof(ContactPair);
   plan.gap_bytes = elements * stretch_bytes;
   plan.scratch_bytes = (elements + pairs) / keys_of_scratch_byte + fixed_scratch_bytes;
+  plan.image_bytes = elements * sizeof(lattice::Ghost);
+  plan.shift_bytes = pairs * bytes_with_shift - plan.pair_bytes;
   return plan;
 }
 

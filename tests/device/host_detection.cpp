@@ -30,6 +30,7 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
     const auto found = wanted == Wanted::list ? pipeline.list() : pipeline.count();
     result.count = found.count;
     result.exact_decisions = found.exact_decisions;
+    result.searched = found.searched;
     result.peak_bytes = memory.peak();
     if (wanted == Wanted::list) {
       result.pairs.assign(found.pairs.data(), found.pairs.data() + found.count);

@@ -33,6 +33,7 @@ struct HostAnswer {
   std::vector<ImageShift> shifts;  ///< of the pairs, where they are asked for
   std::uint64_t count = 0;
   std::uint64_t exact_decisions = 0;
+  std::uint64_t searched = 0;  ///< elements and ghosts
   std::uint64_t peak_bytes = 0;
   std::uint64_t held_bytes = 0;  ///< when all is done
 };

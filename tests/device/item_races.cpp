@@ -16,13 +16,16 @@
 namespace abut::testing {
 namespace {
 
-void compare(std::string_view name, std::size_t count) {
+void compare(std::string_view name, std::size_t count, const Domain& domain = Domain::open()) {
   const scenes::Scene scene = scenes::scene_named(name).make(count, 1);
+  const HostRun alone{.domain = domain, .shifts = Shifts::stored};
+  HostRun together = alone;
+  together.workers = 4;
   for (const double margin : {0.0, 0.2 * scene.radius[0]}) {
-    const HostAnswer one = list_on_host(view_of(scene), margin);
-    const HostAnswer four = list_on_host(view_of(scene), margin, {.workers = 4});
-    const HostAnswer counted = count_on_host(view_of(scene), margin, {.workers = 4});
-    if (one.pairs != four.pairs || one.pairs.size() != counted.count) {
+    const HostAnswer one = list_on_host(view_of(scene), margin, alone);
+    const HostAnswer four = list_on_host(view_of(scene), margin, together);
+    const HostAnswer counted = count_on_host(view_of(scene), margin, together);
+    if (one.pairs != four.pairs || one.shifts != four.shifts || one.count != counted.count) {
       throw std::logic_error("four threads give other pairs of the scene " + std::string(name));
     }
   }
@@ -38,6 +41,10 @@ void run_all() {
   compare("touching_fcc", 3000);
   compare("coincident", 300);
   compare("two_far_clusters", 1000);
+  // Images, of elements that are moved; rows of many images.
+  compare("dense", 1000, Domain::periodic({14.0, 14.0, 14.0}));
+  compare("graded", 1000, Domain::lattice({40.0, 0.0, 0.0}, {8.0, 40.0, 0.0}, {0.0, 9.0, 40.0}));
+  compare("dense", 4, Domain::periodic({0.7, 0.7, 0.7}));
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -17,13 +19,20 @@ namespace {
 /// The part of the plan that does not follow elements and pairs: items that are counted at a time.
 constexpr std::uint64_t fixed = 48 << 20;
 
+std::uint64_t bytes_of(const device::MemoryPlan& plan, const HostRun& run) {
+  std::uint64_t bytes = plan.bytes() + plan.gap_bytes;
+  if (run.domain.is_periodic()) bytes += plan.image_bytes;
+  if (run.shifts == Shifts::stored) bytes += plan.shift_bytes;
+  return bytes;
+}
+
 void expect_within_plan(const ElementView& elements, const HostRun& run = {}) {
   const HostAnswer answer = list_on_host(elements, 0.0, run);
   const device::MemoryPlan plan =
-      device::plan(elements.size(), answer.count + answer.exact_decisions);
-  EXPECT_LE(answer.peak_bytes, plan.bytes() + plan.gap_bytes);
-  const device::MemoryPlan counted = device::plan(elements.size(), answer.exact_decisions);
-  EXPECT_LE(count_on_host(elements, 0.0, run).peak_bytes, counted.bytes() + counted.gap_bytes);
+      device::plan(answer.searched, answer.count + answer.exact_decisions);
+  EXPECT_LE(answer.peak_bytes, bytes_of(plan, run));
+  const device::MemoryPlan counted = device::plan(answer.searched, answer.exact_decisions);
+  EXPECT_LE(count_on_host(elements, 0.0, run).peak_bytes, bytes_of(counted, run));
 }
 
 class DeviceMemory : public ::testing::TestWithParam<scenes::SceneInfo> {};
@@ -53,6 +62,29 @@ TEST(DeviceMemory, FollowsElementsAndPairs) {
     const std::uint64_t pairs = answer.count + answer.exact_decisions;
     EXPECT_LE(answer.peak_bytes, 64 * scene.size() + 16 * pairs + 8192);
     EXPECT_GE(answer.peak_bytes, 30 * scene.size());
+  }
+}
+
+/// A part of a scene in a cell about it, as given and some cells out.
+TEST(DeviceMemory, FollowsGhostsAndShifts) {
+  for (const char* name : {"dense", "log_uniform", "graded", "one_giant", "touching_fcc"}) {
+    scenes::Scene scene = scenes::scene_named(name).make(6000, 5);
+    const double side = *std::max_element(scene.x.begin(), scene.x.end());
+    for (const bool is_moved : {false, true}) {
+      SCOPED_TRACE(::testing::Message() << name << (is_moved ? ", some cells out" : ""));
+      for (std::size_t k = 0; is_moved && k < scene.size(); k += 2) scene.x[k] += 3.0 * side;
+      for (const Shifts shifts : {Shifts::none, Shifts::stored}) {
+        const HostRun run{.items_at_a_time = 100,
+                          .domain = Domain::periodic({side, side, side}),
+                          .shifts = shifts};
+        expect_within_plan(view_of(scene), run);
+        const HostAnswer answer = list_on_host(view_of(scene), 0.0, run);
+        const std::uint64_t pairs = answer.count + answer.exact_decisions;
+        EXPECT_GT(answer.searched, scene.size());
+        EXPECT_LE(answer.peak_bytes,
+                  76 * answer.searched + (shifts == Shifts::stored ? 44 : 16) * pairs + 8192);
+      }
+    }
   }
 }
 

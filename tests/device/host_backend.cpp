@@ -3,9 +3,11 @@
 // stands in the place of CUDA's, and refuses arrays that were not copied to it as that does.
 
 #include "device/backend.hpp"
+#include "device/bodies/decide_images.hpp"
 #include "device/columns_of.hpp"
 #include "device/host_executor.hpp"
 #include "device/kept_memory.hpp"
+#include "device/periodic_pipeline.hpp"
 #include "device/pipeline.hpp"
 
 #include <abut/error.hpp>
@@ -95,6 +97,10 @@ class HostBackend final : public Backend {
     executor_->copy_to_host(target, pairs, count);
   }
 
+  void copy_to_host(ImageShift* target, const ImageShift* shifts, std::uint64_t count) override {
+    executor_->copy_to_host(target, shifts, count);
+  }
+
   void wait() override {}
 
   void* allocate(std::uint64_t bytes) override { return blocks().add(bytes); }
@@ -111,16 +117,25 @@ class HostBackend final : public Backend {
     require_on_device(spheres);
     memory_.begin(max_bytes, stream);
     executor_.emplace(memory_, ItemOrder::shuffled, 2);
-    const auto run = [&]<int Dim, class T>(SphereColumns<Dim, T> columns) {
+    found_ = spheres.dimensions() == 2 ? found<2>(spheres, request, progress, call)
+                                       : found<3>(spheres, request, progress, call);
+    return {found_.pairs.data(), found_.shifts.data(), found_.count, found_.exact_decisions,
+            memory_.peak()};
+  }
+
+  template <int Dim, class Call>
+  FoundList<HostExecutor> found(const ElementView& spheres, const DeviceRequest& request,
+                                base::ProgressReporter& progress, const Call& call) {
+    if (request.is_periodic(Dim)) {
+      return call(PeriodicPipeline<Dim, HostExecutor>(
+          *executor_, columns_of<Dim, EitherNumber>(spheres), request, progress));
+    }
+    const auto in_open_space = [&]<class T>(SphereColumns<Dim, T> columns) {
       return call(Pipeline<Dim, T, HostExecutor>(*executor_, columns, request, progress));
     };
-    const bool is_double = spheres.precision() == Precision::float64;
-    if (spheres.dimensions() == 2) {
-      found_ = is_double ? run(columns_of<2, double>(spheres)) : run(columns_of<2, float>(spheres));
-    } else {
-      found_ = is_double ? run(columns_of<3, double>(spheres)) : run(columns_of<3, float>(spheres));
-    }
-    return {found_.pairs.data(), found_.count, found_.exact_decisions, memory_.peak()};
+    return spheres.precision() == Precision::float64
+               ? in_open_space(columns_of<Dim, double>(spheres))
+               : in_open_space(columns_of<Dim, float>(spheres));
   }
 
   KeptMemory memory_;

@@ -28,6 +28,7 @@ class Backend {
     const ImageShift* shifts = nullptr;  ///< of the pairs, where they are asked for
     std::uint64_t count = 0;
     std::uint64_t exact_decisions = 0;
+    std::uint64_t candidate_tests = 0;
     std::uint64_t peak_bytes = 0;
   };
 

@@ -60,6 +60,7 @@ template <int Dim, class T, class E>
 template <int Dim, class T, class E>
 [[nodiscard]] Extent<Dim> checked_extent(E& executor, SphereColumns<Dim, T>& elements) {
   using Spheres = SphereColumns<Dim, T>;
+  // Waits: a bad element is told before anything is done with it, and cells follow the extent.
   const Extent<Dim> extent = executor.reduce(elements.count, Extent<Dim>::of_none(),
                                              ElementExtent<Spheres>{elements}, JoinExtents{});
   if (extent.first_bad != no_element) {
@@ -80,6 +81,7 @@ template <class Spheres, class E>
   Buffer<std::uint64_t, E> bins(executor, size_classes);
   executor.histogram(bins.data(), size_classes, elements.count,
                      SizeClassOf<Spheres>{elements, half_octave_of(extent.largest_radius)});
+  // Waits: the host divides the elements into levels.
   SizeCounts counts{};
   executor.copy_to_host(counts.data(), bins.data(), size_classes);
   return counts;

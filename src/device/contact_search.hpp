@@ -68,6 +68,7 @@ class ContactSearch {
   void add(const PartnerCount& some) noexcept {
     totals_.certain += some.certain;
     totals_.doubtful += some.doubtful;
+    totals_.tests += some.tests;
   }
 
   [[nodiscard]] Meet meet_in(const SizeLevel<Dim>& level) const {

@@ -55,6 +55,7 @@ class Detection {
       Buffer<ContactPair, E> kept(executor_, totals.doubtful);
       found.count = totals.certain + keep_contacts(doubtful.data(), kept.data(), totals.doubtful);
       found.exact_decisions = totals.doubtful;
+      found.candidate_tests = totals.tests;
     });
     require_count(found.count, request_.max_pairs);
   }
@@ -78,10 +79,10 @@ class Detection {
   [[nodiscard]] Frame<Dim> make_levels(std::vector<Stretches>& stretches) {
     Frame<Dim> frame = make_frame(extent_, settings_.margin, settings_.slack);
     set_levels(frame);
+    const std::vector<Extent<Dim>> extents = extents_of_levels(frame);
     for (std::uint32_t k = 0; k < frame.level_count; ++k) {
       SizeLevel<Dim>& level = frame.levels[k];
-      const CellWidths widths =
-          lay_out(level, frame.level_count == 1 ? extent_ : extent_of_level(frame, k), frame);
+      const CellWidths widths = lay_out(level, extents[k], frame);
       if (widths.narrowest == widths.in_one_piece) continue;
       stretches.emplace_back(executor_, spheres_, frame, k);
       stretches.back().lay_out(level, widths);
@@ -108,9 +109,17 @@ class Detection {
     }
   }
 
-  [[nodiscard]] Extent<Dim> extent_of_level(const Frame<Dim>& frame, std::uint32_t level) {
-    return executor_.reduce(spheres_.count, Extent<Dim>::of_none(),
-                            ExtentInLevel<Spheres>{spheres_, frame, level}, JoinExtents{});
+  /// Waits once for all levels: the host lays their cells out.
+  [[nodiscard]] std::vector<Extent<Dim>> extents_of_levels(const Frame<Dim>& frame) {
+    if (frame.level_count == 1) return {extent_};
+    std::vector<Extent<Dim>> extents(frame.level_count);
+    Buffer<Extent<Dim>, E> on_device(executor_, frame.level_count);
+    for (std::uint32_t k = 0; k < frame.level_count; ++k) {
+      executor_.reduce_into(on_device.data() + k, spheres_.count, Extent<Dim>::of_none(),
+                            ExtentInLevel<Spheres>{spheres_, frame, k}, JoinExtents{});
+    }
+    executor_.copy_to_host(extents.data(), on_device.data(), frame.level_count);
+    return extents;
   }
 
   template <class Contacts>
@@ -126,6 +135,7 @@ class Detection {
     executor_.for_each(kept, CopyPair{copy.data(), doubtful});
     found.count = totals.certain + kept;
     found.exact_decisions = totals.doubtful;
+    found.candidate_tests = totals.tests;
     require_count(found.count, request_.max_pairs);
   }
 
@@ -144,6 +154,7 @@ class Detection {
 
   [[nodiscard]] std::uint64_t keep_contacts(const ContactPair* pairs, ContactPair* kept,
                                             std::uint64_t count) {
+    // Waits: how many are contacts is the length of the list, which may not pass a limit.
     return count == 0 ? 0 : executor_.select(pairs, kept, count, ContactTester{});
   }
 

@@ -24,6 +24,7 @@ Statistics statistics_of(const Backend::Answer& answer, const ElementView& eleme
   statistics.elements = elements.size();
   statistics.dimensions = elements.dimensions();
   statistics.contact_pairs = answer.count;
+  statistics.candidate_tests = answer.candidate_tests;
   statistics.exact_decisions = answer.exact_decisions;
   statistics.peak_bytes = answer.peak_bytes;
   return statistics;

@@ -11,13 +11,14 @@ namespace abut::device {
 /// in any order and at the same time. Each operation sees what those before it wrote.
 ///
 ///   for_each(count, body)                body(k) for each k < count
-///   reduce(count, none, body, join)      join of all body(k), `none` of no item
+///   reduce(count, none, body, join)      join of all body(k), `none` of no item; waits
+///   reduce_into(target, count, none, body, join)   writes that to memory of the device
 ///   exclusive_scan(values, count)        value k becomes the sum of those before it
 ///   sort_by_key(keys, numbers, count, bits)     stable, by the lowest bits of the keys
 ///   sort_pairs(pairs, count, first_bit, end_bit)   stable, by bits of first + 2^32 second
-///   select(from, to, count, predicate)   those that the predicate takes, in order; how many
+///   select(from, to, count, predicate)   those that the predicate takes, in order; how many; waits
 ///   histogram(bins, bin_count, count, body)     how many items have each value of body(k)
-///   copy_to_host(target, source, count)
+///   copy_to_host(target, source, count)  waits for it
 ///   allocate(bytes), release(block, bytes)      memory of the device, counted
 
 /// An array in the memory of an executor, which must outlive it. Its elements have no value until

@@ -18,6 +18,7 @@ struct FoundList {
   Buffer<ImageShift, E> shifts;  ///< of the pairs, where they are asked for
   std::uint64_t count = 0;       ///< of the pairs; there may be room for more
   std::uint64_t exact_decisions = 0;
+  std::uint64_t candidate_tests = 0;
   std::uint64_t searched = 0;  ///< elements, and ghosts of a periodic domain
 };
 

@@ -41,10 +41,18 @@ class HostExecutor {
 
   template <class T, class Body, class Join>
   [[nodiscard]] T reduce(std::uint64_t count, T none, const Body& body, const Join& join) {
+    T joined;
+    reduce_into(&joined, count, none, body, join);
+    ++waits_;
+    return joined;
+  }
+
+  template <class T, class Body, class Join>
+  void reduce_into(T* target, std::uint64_t count, T none, const Body& body, const Join& join) {
     const ItemSequence sequence(order_, count);
     T joined = none;
     for (std::uint64_t k = 0; k < count; ++k) joined = join(joined, body(sequence[k]));
-    return joined;
+    *target = joined;
   }
 
   void exclusive_scan(std::uint64_t* values, std::uint64_t count);
@@ -59,6 +67,7 @@ class HostExecutor {
   template <class T, class Predicate>
   [[nodiscard]] std::uint64_t select(const T* from, T* to, std::uint64_t count,
                                      const Predicate& predicate) {
+    ++waits_;
     std::uint64_t taken = 0;
     for (std::uint64_t k = 0; k < count; ++k) {
       if (predicate(from[k])) to[taken++] = from[k];
@@ -75,8 +84,12 @@ class HostExecutor {
 
   template <class T>
   void copy_to_host(T* target, const T* source, std::uint64_t count) {
+    ++waits_;
     for (std::uint64_t k = 0; k < count; ++k) target[k] = source[k];
   }
+
+  /// How often the host would have waited for a device: what cannot be seen by time here.
+  [[nodiscard]] std::uint64_t waits() const noexcept { return waits_; }
 
   [[nodiscard]] void* allocate(std::uint64_t bytes);
   void release(void* block, std::uint64_t bytes) noexcept;
@@ -103,6 +116,7 @@ class HostExecutor {
   KeptMemory* kept_ = nullptr;
   ItemOrder order_;
   std::size_t workers_;
+  std::uint64_t waits_ = 0;
 };
 
 }  // namespace abut::device

@@ -26,6 +26,7 @@ void order_pairs(E& executor, std::uint64_t elements, FoundList<E>& found) {
   pairs.current.swap(found.pairs);
   pairs.other = Buffer<ContactPair, E>(executor, pairs.current.size());
   executor.sort_pairs(pairs, found.count, 0, bits);
+  // Waits: rows that are too long for one thread each are sorted otherwise.
   const std::uint32_t longest = executor.reduce(
       found.count, std::uint32_t{0}, RowLength{pairs.current.data(), found.count}, Larger{});
   if (longest <= longest_short_row) {

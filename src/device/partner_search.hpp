@@ -31,11 +31,16 @@ class PartnerSearch {
         items_(items),
         part_(std::max<std::uint64_t>(std::min(items, at_a_time), 1)),
         certain_(executor, part_ + 1),
-        doubtful_(executor, part_ + 1) {
+        doubtful_(executor, part_ + 1),
+        counted_(executor, 1) {
+    if (items_ == 0) return;
+    executor_.reduce_into(&counted_.data()->tests, items_, std::uint64_t{0},
+                          TestsOfItem<Search>{search_, first_item_}, SumOfTwo{});
     for (std::uint64_t first = 0; first < items_; first += part_) {
       const PartnerCount part = count(first);
       totals_.certain += part.certain;
       totals_.doubtful += part.doubtful;
+      totals_.tests = part.tests;
     }
   }
 
@@ -65,8 +70,14 @@ class PartnerSearch {
     const std::uint64_t items = items_of_part(first);
     executor_.for_each(items + 1,
                        CountPartners<Search>{search_, first_item_ + first, items, places()});
-    return {sum_before_each(executor_, certain_.data(), items),
-            sum_before_each(executor_, doubtful_.data(), items)};
+    executor_.exclusive_scan(certain_.data(), items + 1);
+    executor_.exclusive_scan(doubtful_.data(), items + 1);
+    executor_.for_each(
+        1, GatherPartnerCount{certain_.data() + items, doubtful_.data() + items, counted_.data()});
+    // Waits: the pairs need memory, which is taken by the host.
+    PartnerCount count;
+    executor_.copy_to_host(&count, counted_.data(), 1);
+    return count;
   }
 
   E& executor_;
@@ -76,6 +87,7 @@ class PartnerSearch {
   std::uint64_t part_;
   Buffer<std::uint64_t, E> certain_;
   Buffer<std::uint64_t, E> doubtful_;
+  Buffer<PartnerCount, E> counted_;  ///< sums of a part, the tests of all items
   PartnerCount totals_;
 };
 

@@ -119,8 +119,8 @@ class HostBackend final : public Backend {
     executor_.emplace(memory_, ItemOrder::shuffled, 2);
     found_ = spheres.dimensions() == 2 ? found<2>(spheres, request, progress, call)
                                        : found<3>(spheres, request, progress, call);
-    return {found_.pairs.data(), found_.shifts.data(), found_.count, found_.exact_decisions,
-            memory_.peak()};
+    return {found_.pairs.data(),    found_.shifts.data(),   found_.count,
+            found_.exact_decisions, found_.candidate_tests, memory_.peak()};
   }
 
   template <int Dim, class Call>

@@ -31,6 +31,8 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
     result.count = found.count;
     result.exact_decisions = found.exact_decisions;
     result.searched = found.searched;
+    result.candidate_tests = found.candidate_tests;
+    result.waits = executor.waits();
     result.peak_bytes = memory.peak();
     if (wanted == Wanted::list) {
       result.pairs.assign(found.pairs.data(), found.pairs.data() + found.count);

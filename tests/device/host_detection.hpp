@@ -33,6 +33,8 @@ struct HostAnswer {
   std::vector<ImageShift> shifts;  ///< of the pairs, where they are asked for
   std::uint64_t count = 0;
   std::uint64_t exact_decisions = 0;
+  std::uint64_t candidate_tests = 0;
+  std::uint64_t waits = 0;     ///< of the host for a device
   std::uint64_t searched = 0;  ///< elements and ghosts
   std::uint64_t peak_bytes = 0;
   std::uint64_t held_bytes = 0;  ///< when all is done

@@ -61,20 +61,35 @@ struct MeetCoarse {
   ABUT_HD void partners_of(std::uint64_t item, Sink& sink) const noexcept {
     const std::uint64_t k = coarse_number_of(item);
     const CoarseSphere<Dim> coarse = coarse_sphere(k);
-    const std::uint64_t part = item - items_before[k];
-    if (coarse.box.rows() <= elements_here()) {
-      const SlotRun row = row_of(coarse.box, part);
-      return coarse.in_double ? compare_in_double(coarse.number, row, sink)
-                              : compare(coarse, row, sink);
+    const SlotRun run = run_of(coarse, item - items_before[k]);
+    if (coarse.in_double || looks_at_all(coarse)) {
+      compare_in_double(coarse.number, run, sink);
+    } else {
+      compare(coarse, run, sink);
     }
-    const std::uint64_t first = level.first_slot + part * swept_by_item;
-    const std::uint64_t end =
-        first + swept_by_item < level.end_slot ? first + swept_by_item : level.end_slot;
-    compare_in_double(coarse.number,
-                      {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)}, sink);
+  }
+
+  /// How many distances an item compares.
+  [[nodiscard]] ABUT_HD std::uint64_t tests_of(std::uint64_t item) const noexcept {
+    const std::uint64_t k = coarse_number_of(item);
+    return run_of(coarse_sphere(k), item - items_before[k]).size();
   }
 
  private:
+  [[nodiscard]] ABUT_HD bool looks_at_all(const CoarseSphere<Dim>& coarse) const noexcept {
+    return coarse.box.rows() > elements_here();
+  }
+
+  /// The slots that an item of a coarse element compares it with.
+  [[nodiscard]] ABUT_HD SlotRun run_of(const CoarseSphere<Dim>& coarse,
+                                       std::uint64_t part) const noexcept {
+    if (!looks_at_all(coarse)) return row_of(coarse.box, part);
+    const std::uint64_t first = level.first_slot + part * swept_by_item;
+    const std::uint64_t end =
+        first + swept_by_item < level.end_slot ? first + swept_by_item : level.end_slot;
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
+  }
+
   [[nodiscard]] ABUT_HD std::uint64_t elements_here() const noexcept {
     return level.end_slot - level.first_slot;
   }

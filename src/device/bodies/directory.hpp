@@ -11,6 +11,10 @@ namespace abut::device {
 struct SlotRun {
   std::uint32_t first;
   std::uint32_t end;
+
+  [[nodiscard]] ABUT_HD std::uint32_t size() const noexcept {
+    return end > first ? end - first : 0;
+  }
 };
 
 /// Sorted keys, and for each value of their top bits the first slot that has it or more. Its size

@@ -36,21 +36,32 @@ struct MeetInLevel {
   template <class Sink>
   ABUT_HD void partners_of(std::uint64_t item, Sink& sink) const noexcept {
     const auto slot = static_cast<std::uint32_t>(item);
+    visit_runs(slot, [&](const SlotRun& run) { meet(slot, run, sink); });
+  }
+
+  /// How many distances an item compares.
+  [[nodiscard]] ABUT_HD std::uint64_t tests_of(std::uint64_t item) const noexcept {
+    std::uint64_t tests = 0;
+    visit_runs(static_cast<std::uint32_t>(item), [&](const SlotRun& run) { tests += run.size(); });
+    return tests;
+  }
+
+ private:
+  template <class Use>
+  ABUT_HD void visit_runs(std::uint32_t slot, const Use& use) const noexcept {
     const std::uint64_t key = directory.keys[slot];
-    meet(slot, {slot + 1, directory.first_at(key + 2)}, sink);
-    meet_row(slot, key + pitch[0], sink);
+    use(SlotRun{slot + 1, directory.first_at(key + 2)});
+    use(row_about(key + pitch[0]));
     if constexpr (Dim == 3) {
       const std::uint64_t above = key + pitch[0] * pitch[1];
       for (std::uint64_t row = above - pitch[0]; row <= above + pitch[0]; row += pitch[0]) {
-        meet_row(slot, row, sink);
+        use(row_about(row));
       }
     }
   }
 
- private:
-  template <class Sink>
-  ABUT_HD void meet_row(std::uint32_t slot, std::uint64_t key, Sink& sink) const noexcept {
-    meet(slot, directory.cells(key - 1, key + 1), sink);
+  [[nodiscard]] ABUT_HD SlotRun row_about(std::uint64_t key) const noexcept {
+    return directory.cells(key - 1, key + 1);
   }
 
   template <class Sink>

@@ -9,10 +9,28 @@
 
 namespace abut::device {
 
-/// Pairs within reach for certain, and pairs in doubt.
+/// Pairs within reach for certain, pairs in doubt, and how many were compared for them.
 struct PartnerCount {
   std::uint64_t certain = 0;
   std::uint64_t doubtful = 0;
+  std::uint64_t tests = 0;
+};
+
+/// How many distances item k of a search compares.
+template <class Search>
+struct TestsOfItem {
+  Search search;
+  std::uint64_t first_item;
+
+  [[nodiscard]] ABUT_HD std::uint64_t operator()(std::uint64_t k) const noexcept {
+    return search.tests_of(first_item + k);
+  }
+};
+
+struct SumOfTwo {
+  [[nodiscard]] ABUT_HD std::uint64_t operator()(std::uint64_t a, std::uint64_t b) const noexcept {
+    return a + b;
+  }
 };
 
 /// Counts the partners of one item, of which there are fewer than 2^32.
@@ -58,6 +76,18 @@ struct CountPartners {
     if (k < items) search.partners_of(first_item + k, count);
     counts.certain[k] = count.certain;
     counts.doubtful[k] = count.doubtful;
+  }
+};
+
+/// Body: brings the sums behind the last item side by side, for one copy to the host.
+struct GatherPartnerCount {
+  const std::uint64_t* certain;
+  const std::uint64_t* doubtful;
+  PartnerCount* totals;
+
+  ABUT_HD void operator()(std::uint64_t) const noexcept {
+    totals->certain = *certain;
+    totals->doubtful = *doubtful;
   }
 };
 

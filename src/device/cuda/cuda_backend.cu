@@ -126,8 +126,8 @@ class CudaBackend final : public Backend {
     executor_.emplace(memory_, handle);
     found_ = spheres.dimensions() == 2 ? found<2>(spheres, request, call)
                                        : found<3>(spheres, request, call);
-    return {found_.pairs.data(), found_.shifts.data(), found_.count, found_.exact_decisions,
-            memory_.peak()};
+    return {found_.pairs.data(),    found_.shifts.data(),   found_.count,
+            found_.exact_decisions, found_.candidate_tests, memory_.peak()};
   }
 
   template <int Dim, class Call>

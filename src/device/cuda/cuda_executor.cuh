@@ -81,18 +81,19 @@ class CudaExecutor {
   /// thread in registers, and the order in which parts are joined does not matter.
   template <class T, class Body, class Join>
   [[nodiscard]] T reduce(std::uint64_t count, T none, const Body& body, const Join& join) {
-    const std::uint64_t parts = std::min<std::uint64_t>(count, parts_of_reduction);
-    const std::uint64_t few = std::min<std::uint64_t>(parts, parts_on_host);
-    const Buffer<T, CudaExecutor> joined(*this, parts);
-    const Buffer<T, CudaExecutor> last(*this, few);
-    for_each(parts, JoinPart<T, Body, Join>{count, parts, none, body, join, joined.data()});
-    for_each(few,
-             JoinPart<T, EntryOf<T>, Join>{parts, few, none, {joined.data()}, join, last.data()});
+    const Buffer<T, CudaExecutor> few = join_to_few(count, none, body, join);
     T on_host[parts_on_host];
-    copy_to_host(on_host, last.data(), few);
+    copy_to_host(on_host, few.data(), few.size());
     T sum = none;
-    for (std::uint64_t k = 0; k < few; ++k) sum = join(sum, on_host[k]);
+    for (std::uint64_t k = 0; k < few.size(); ++k) sum = join(sum, on_host[k]);
     return sum;
+  }
+
+  /// In three steps and without a wait.
+  template <class T, class Body, class Join>
+  void reduce_into(T* target, std::uint64_t count, T none, const Body& body, const Join& join) {
+    const Buffer<T, CudaExecutor> few = join_to_few(count, none, body, join);
+    for_each(1, JoinPart<T, EntryOf<T>, Join>{few.size(), 1, none, {few.data()}, join, target});
   }
 
   void exclusive_scan(std::uint64_t* values, std::uint64_t count) {
@@ -174,6 +175,19 @@ class CudaExecutor {
   void release(void* block, std::uint64_t bytes) noexcept { memory_.give_back(block, bytes); }
 
  private:
+  template <class T, class Body, class Join>
+  [[nodiscard]] Buffer<T, CudaExecutor> join_to_few(std::uint64_t count, T none, const Body& body,
+                                                    const Join& join) {
+    const std::uint64_t parts = std::min<std::uint64_t>(count, parts_of_reduction);
+    const std::uint64_t few = std::min<std::uint64_t>(parts, parts_on_host);
+    const Buffer<T, CudaExecutor> joined(*this, parts);
+    Buffer<T, CudaExecutor> last(*this, few);
+    for_each(parts, JoinPart<T, Body, Join>{count, parts, none, body, join, joined.data()});
+    for_each(few,
+             JoinPart<T, EntryOf<T>, Join>{parts, few, none, {joined.data()}, join, last.data()});
+    return last;
+  }
+
   template <class Body>
   void run(std::uint64_t count, const Body& body) {
     if (count == 0) return;

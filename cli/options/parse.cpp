@@ -121,9 +121,8 @@ void add_contacts_output(CLI::App& sub, const std::shared_ptr<ContactsOptions>& 
 
 /// A search on a device takes no options that are the processor's, or not supported there yet.
 void require_contacts_of_device(const CLI::App& sub, const ContactsOptions& options) {
-  require_options_of_device(
-      sub, options.device,
-      {"--against", "--threads", "--simd", "--groups", "--exclude", "--box", "--lattice"});
+  require_options_of_device(sub, options.device,
+                            {"--against", "--threads", "--simd", "--groups", "--exclude"});
   const Algorithm algorithm = options.detection.algorithm;
   if (options.device && algorithm != Algorithm::automatic && algorithm != Algorithm::rows) {
     reject_beside_device("--algorithm " + std::string(name_of(algorithm)));
@@ -280,8 +279,7 @@ void add_bench(CLI::App& app, Command& command) {
   add_input(sub, options->source.input);
   add_console(sub, options->console);
   sub.callback([&command, &sub, options] {
-    require_options_of_device(sub, options->device,
-                              {"--groups", "--exclude", "--box", "--lattice"});
+    require_options_of_device(sub, options->device, {"--groups", "--exclude"});
     command = *options;
   });
 }

@@ -33,8 +33,8 @@ def test_2_wrong_usage(fails):
         told = fails(2, "contacts", YADE, "--device", name)
         assert "cpu, gpu or gpu:N" in told
     for option in (["--threads", "2"], ["--simd", "scalar"], ["--against", YADE],
-                   ["--groups", "mol"], ["--exclude", "pairs.csv"], ["--box", "1,1,1"],
-                   ["--lattice", "1,0,0,0,1,0,0,0,1"], ["--algorithm", "sorting_array"]):
+                   ["--groups", "mol"], ["--exclude", "pairs.csv"],
+                   ["--algorithm", "sorting_array"]):
         told = fails(2, "contacts", YADE, "--device", "gpu", *option)
         assert f"{option[0]}" in told and "leave out" in told and "--device" in told
     assert "--groups" in fails(2, "bench", YADE, "--device", "gpu", "--groups", "mol")
@@ -85,13 +85,13 @@ def test_json_and_summary_name_the_device(abut, with_device):
 
 
 @pytest.mark.parametrize("arguments, code, told", [
-    (["contacts", LAMMPS], 2, "periodic domains yet; leave out --device"),
+    (["contacts", "-"], 2, "does not support boxes yet; leave out --device"),
     (["contacts", YADE, "--max-pairs", "10657"], 4, "10657"),
     (["contacts", YADE, "--max-memory", "1K"], 4, "bytes are needed"),
     (["contacts", "nosuch.csv"], 3, "nosuch.csv"),
-    (["bench", LAMMPS], 2, "periodic domains yet; leave out --device")])
+    (["bench", "-"], 2, "does not support boxes yet; leave out --device")])
 def test_what_a_device_refuses(with_device, arguments, code, told):
-    done = with_device(*arguments, "--device", "gpu")
+    done = with_device(*arguments, "--device", "gpu", stdin="xmin,ymin,xmax,ymax\n0,0,1,1\n")
     assert (done.returncode, done.stdout) == (code, "") and told in done.stderr
 
 
@@ -101,9 +101,14 @@ def test_a_device_that_is_not_there(with_device):
     assert done.stderr == "abut: there is no device 1, this machine has 1; leave out --device\n"
 
 
-def test_open_space_of_a_periodic_file(abut, with_device):
-    arguments = ["contacts", LAMMPS, "--periodic", "none", "--digest"]
-    assert with_device(*arguments, "--device", "gpu:0").stdout == abut(*arguments).stdout
+@pytest.mark.parametrize("domain", [
+    [], ["--periodic", "none"], ["--periodic", "x"], ["--lattice", "20,0,0,3,20,0,0,0,41"]])
+@pytest.mark.parametrize("report", [["--digest"], ["--count"], ["-o", "-", "-q", "--with", "vector"]])
+def test_periodic_domains(abut, with_device, domain, report):
+    arguments = ["contacts", LAMMPS, *domain, *report]
+    expected = abut(*arguments)
+    assert expected.returncode == 0, expected.stderr
+    assert with_device(*arguments, "--device", "gpu:0").stdout == expected.stdout
 
 
 def test_nothing_at_all(with_device):

@@ -66,18 +66,6 @@ void validate(const Options& options, const ElementView& elements, const Domain&
   }
 }
 
-void require_alike(const ElementView& first, const ElementView& second) {
-  if (first.shape() != second.shape()) {
-    throw Error(ErrorCode::wrong_usage,
-                "one set holds spheres and the other boxes; give two sets of the same shape");
-  }
-  if (first.dimensions() == second.dimensions()) return;
-  throw Error(ErrorCode::wrong_usage, "the first set has " + std::to_string(first.dimensions()) +
-                                          " dimensions and the second " +
-                                          std::to_string(second.dimensions()) +
-                                          "; give two sets of the same number of dimensions");
-}
-
 void validate(const Options& options, const ElementView& first, const ElementView& second,
               const Domain& domain) {
   require_in_range(options);

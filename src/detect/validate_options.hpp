@@ -13,8 +13,7 @@ namespace abut::detect {
 
 using elements::require_dimensions;
 
-/// Throws Error{wrong_usage} for two sets of unequal dimensions or shapes.
-void require_alike(const ElementView& first, const ElementView& second);
+using elements::require_alike;
 
 /// Throws Error: the first option that is out of range, a domain that the elements do not live in
 /// or the algorithm does not support, or too many elements.

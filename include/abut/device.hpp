@@ -74,8 +74,8 @@ struct MemoryPlan {
 };
 
 /// Plans the memory of a detection. `pairs` counts the contact pairs and those that must be decided
-/// exactly, which on lattices that touch are all. In a periodic domain `elements` counts the
-/// ghosts, too, the images of elements near its faces.
+/// exactly, which on lattices that touch are all. `elements` counts those of both sets, and in
+/// a periodic domain the ghosts, too, the images of elements near its faces.
 [[nodiscard]] ABUT_API MemoryPlan plan(std::uint64_t elements, PairCount pairs);
 
 class Backend;
@@ -142,9 +142,18 @@ class ABUT_API Detector {
   const PairList& find_contact_pairs(const ElementView& elements,
                                      const Domain& domain = Domain::open(), Stream stream = {});
 
+  /// Finds the contact pairs of two sets: element i of `first` and element j of `second`, in order
+  /// of (i, j, image shift of j). The sets may have numbers of different types.
+  const PairList& find_contact_pairs(const ElementView& first, const ElementView& second,
+                                     const Domain& domain = Domain::open(), Stream stream = {});
+
   /// Counts the contact pairs without storing them.
   Statistics count_contact_pairs(const ElementView& elements, const Domain& domain = Domain::open(),
                                  Stream stream = {});
+
+  /// Counts the contact pairs of two sets without storing them.
+  Statistics count_contact_pairs(const ElementView& first, const ElementView& second,
+                                 const Domain& domain = Domain::open(), Stream stream = {});
 
  private:
   struct State;

@@ -14,6 +14,12 @@
 
 namespace abut::device {
 
+/// One set of spheres, or two.
+struct SphereSets {
+  const ElementView& first;
+  const ElementView* second = nullptr;
+};
+
 /// What a build has of a processor with memory of its own. There is one file that defines the two
 /// functions below for CUDA, and one for a build without.
 class Backend {
@@ -32,10 +38,10 @@ class Backend {
     std::uint64_t peak_bytes = 0;
   };
 
-  [[nodiscard]] virtual Answer list(const ElementView& spheres, const DeviceRequest& request,
+  [[nodiscard]] virtual Answer list(const SphereSets& spheres, const DeviceRequest& request,
                                     std::uint64_t max_bytes, const Stream& stream,
                                     base::ProgressReporter& progress) = 0;
-  [[nodiscard]] virtual Answer count(const ElementView& spheres, const DeviceRequest& request,
+  [[nodiscard]] virtual Answer count(const SphereSets& spheres, const DeviceRequest& request,
                                      std::uint64_t max_bytes, const Stream& stream,
                                      base::ProgressReporter& progress) = 0;
 

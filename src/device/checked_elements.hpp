@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device/bodies/check.hpp"
+#include "device/bodies/joined_columns.hpp"
 #include "device/bodies/periodic_spheres.hpp"
 #include "device/bodies/size_class.hpp"
 #include "device/bodies/sphere_columns.hpp"
@@ -8,7 +9,10 @@
 #include "device/levels.hpp"
 #include "elements/reject_element.hpp"
 
+#include <abut/error.hpp>
+
 #include <cstdint>
+#include <string>
 
 namespace abut::device {
 
@@ -41,13 +45,20 @@ template <int Dim, class T, class E>
   return sphere;
 }
 
+template <int Dim, class E>
+[[nodiscard]] exact::Sphere<Dim> sphere_on_host(E& executor, const JoinedColumns<Dim>& elements,
+                                                std::uint32_t number) {
+  if (elements.is_in_first(number)) return sphere_on_host(executor, elements.first, number);
+  return sphere_on_host(executor, elements.second, number - elements.first.count);
+}
+
 /// The number of the element that a sphere of a search is, or is an image of.
 template <int Dim, class T, class E>
 [[nodiscard]] std::uint32_t element_on_host(E&, const SphereColumns<Dim, T>&, std::uint32_t k) {
   return k;
 }
-template <int Dim, class T, class E>
-[[nodiscard]] std::uint32_t element_on_host(E& executor, const PeriodicSpheres<Dim, T>& spheres,
+template <int Dim, class E>
+[[nodiscard]] std::uint32_t element_on_host(E& executor, const PeriodicSpheres<Dim>& spheres,
                                             std::uint32_t k) {
   if (k < spheres.elements.count) return k;
   lattice::Ghost ghost{};
@@ -55,21 +66,50 @@ template <int Dim, class T, class E>
   return ghost.element;
 }
 
+template <int Dim, class T>
+[[noreturn]] void reject(const SphereColumns<Dim, T>&, std::uint32_t number,
+                         const exact::Sphere<Dim>& sphere) {
+  elements::reject_element(number, sphere);
+}
+
+/// Of two sets the message names the set, too.
+template <int Dim>
+[[noreturn]] void reject(const JoinedColumns<Dim>& elements, std::uint32_t number,
+                         const exact::Sphere<Dim>& sphere) {
+  if (!elements.is_of_two_sets) elements::reject_element(number, sphere);
+  const bool is_first = elements.is_in_first(number);
+  try {
+    elements::reject_element(is_first ? number : number - elements.first.count, sphere);
+  } catch (const Error& error) {
+    throw Error(error.code(),
+                std::string("in the ") + (is_first ? "first" : "second") + " set, " + error.what());
+  }
+}
+
+template <int Dim, class T>
+void take_common_radius(SphereColumns<Dim, T>& elements, double radius) {
+  elements.radii.first = nullptr;
+  elements.common_radius = radius;
+}
+template <int Dim>
+void take_common_radius(JoinedColumns<Dim>& elements, double radius) {
+  take_common_radius(elements.first, radius);
+  take_common_radius(elements.second, radius);
+}
+
 /// The extent of all elements. Throws Error{invalid_input} naming the first bad one. Radii that are
 /// all equal need not be read again: `elements` has a common one then.
-template <int Dim, class T, class E>
-[[nodiscard]] Extent<Dim> checked_extent(E& executor, SphereColumns<Dim, T>& elements) {
-  using Spheres = SphereColumns<Dim, T>;
+template <class Given, class E>
+[[nodiscard]] Extent<Given::dimensions> checked_extent(E& executor, Given& elements) {
+  using Box = Extent<Given::dimensions>;
   // Waits: a bad element is told before anything is done with it, and cells follow the extent.
-  const Extent<Dim> extent = executor.reduce(elements.count, Extent<Dim>::of_none(),
-                                             ElementExtent<Spheres>{elements}, JoinExtents{});
+  const Box extent = executor.reduce(elements.count, Box::of_none(), ElementExtent<Given>{elements},
+                                     JoinExtents{});
   if (extent.first_bad != no_element) {
-    elements::reject_element(extent.first_bad,
-                             sphere_on_host(executor, elements, extent.first_bad));
+    reject(elements, extent.first_bad, sphere_on_host(executor, elements, extent.first_bad));
   }
   if (extent.smallest_radius == extent.largest_radius) {
-    elements.radii.first = nullptr;
-    elements.common_radius = extent.largest_radius;
+    take_common_radius(elements, extent.largest_radius);
   }
   return extent;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device/bodies/joined_columns.hpp"
 #include "device/bodies/sphere_columns.hpp"
 
 #include <abut/element_view.hpp>
@@ -33,6 +34,18 @@ template <int Dim, class T>
   }
   columns.count = static_cast<std::uint32_t>(spheres.size());
   return columns;
+}
+
+/// Those of one set, or of two.
+template <int Dim>
+[[nodiscard]] JoinedColumns<Dim> joined_columns_of(const ElementView& first,
+                                                   const ElementView* second) {
+  JoinedColumns<Dim> joined{};
+  joined.first = columns_of<Dim, EitherNumber>(first);
+  joined.is_of_two_sets = second != nullptr;
+  if (second != nullptr) joined.second = columns_of<Dim, EitherNumber>(*second);
+  joined.count = joined.first.count + joined.second.count;
+  return joined;
 }
 
 }  // namespace abut::device

@@ -17,12 +17,13 @@
 namespace abut::device {
 namespace {
 
-Statistics statistics_of(const Backend::Answer& answer, const ElementView& elements) {
+Statistics statistics_of(const Backend::Answer& answer, const SphereSets& spheres) {
   Statistics statistics;
   statistics.algorithm = Algorithm::rows;
   statistics.reason = "the algorithm of devices";
-  statistics.elements = elements.size();
-  statistics.dimensions = elements.dimensions();
+  statistics.elements = spheres.first.size();
+  if (spheres.second != nullptr) statistics.elements += spheres.second->size();
+  statistics.dimensions = spheres.first.dimensions();
   statistics.contact_pairs = answer.count;
   statistics.candidate_tests = answer.candidate_tests;
   statistics.exact_decisions = answer.exact_decisions;
@@ -47,10 +48,10 @@ struct Detector::State {
 
   /// Asks the backend through `call(request, max_bytes, progress)`.
   template <class Call>
-  Backend::Answer answer(const ElementView& elements, const Domain& domain, Call&& call) const {
+  Backend::Answer answer(const SphereSets& spheres, const Domain& domain, Call&& call) const {
     const base::FloatEnvironment environment;
     return base::reporting_lack_of_memory([&] {
-      validate_request(options, elements, domain);
+      validate_request(options, spheres, domain);
       base::ProgressReporter progress(options.progress);
       const std::uint64_t max_bytes = options.max_bytes == automatic_memory_bound
                                           ? std::numeric_limits<std::uint64_t>::max()
@@ -62,6 +63,9 @@ struct Detector::State {
                   max_bytes, progress);
     });
   }
+
+  const PairList& find(const SphereSets& spheres, const Domain& domain, const Stream& stream);
+  Statistics count(const SphereSets& spheres, const Domain& domain, const Stream& stream) const;
 };
 
 void PairList::wait() const {
@@ -96,30 +100,50 @@ void Detector::set_options(Options options) {
   state_->options = std::move(options);
 }
 
+const PairList& Detector::State::find(const SphereSets& spheres, const Domain& domain,
+                                      const Stream& stream) {
+  list.pairs_ = nullptr;
+  list.shifts_ = nullptr;
+  list.statistics_ = {};
+  const Backend::Answer found = answer(
+      spheres, domain,
+      [&](const DeviceRequest& request, std::uint64_t max_bytes, base::ProgressReporter& progress) {
+        return backend->list(spheres, request, max_bytes, stream, progress);
+      });
+  list.pairs_ = found.pairs;
+  list.shifts_ = found.shifts;
+  list.statistics_ = statistics_of(found, spheres);
+  return list;
+}
+
+Statistics Detector::State::count(const SphereSets& spheres, const Domain& domain,
+                                  const Stream& stream) const {
+  const Backend::Answer found = answer(
+      spheres, domain,
+      [&](const DeviceRequest& request, std::uint64_t max_bytes, base::ProgressReporter& progress) {
+        return backend->count(spheres, request, max_bytes, stream, progress);
+      });
+  return statistics_of(found, spheres);
+}
+
 const PairList& Detector::find_contact_pairs(const ElementView& elements, const Domain& domain,
                                              Stream stream) {
-  state_->list.pairs_ = nullptr;
-  state_->list.shifts_ = nullptr;
-  state_->list.statistics_ = {};
-  const Backend::Answer answer = state_->answer(
-      elements, domain,
-      [&](const DeviceRequest& request, std::uint64_t max_bytes, base::ProgressReporter& progress) {
-        return state_->backend->list(elements, request, max_bytes, stream, progress);
-      });
-  state_->list.pairs_ = answer.pairs;
-  state_->list.shifts_ = answer.shifts;
-  state_->list.statistics_ = statistics_of(answer, elements);
-  return state_->list;
+  return state_->find({elements}, domain, stream);
+}
+
+const PairList& Detector::find_contact_pairs(const ElementView& first, const ElementView& second,
+                                             const Domain& domain, Stream stream) {
+  return state_->find({first, &second}, domain, stream);
 }
 
 Statistics Detector::count_contact_pairs(const ElementView& elements, const Domain& domain,
                                          Stream stream) {
-  const Backend::Answer answer = state_->answer(
-      elements, domain,
-      [&](const DeviceRequest& request, std::uint64_t max_bytes, base::ProgressReporter& progress) {
-        return state_->backend->count(elements, request, max_bytes, stream, progress);
-      });
-  return statistics_of(answer, elements);
+  return state_->count({elements}, domain, stream);
+}
+
+Statistics Detector::count_contact_pairs(const ElementView& first, const ElementView& second,
+                                         const Domain& domain, Stream stream) {
+  return state_->count({first, &second}, domain, stream);
 }
 
 std::vector<DeviceInfo> devices() {

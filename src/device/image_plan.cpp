@@ -23,6 +23,12 @@ grid::Bounds<Dim> bounds_of(const Extent<Dim>& extent) {
   return bounds;
 }
 
+/// What is not moved stays as it is.
+template <int Dim>
+double unit_of(const lattice::ReducedLattice<Dim>& lattice, double largest) {
+  return lattice.count == 0 ? 1.0 : lattice::unit_of_moved(lattice, largest);
+}
+
 /// Counts by size, the smallest class first, of radii times a unit.
 struct SizesOfCounts {
   SizeCounts counts;
@@ -51,7 +57,7 @@ ImagePlan<Dim>::ImagePlan(const exact::Lattice& given, const Extent<Dim>& extent
       margin_(margin * given_unit_),
       reduced_(given_unit_ == 1.0 ? given : lattice::times(given, given_unit_)),
       cell_(reduced_, 1.0),
-      unit_(lattice::unit_of_moved(reduced_, grid::largest_number(bounds_, margin) * given_unit_)),
+      unit_(unit_of(reduced_, grid::largest_number(bounds_, margin) * given_unit_)),
       size_cut_(HUGE_VAL) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (!given_.periodic[k]) given_.vectors[k] = {};

@@ -27,6 +27,9 @@ class ImagePlan {
   /// Throws Error{invalid_input} as lattice::ReducedLattice does.
   ImagePlan(const exact::Lattice& given, const Extent<Dim>& extent, double margin);
 
+  /// False in an open domain: nothing below is asked then.
+  [[nodiscard]] bool has_images() const noexcept { return reduced_.count > 0; }
+
   /// Sets the radius from which on spheres are large (lattice::choose_ghost_cut). `count_sizes`
   /// tells SizeCounts, and is asked at most once.
   void choose_size_cut(std::uint64_t elements, const std::function<SizeCounts()>& count_sizes);

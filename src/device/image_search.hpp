@@ -14,17 +14,21 @@
 
 namespace abut::device {
 
-/// The locals and ghosts of the elements of a periodic domain: counted, then written. They live as
-/// long as this.
-template <int Dim, class T, class E>
+/// The locals and ghosts of elements in a periodic domain: counted, then written. They live as long
+/// as this. In an open domain there are no ghosts.
+template <int Dim, class E>
 class ImageSearch {
  public:
-  using Given = SphereColumns<Dim, T>;
-  using Spheres = PeriodicSpheres<Dim, T>;
+  using Given = JoinedColumns<Dim>;
+  using Spheres = PeriodicSpheres<Dim>;
 
   ImageSearch(E& executor, const Given& elements, const Extent<Dim>& extent,
               const exact::Lattice& lattice, double margin)
       : executor_(executor), elements_(elements), plan_(lattice, extent, margin) {
+    if (!plan_.has_images()) {
+      spheres_.emplace(as_given());
+      return;
+    }
     plan_.choose_size_cut(elements_.count,
                           [&] { return count_sizes(executor_, elements_, extent); });
     plan_.take_extent_as_given(extent_in(plan_.cell_as_given(), as_given()));
@@ -57,7 +61,7 @@ class ImageSearch {
     for (const lattice::Wrapper<Dim>& wrapper : {plan_.wrapper_of_all(), plan_.wrapper()}) {
       const std::uint32_t far = executor_.reduce(
           elements_.count, no_element,
-          FarElement<Dim, T>{{elements_, wrapper, plan_.given_unit(), nullptr}}, Smaller{});
+          FarElement<Given>{{elements_, wrapper, plan_.given_unit(), nullptr}}, Smaller{});
       if (far == no_element) continue;
       exact::Sphere<Dim> sphere = sphere_on_host(executor_, elements_, far);
       for (double& x : sphere.center) x *= plan_.given_unit();
@@ -65,7 +69,7 @@ class ImageSearch {
     }
     const std::uint32_t largest =
         executor_.reduce(elements_.count, no_element,
-                         ElementOfRadius<Dim, T>{elements_, extent.largest_radius}, Smaller{});
+                         ElementOfRadius<Given>{elements_, extent.largest_radius}, Smaller{});
     lattice::check_reach<Dim>(largest, extent.largest_radius, plan_.reduced(), margin,
                               Shape::sphere, plan_.given_unit());
   }
@@ -75,7 +79,7 @@ class ImageSearch {
     cells_moved_ = Buffer<lattice::CellsMoved, E>(executor_, elements_.count);
     executor_.for_each(
         elements_.count,
-        WrapElement<Dim, T>{elements_, plan_.wrapper(), plan_.given_unit(), cells_moved_.data()});
+        WrapElement<Given>{elements_, plan_.wrapper(), plan_.given_unit(), cells_moved_.data()});
   }
 
   [[nodiscard]] lattice::GhostWindows<Dim> find_windows() {

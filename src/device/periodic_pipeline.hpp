@@ -10,18 +10,22 @@
 #include "device/image_search.hpp"
 #include "device/order_pairs.hpp"
 
+#include <abut/error.hpp>
 #include <abut/image_shift.hpp>
 #include <abut/options.hpp>
 
+#include <string>
+
 namespace abut::device {
 
-/// One detection of spheres in a periodic domain: those of an open one among locals and ghosts,
-/// whose pairs are named by elements and shifts then. Two waits more: for the extent in the cell,
-/// and for the number of ghosts. It is compiled for `float` and `double` together.
+/// One detection of spheres in a periodic domain, or of two sets in any: the stages of Pipeline
+/// among locals and ghosts, whose pairs are named by elements and shifts then. Two waits more in a
+/// periodic domain: for the extent in the cell, and for the number of ghosts. It is compiled for
+/// `float` and `double` together.
 template <int Dim, class E>
 class PeriodicPipeline {
  public:
-  using Given = SphereColumns<Dim, EitherNumber>;
+  using Given = JoinedColumns<Dim>;
 
   PeriodicPipeline(E& executor, const Given& elements, const DeviceRequest& request,
                    base::ProgressReporter& progress)
@@ -51,14 +55,27 @@ class PeriodicPipeline {
   }
 
  private:
-  using Images = ImageSearch<Dim, EitherNumber, E>;
+  using Images = ImageSearch<Dim, E>;
   using Spheres = typename Images::Spheres;
 
+  /// The search numbers the elements of both sets as one, and so do its messages.
   template <class Use>
   void detect(Use&& use) {
     progress_.begin("gather", elements_.count);
     if (elements_.count == 0) return require_lattice();
     const Extent<Dim> as_given = checked_extent(executor_, elements_);
+    try {
+      search(as_given, use);
+    } catch (const Error& error) {
+      if (!elements_.is_of_two_sets || error.code() != ErrorCode::invalid_input) throw;
+      throw Error(error.code(),
+                  std::string(error.what()) + " (the elements of the second set are counted from " +
+                      std::to_string(elements_.first.count) + " on, behind those of the first)");
+    }
+  }
+
+  template <class Use>
+  void search(const Extent<Dim>& as_given, Use&& use) {
     Images images(executor_, elements_, as_given, request_.lattice, request_.margin);
     const Spheres& spheres = images.spheres();
     progress_.begin("search", spheres.count);

@@ -20,10 +20,24 @@ void refuse(bool is_asked_for, const char* what) {
                   " yet; copy the elements to the host and take abut::Detector");
 }
 
+void require_countable(const SphereSets& spheres) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
+  const bool two = spheres.second != nullptr;
+  const std::uint64_t first = spheres.first.size();
+  const std::uint64_t others = two ? spheres.second->size() : 0;
+  if (first <= most && others <= most - first) return;
+  const std::string count =
+      two ? "two sets of " + std::to_string(first) + " and " + std::to_string(others)
+          : std::to_string(first);
+  throw Error(ErrorCode::limit_exceeded, count + " elements; rows numbers at most " +
+                                             std::to_string(most) + ": split the system");
+}
+
 }  // namespace
 
-void validate_request(const Options& options, const ElementView& elements, const Domain& domain) {
-  refuse(elements.shape() != Shape::sphere, "boxes");
+void validate_request(const Options& options, const SphereSets& spheres, const Domain& domain) {
+  if (spheres.second != nullptr) elements::require_alike(spheres.first, *spheres.second);
+  refuse(spheres.first.shape() != Shape::sphere, "boxes");
   refuse(!options.rule.is_empty(), "rules");
   refuse(!options.quantities.empty(), "quantities");
   if (options.algorithm != Algorithm::automatic && options.algorithm != Algorithm::rows) {
@@ -34,13 +48,8 @@ void validate_request(const Options& options, const ElementView& elements, const
     throw Error(ErrorCode::invalid_input, "margin = " + base::shortest_text(options.margin) +
                                               "; it must be finite and not negative");
   }
-  elements::require_dimensions(elements, domain);
-  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
-  if (elements.size() > most) {
-    throw Error(ErrorCode::limit_exceeded, std::to_string(elements.size()) +
-                                               " elements; rows numbers at most " +
-                                               std::to_string(most) + ": split the system");
-  }
+  elements::require_dimensions(spheres.first, domain);
+  require_countable(spheres);
 }
 
 }  // namespace abut::device

@@ -1,6 +1,6 @@
 #include "device/as_rows.hpp"
 
-#include <abut/detect.hpp>
+#include <abut/two_sets.hpp>
 
 #include <gtest/gtest.h>
 
@@ -19,14 +19,11 @@ std::vector<HostRun> all_runs(std::size_t elements) {
           {.items_at_a_time = elements / 4 + 1}};
 }
 
-}  // namespace
-
-std::size_t expect_as_rows(const ElementView& elements, const Domain& domain, double margin) {
-  const PairList expected = find_contact_pairs(
-      elements, domain,
-      {.algorithm = Algorithm::rows, .shifts = Shifts::stored, .margin = margin, .threads = 1});
+std::size_t expect_pairs(const PairList& expected, const ElementView& elements, double margin,
+                         const HostRun& with) {
   for (HostRun run : all_runs(elements.size())) {
-    run.domain = domain;
+    run.domain = with.domain;
+    run.second = with.second;
     SCOPED_TRACE(::testing::Message()
                  << "order " << static_cast<int>(run.order) << ", " << run.workers << " threads, "
                  << run.items_at_a_time << " items at a time");
@@ -42,8 +39,25 @@ std::size_t expect_as_rows(const ElementView& elements, const Domain& domain, do
     EXPECT_EQ(alone.exact_decisions, shifted.exact_decisions);
     EXPECT_EQ(shifted.held_bytes, 0U);
   }
-  EXPECT_EQ(count_on_host(elements, margin, {.domain = domain}).count, expected.size());
+  EXPECT_EQ(count_on_host(elements, margin, with).count, expected.size());
   return expected.size();
+}
+
+Options options_of(double margin) {
+  return {.algorithm = Algorithm::rows, .shifts = Shifts::stored, .margin = margin, .threads = 1};
+}
+
+}  // namespace
+
+std::size_t expect_as_rows(const ElementView& elements, const Domain& domain, double margin) {
+  const PairList expected = find_contact_pairs(elements, domain, options_of(margin));
+  return expect_pairs(expected, elements, margin, {.domain = domain});
+}
+
+std::size_t expect_as_rows(const ElementView& first, const ElementView& second,
+                           const Domain& domain, double margin) {
+  const PairList expected = find_contact_pairs(first, second, domain, options_of(margin));
+  return expect_pairs(expected, first, margin, {.domain = domain, .second = &second});
 }
 
 }  // namespace abut::testing

@@ -14,4 +14,8 @@ namespace abut::testing {
 /// pairs there are.
 std::size_t expect_as_rows(const ElementView& elements, const Domain& domain, double margin = 0.0);
 
+/// The same of two sets.
+std::size_t expect_as_rows(const ElementView& first, const ElementView& second,
+                           const Domain& domain, double margin = 0.0);
+
 }  // namespace abut::testing

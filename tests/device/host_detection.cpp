@@ -59,7 +59,8 @@ HostAnswer open_answer(const ElementView& spheres, double margin, const HostRun&
 template <int Dim>
 HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
   const bool is_double = spheres.precision() == Precision::float64;
-  if (!device::DeviceRequest{.lattice = elements::lattice_of(run.domain)}.is_periodic(Dim)) {
+  if (run.second == nullptr &&
+      !device::DeviceRequest{.lattice = elements::lattice_of(run.domain)}.is_periodic(Dim)) {
     return is_double ? open_answer<Dim, double>(spheres, margin, run, wanted)
                      : open_answer<Dim, float>(spheres, margin, run, wanted);
   }
@@ -67,8 +68,8 @@ HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run,
                       [&](HostExecutor& executor, const device::DeviceRequest& request,
                           base::ProgressReporter& progress) {
                         return device::PeriodicPipeline<Dim, HostExecutor>(
-                            executor, device::columns_of<Dim, device::EitherNumber>(spheres),
-                            request, progress);
+                            executor, device::joined_columns_of<Dim>(spheres, run.second), request,
+                            progress);
                       });
 }
 

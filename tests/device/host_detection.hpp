@@ -26,6 +26,7 @@ struct HostRun {
   ProgressHook progress = {};
   Domain domain = Domain::open();
   Shifts shifts = Shifts::none;
+  const ElementView* second = nullptr;  ///< the second of two sets
 };
 
 struct HostAnswer {

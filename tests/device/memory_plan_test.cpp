@@ -68,7 +68,7 @@ TEST(DeviceMemory, FollowsElementsAndPairs) {
 /// A part of a scene in a cell about it, as given and some cells out.
 TEST(DeviceMemory, FollowsGhostsAndShifts) {
   for (const char* name : {"dense", "log_uniform", "graded", "one_giant", "touching_fcc"}) {
-    scenes::Scene scene = scenes::scene_named(name).make(6000, 5);
+    scenes::Scene scene = scenes::scene_named(name).make(2000, 5);
     const double side = *std::max_element(scene.x.begin(), scene.x.end());
     for (const bool is_moved : {false, true}) {
       SCOPED_TRACE(::testing::Message() << name << (is_moved ? ", some cells out" : ""));

@@ -113,9 +113,9 @@ TEST(DevicePeriodic, Lattices) {
 
 /// Levels of cells among locals and ghosts, and a few that are large beside the cell.
 TEST(DevicePeriodic, Sizes) {
-  check(Domain::periodic({1.0, 1.0, 1.0}), 3, 600, 0.3, 100.0);
-  check(Domain::periodic({1.0, 1.0}), 2, 600, 0.3, 1000.0);
-  check(Domain::lattice({1, 0.25}, {0.8, 0.75}), 2, 400, 0.2, 100.0, 0.01);
+  check(Domain::periodic({1.0, 1.0, 1.0}), 3, 250, 0.3, 100.0);
+  check(Domain::periodic({1.0, 1.0}), 2, 250, 0.3, 1000.0);
+  check(Domain::lattice({1, 0.25}, {0.8, 0.75}), 2, 250, 0.2, 100.0, 0.01);
   Scene scene = random_scene(Domain::open(), 3, 2000, 0.03, 1.0, 0, 5);
   scene.radius[1000] = 0.45;
   EXPECT_GT(expect_as_rows(view_of(scene), Domain::periodic({1.0, 1.0, 1.0})), 2500U);

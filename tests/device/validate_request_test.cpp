@@ -20,11 +20,14 @@ namespace {
 
 using scenes::Scene;
 
+void validate(const Options& options, const ElementView& elements, const Domain& domain) {
+  device::validate_request(options, {elements}, domain);
+}
+
 void expect_refused(std::initializer_list<std::string_view> words, const Options& options,
                     const Domain& domain = Domain::open()) {
   const Scene scene = scenes::scene_named("dense").make(10, 1);
-  expect_error(ErrorCode::wrong_usage, words,
-               [&] { device::validate_request(options, view_of(scene), domain); });
+  expect_error(ErrorCode::wrong_usage, words, [&] { validate(options, view_of(scene), domain); });
 }
 
 TEST(DeviceRequests, WhatWorksIsTaken) {
@@ -33,7 +36,7 @@ TEST(DeviceRequests, WhatWorksIsTaken) {
     for (const Order order : {Order::canonical, Order::as_found}) {
       const Options options{
           .algorithm = algorithm, .order = order, .margin = 0.5, .max_pairs = 3, .max_bytes = 1};
-      EXPECT_NO_THROW(device::validate_request(options, view_of(scene), Domain::open()));
+      EXPECT_NO_THROW(validate(options, view_of(scene), Domain::open()));
     }
   }
 }
@@ -43,25 +46,34 @@ TEST(DeviceRequests, WhatWaitsIsRefusedByName) {
   expect_refused({"sorting_array", "rows"}, {.algorithm = Algorithm::sorting_array});
   const scenes::BoxScene boxes = scenes::boxes_in(scenes::scene_named("dense").make(10, 1), 1);
   expect_error(ErrorCode::wrong_usage, {"boxes", "abut::Detector"},
-               [&] { device::validate_request({}, view_of(boxes), Domain::open()); });
+               [&] { validate({}, view_of(boxes), Domain::open()); });
 }
 
 TEST(DeviceRequests, DomainsAreOfTheElements) {
   const Scene scene = scenes::scene_named("dense").make(10, 1);
   const Options options{.shifts = Shifts::stored};
-  EXPECT_NO_THROW(
-      device::validate_request(options, view_of(scene), Domain::periodic({9.0, 9.0, 9.0})));
+  EXPECT_NO_THROW(validate(options, view_of(scene), Domain::periodic({9.0, 9.0, 9.0})));
   expect_refused({"a domain of 2 dimensions for elements of 3"}, options,
                  Domain::periodic({9.0, 9.0}));
+}
+
+TEST(DeviceRequests, TwoSetsAreAlike) {
+  const Scene scene = scenes::scene_named("dense").make(10, 1);
+  const Scene flat = scenes::scene_named("gas_2d").make(10, 1);
+  const ElementView spheres = view_of(scene);
+  const ElementView discs = view_of(flat);
+  EXPECT_NO_THROW(device::validate_request({}, {spheres, &spheres}, Domain::open()));
+  expect_error(ErrorCode::wrong_usage, {"the same number of dimensions"}, [&] {
+    device::validate_request({}, {spheres, &discs}, Domain::open());
+  });
 }
 
 TEST(DeviceRequests, MarginsAreThoseOfTheLibrary) {
   const Scene scene = scenes::scene_named("dense").make(10, 1);
   for (const double margin :
        {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    expect_error(ErrorCode::invalid_input, {"margin = ", "finite and not negative"}, [&] {
-      device::validate_request({.margin = margin}, view_of(scene), Domain::open());
-    });
+    expect_error(ErrorCode::invalid_input, {"margin = ", "finite and not negative"},
+                 [&] { validate({.margin = margin}, view_of(scene), Domain::open()); });
   }
 }
 

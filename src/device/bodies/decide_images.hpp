@@ -14,8 +14,8 @@ namespace abut::device {
 
 /// All stages of the predicate with a lattice. Nothing for a pair within reach whose shift exceeds
 /// 2^31 - 1: it must be refused.
-template <int Dim, class T>
-[[nodiscard]] ABUT_HD std::optional<bool> decide_at_last(const PeriodicSpheres<Dim, T>& spheres,
+template <int Dim>
+[[nodiscard]] ABUT_HD std::optional<bool> decide_at_last(const PeriodicSpheres<Dim>& spheres,
                                                          const ContactPair& pair,
                                                          double margin) noexcept {
   const exact::Sphere<Dim> a = spheres.elements[pair.first];

@@ -53,9 +53,11 @@ struct JoinCellExtents {
 };
 
 /// Body: moves element k into the cell, and notes by how many cells.
-template <int Dim, class T>
+template <class Given>
 struct WrapElement {
-  SphereColumns<Dim, T> elements;
+  static constexpr int Dim = Given::dimensions;
+
+  Given elements;
   lattice::Wrapper<Dim> wrapper;
   double unit;  ///< lattice::unit_of
   lattice::CellsMoved* cells_moved;
@@ -74,9 +76,9 @@ struct WrapElement {
 };
 
 /// Body of a reduction: the number of an element that lies too many cells out; else that of none.
-template <int Dim, class T>
+template <class Given>
 struct FarElement {
-  WrapElement<Dim, T> wrapping;
+  WrapElement<Given> wrapping;
 
   [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint64_t k) const noexcept {
     lattice::CellsMoved cells{};
@@ -85,9 +87,9 @@ struct FarElement {
 };
 
 /// Body of a reduction: the number of an element of that radius; else that of none.
-template <int Dim, class T>
+template <class Given>
 struct ElementOfRadius {
-  SphereColumns<Dim, T> elements;
+  Given elements;
   double radius;
 
   [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint64_t k) const noexcept {

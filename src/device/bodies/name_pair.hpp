@@ -18,7 +18,8 @@ namespace abut::device {
   return shift.z > 0;
 }
 
-/// Body: turns pair k of locals and ghosts into one of elements, and tells its shift.
+/// Body: turns pair k of locals and ghosts into one of elements, each numbered in its set, and
+/// tells its shift.
 template <class Spheres>
 struct NamePair {
   Spheres elements;
@@ -29,11 +30,14 @@ struct NamePair {
     const ContactPair pair = pairs[k];
     const std::uint32_t first = pair.first;
     const std::uint32_t second = elements.element_of(pair.second);
-    pairs[k] = first < second ? ContactPair{first, second} : ContactPair{second, first};
+    const auto& given = elements.given();
+    const bool turned = given.is_of_two_sets ? !given.is_in_first(first) : second < first;
+    const std::uint32_t before = given.is_of_two_sets ? given.first.count : 0;
+    pairs[k] = turned ? ContactPair{second, first - before} : ContactPair{first, second - before};
     if (shifts == nullptr) return;
     const ImageShift shift = elements.shift_of(pair);
-    const bool in_order = first < second || (first == second && is_positive(shift));
-    shifts[k] = in_order ? shift : base::opposite(shift);
+    const bool is_own = first == second && !is_positive(shift);
+    shifts[k] = turned || is_own ? base::opposite(shift) : shift;
   }
 };
 

@@ -3,7 +3,7 @@
 #include "base/host_device.hpp"
 #include "base/opposite_shift.hpp"
 #include "device/bodies/filter_verdict.hpp"
-#include "device/bodies/sphere_columns.hpp"
+#include "device/bodies/joined_columns.hpp"
 #include "exact/far_image.hpp"
 #include "exact/lattice.hpp"
 #include "lattice/ghost_windows.hpp"
@@ -34,13 +34,14 @@ struct ImageMap {
   exact::Lattice given;
 };
 
-/// The elements of a periodic domain as a search in open space takes them: the elements themselves
-/// in about one cell, the locals, whose numbers are theirs, and behind them the ghosts. Nothing but
+/// The elements of one or two sets in a periodic domain as a search in open space takes them: the
+/// elements themselves in about one cell, the locals, whose numbers are theirs, and behind them the
+/// ghosts; in an open domain the elements where they are. Nothing but
 /// the numbers of a ghost is stored: positions are computed from the caller's whenever they are
 /// asked for, always by the same sequence.
-template <int Dim, class T>
+template <int Dim>
 struct PeriodicSpheres {
-  using Given = SphereColumns<Dim, T>;
+  using Given = JoinedColumns<Dim>;
   static constexpr int dimensions = Dim;
 
   Given elements;
@@ -96,13 +97,15 @@ struct PeriodicSpheres {
 
   [[nodiscard]] ABUT_HD bool decides_all() const noexcept { return map.shifts_always_fit; }
 
-  /// Two ghosts, and a local element with a ghost that does not count for it, are found elsewhere,
-  /// too. Where shifts may be too large, all pairs are decided one by one.
+  /// Elements of one of two sets are no pair. Two ghosts, and a local element with a ghost that
+  /// does not count for it, are found elsewhere, too. Where shifts may be too large, all pairs are
+  /// decided one by one.
   [[nodiscard]] ABUT_HD FilterVerdict counted(std::uint32_t one, std::uint32_t other,
                                               FilterVerdict verdict) const noexcept {
     const std::uint32_t local = one < other ? one : other;
     const std::uint32_t second = one < other ? other : one;
     if (local >= elements.count) return FilterVerdict::apart;
+    if (!elements.may_pair(local, element_of(second))) return FilterVerdict::apart;
     if (map.has_large && second >= elements.count &&
         !counts(local, ghosts[second - elements.count])) {
       return FilterVerdict::apart;

@@ -68,14 +68,14 @@ class CudaBackend final : public Backend {
   /// What goes with the members is memory of this device.
   ~CudaBackend() override { static_cast<void>(cudaSetDevice(device_)); }
 
-  Answer list(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+  Answer list(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
               const Stream& stream, base::ProgressReporter& progress) override {
     return answer(spheres, request, max_bytes, stream, [&](const auto& columns) {
       return list_on_device(*executor_, columns, request, progress);
     });
   }
 
-  Answer count(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+  Answer count(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
                const Stream& stream, base::ProgressReporter& progress) override {
     return answer(spheres, request, max_bytes, stream, [&](const auto& columns) {
       return count_on_device(*executor_, columns, request, progress);
@@ -115,27 +115,31 @@ class CudaBackend final : public Backend {
 
  private:
   template <class Call>
-  Answer answer(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+  Answer answer(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
                 const Stream& stream, const Call& call) {
     const CurrentDevice current(device_);
     found_ = {};
     const auto handle = static_cast<cudaStream_t>(stream.handle);
     require_no_earlier_error(handle);
-    require_device_columns(spheres, device_);
+    require_device_columns(spheres.first, device_);
+    if (spheres.second != nullptr) require_device_columns(*spheres.second, device_);
     memory_.begin(max_bytes, stream);
     executor_.emplace(memory_, handle);
-    found_ = spheres.dimensions() == 2 ? found<2>(spheres, request, call)
-                                       : found<3>(spheres, request, call);
+    found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, call)
+                                             : found<3>(spheres, request, call);
     return {found_.pairs.data(),    found_.shifts.data(),   found_.count,
             found_.exact_decisions, found_.candidate_tests, memory_.peak()};
   }
 
   template <int Dim, class Call>
-  static FoundList<CudaExecutor> found(const ElementView& spheres, const DeviceRequest& request,
+  static FoundList<CudaExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
                                        const Call& call) {
-    if (request.is_periodic(Dim)) return call(columns_of<Dim, EitherNumber>(spheres));
-    return spheres.precision() == Precision::float64 ? call(columns_of<Dim, double>(spheres))
-                                                     : call(columns_of<Dim, float>(spheres));
+    const ElementView& first = spheres.first;
+    if (spheres.second != nullptr || request.is_periodic(Dim)) {
+      return call(joined_columns_of<Dim>(first, spheres.second));
+    }
+    return first.precision() == Precision::float64 ? call(columns_of<Dim, double>(first))
+                                                   : call(columns_of<Dim, float>(first));
   }
 
   int device_;

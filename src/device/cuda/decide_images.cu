@@ -11,9 +11,7 @@ void CudaExecutor::for_each(std::uint64_t count, const DecideOpen<Spheres>& body
   run(count, body);
 }
 
-template void CudaExecutor::for_each(std::uint64_t,
-                                     const DecideOpen<PeriodicSpheres<2, EitherNumber>>&);
-template void CudaExecutor::for_each(std::uint64_t,
-                                     const DecideOpen<PeriodicSpheres<3, EitherNumber>>&);
+template void CudaExecutor::for_each(std::uint64_t, const DecideOpen<PeriodicSpheres<2>>&);
+template void CudaExecutor::for_each(std::uint64_t, const DecideOpen<PeriodicSpheres<3>>&);
 
 }  // namespace abut::device

@@ -2,6 +2,7 @@
 
 #include "base/memory_meter.hpp"
 #include "base/progress_reporter.hpp"
+#include "device/bodies/joined_columns.hpp"
 #include "device/bodies/sphere_columns.hpp"
 #include "device/cuda/cuda_executor.cuh"
 #include "device/device_request.hpp"
@@ -23,15 +24,17 @@ template <int Dim, class T>
                                                       const DeviceRequest& request,
                                                       base::ProgressReporter& progress);
 
-/// The same in a periodic domain.
+/// The same in a periodic domain, and of two sets.
 template <int Dim>
-[[nodiscard]] FoundList<CudaExecutor> list_on_device(
-    CudaExecutor& executor, const SphereColumns<Dim, EitherNumber>& spheres,
-    const DeviceRequest& request, base::ProgressReporter& progress);
+[[nodiscard]] FoundList<CudaExecutor> list_on_device(CudaExecutor& executor,
+                                                     const JoinedColumns<Dim>& spheres,
+                                                     const DeviceRequest& request,
+                                                     base::ProgressReporter& progress);
 
 template <int Dim>
-[[nodiscard]] FoundList<CudaExecutor> count_on_device(
-    CudaExecutor& executor, const SphereColumns<Dim, EitherNumber>& spheres,
-    const DeviceRequest& request, base::ProgressReporter& progress);
+[[nodiscard]] FoundList<CudaExecutor> count_on_device(CudaExecutor& executor,
+                                                      const JoinedColumns<Dim>& spheres,
+                                                      const DeviceRequest& request,
+                                                      base::ProgressReporter& progress);
 
 }  // namespace abut::device

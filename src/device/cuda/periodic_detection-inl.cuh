@@ -6,16 +6,14 @@
 namespace abut::device {
 
 template <int Dim>
-FoundList<CudaExecutor> list_on_device(CudaExecutor& executor,
-                                       const SphereColumns<Dim, EitherNumber>& spheres,
+FoundList<CudaExecutor> list_on_device(CudaExecutor& executor, const JoinedColumns<Dim>& spheres,
                                        const DeviceRequest& request,
                                        base::ProgressReporter& progress) {
   return PeriodicPipeline<Dim, CudaExecutor>(executor, spheres, request, progress).list();
 }
 
 template <int Dim>
-FoundList<CudaExecutor> count_on_device(CudaExecutor& executor,
-                                        const SphereColumns<Dim, EitherNumber>& spheres,
+FoundList<CudaExecutor> count_on_device(CudaExecutor& executor, const JoinedColumns<Dim>& spheres,
                                         const DeviceRequest& request,
                                         base::ProgressReporter& progress) {
   return PeriodicPipeline<Dim, CudaExecutor>(executor, spheres, request, progress).count();

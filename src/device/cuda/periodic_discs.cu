@@ -2,11 +2,9 @@
 
 namespace abut::device {
 
-template FoundList<CudaExecutor> list_on_device(CudaExecutor&,
-                                                const SphereColumns<2, EitherNumber>&,
+template FoundList<CudaExecutor> list_on_device(CudaExecutor&, const JoinedColumns<2>&,
                                                 const DeviceRequest&, base::ProgressReporter&);
-template FoundList<CudaExecutor> count_on_device(CudaExecutor&,
-                                                 const SphereColumns<2, EitherNumber>&,
+template FoundList<CudaExecutor> count_on_device(CudaExecutor&, const JoinedColumns<2>&,
                                                  const DeviceRequest&, base::ProgressReporter&);
 
 }  // namespace abut::device

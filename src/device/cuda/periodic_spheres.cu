@@ -2,11 +2,9 @@
 
 namespace abut::device {
 
-template FoundList<CudaExecutor> list_on_device(CudaExecutor&,
-                                                const SphereColumns<3, EitherNumber>&,
+template FoundList<CudaExecutor> list_on_device(CudaExecutor&, const JoinedColumns<3>&,
                                                 const DeviceRequest&, base::ProgressReporter&);
-template FoundList<CudaExecutor> count_on_device(CudaExecutor&,
-                                                 const SphereColumns<3, EitherNumber>&,
+template FoundList<CudaExecutor> count_on_device(CudaExecutor&, const JoinedColumns<3>&,
                                                  const DeviceRequest&, base::ProgressReporter&);
 
 }  // namespace abut::device

@@ -2,7 +2,7 @@
 
 namespace abut::device {
 
-template <int Dim, class T>
+template <int Dim>
 struct PeriodicSpheres;
 
 /// Threads of a block. Not measured yet: no device has run this.
@@ -10,8 +10,8 @@ inline constexpr unsigned threads_of_block = 256;
 /// Whether a body computes positions of periodic images.
 template <class Body>
 inline constexpr bool has_images = false;
-template <int Dim, class T>
-inline constexpr bool has_images<PeriodicSpheres<Dim, T>> = true;
+template <int Dim>
+inline constexpr bool has_images<PeriodicSpheres<Dim>> = true;
 template <template <class...> class Body, class... Parts>
 inline constexpr bool has_images<Body<Parts...>> = (has_images<Parts> || ...);
 

@@ -142,7 +142,7 @@ class Detection {
   void decide(ContactPair* doubtful, std::uint64_t count) {
     executor_.for_each(count, DecideMost<Spheres>{spheres_, request_.margin, doubtful});
     executor_.for_each(count, DecideOpen<Spheres>{spheres_, request_.margin, doubtful});
-    if (spheres_.decides_all()) return;
+    if (count == 0 || spheres_.decides_all()) return;
     const std::uint64_t open =
         executor_.reduce(count, PlaceOfOpenPair::no_place, PlaceOfOpenPair{doubtful}, Smaller{});
     if (open == PlaceOfOpenPair::no_place) return;

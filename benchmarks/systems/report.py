@@ -72,7 +72,7 @@ def neighbor_lists(rows):
 
 
 # Rows that the page leaves out: they are in the table's file.
-NOT_SHOWN = {"needs_rebuild() an element", "liquid: shifts too"}
+NOT_SHOWN = {"distance", "needs_rebuild() an element", "liquid: shifts too"}
 
 
 def pair_geometry(rows):

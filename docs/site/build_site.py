@@ -20,7 +20,7 @@ ROOT = HERE.parents[1]
 # The pages of the reference, and the headers on each.
 REFERENCE = {
     "Finding contact pairs": ["detect", "two_sets", "options", "progress", "statistics", "error"],
-    "Elements": ["element_view", "points", "column", "fit_boxes"],
+    "Elements": ["element_view", "points", "column", "fit_boxes", "simplex_contacts"],
     "Domains": ["domain", "image_shift"],
     "Results": ["pair", "pair_list", "neighbor_list"],
     "From a contact to a force": ["measure", "quantity", "pair_geometry"],
@@ -35,7 +35,7 @@ REFERENCE = {
         "wall_history",
     ],
     "Algorithms and instruction sets": ["algorithm", "simd"],
-    "Devices": ["device"],
+    "Devices": ["device", "device_elements"],
     "A look inside": ["trace", "version"],
 }
 # Headers with a name space of their own, of the same name.

@@ -81,13 +81,13 @@ class HostBackend final : public Backend {
   explicit HostBackend(Allocator allocator)
       : memory_(allocator.allocate ? std::move(allocator) : allocator_of_blocks()) {}
 
-  Answer list(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+  Answer list(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
               const Stream& stream, base::ProgressReporter& progress) override {
     return answer(spheres, request, max_bytes, stream, progress,
                   [](auto pipeline) { return pipeline.list(); });
   }
 
-  Answer count(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+  Answer count(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
                const Stream& stream, base::ProgressReporter& progress) override {
     return answer(spheres, request, max_bytes, stream, progress,
                   [](auto pipeline) { return pipeline.count(); });
@@ -111,31 +111,32 @@ class HostBackend final : public Backend {
 
  private:
   template <class Call>
-  Answer answer(const ElementView& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
+  Answer answer(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
                 const Stream& stream, base::ProgressReporter& progress, const Call& call) {
     found_ = {};
-    require_on_device(spheres);
+    require_on_device(spheres.first);
+    if (spheres.second != nullptr) require_on_device(*spheres.second);
     memory_.begin(max_bytes, stream);
     executor_.emplace(memory_, ItemOrder::shuffled, 2);
-    found_ = spheres.dimensions() == 2 ? found<2>(spheres, request, progress, call)
-                                       : found<3>(spheres, request, progress, call);
+    found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, progress, call)
+                                             : found<3>(spheres, request, progress, call);
     return {found_.pairs.data(),    found_.shifts.data(),   found_.count,
             found_.exact_decisions, found_.candidate_tests, memory_.peak()};
   }
 
   template <int Dim, class Call>
-  FoundList<HostExecutor> found(const ElementView& spheres, const DeviceRequest& request,
+  FoundList<HostExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
                                 base::ProgressReporter& progress, const Call& call) {
-    if (request.is_periodic(Dim)) {
+    const ElementView& first = spheres.first;
+    if (spheres.second != nullptr || request.is_periodic(Dim)) {
       return call(PeriodicPipeline<Dim, HostExecutor>(
-          *executor_, columns_of<Dim, EitherNumber>(spheres), request, progress));
+          *executor_, joined_columns_of<Dim>(first, spheres.second), request, progress));
     }
     const auto in_open_space = [&]<class T>(SphereColumns<Dim, T> columns) {
       return call(Pipeline<Dim, T, HostExecutor>(*executor_, columns, request, progress));
     };
-    return spheres.precision() == Precision::float64
-               ? in_open_space(columns_of<Dim, double>(spheres))
-               : in_open_space(columns_of<Dim, float>(spheres));
+    return first.precision() == Precision::float64 ? in_open_space(columns_of<Dim, double>(first))
+                                                   : in_open_space(columns_of<Dim, float>(first));
   }
 
   KeptMemory memory_;

@@ -86,6 +86,13 @@ NOT_NEEDED = {
     "simd_variable": "ABUT_SIMD works in Python, too",
     "version": "__version__",
     "CandidateList": "loops over candidates are for compiled code: Detector with a skin",
+    **dict.fromkeys(
+        [
+            *("SharedVertices", "SimplexView", "find_simplex_contacts", "simplices_2d"),
+            *("simplices_3d", "touching"),
+        ],
+        "simplices are not in Python yet",
+    ),
     # Of namespace trace
     **dict.fromkeys(
         [

@@ -38,8 +38,8 @@ REFERENCE = {
     "Devices": ["device", "device_elements"],
     "A look inside": ["trace", "version"],
 }
-# Headers with a name space of their own, of the same name.
-SPACES = ("trace", "device")
+# Headers whose names lie in a name space within abut.
+SPACES = {"trace": "trace", "device": "device", "device_elements": "device"}
 REFERENCE_HEAD = """The C++ interface
 =================
 
@@ -73,7 +73,7 @@ def simplify(xml):
     for path in xml.glob("*.xml"):
         text = re.sub(r"\s*<includes .*?</includes>", "", path.read_text(encoding="utf-8"))
         if path.name.startswith(("class", "struct")):
-            text = re.sub(rf"<compoundname>abut::(({'|'.join(SPACES)})::)?", "<compoundname>", text)
+            text = re.sub(rf"<compoundname>abut::(({'|'.join(set(SPACES.values()))})::)?", "<compoundname>", text)
         path.write_text(text, encoding="utf-8")
 
 
@@ -148,7 +148,7 @@ def write_reference(folder, xml):
         name = title.lower().replace(" ", "_")
         text = heading(f"Interface: {title[0].lower()}{title[1:]}", "=")
         for header in headers:
-            space = f"abut::{header}" if header in SPACES else "abut"
+            space = "::".join(["abut", *filter(None, [SPACES.get(header)])])
             text += heading(f"abut/{header}.hpp", "-") + f".. cpp:namespace:: {space}\n\n"
             text += of_header.get(header, "")
             text += f".. doxygengroup:: {header}\n   :content-only:\n   :members:\n\n"

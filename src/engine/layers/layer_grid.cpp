@@ -21,9 +21,6 @@ constexpr double wide_cell = 1.5;
 /// least, that workers may share out.
 constexpr double most_elements_of_strip = 4096.0;
 constexpr double least_strips = 24.0;
-/// A strip has 2^11 rows at most: as many as an axis may have cells. Positions are shifted by less
-/// than their 32 bits.
-constexpr int most_strip_bits = 11;
 
 /// Cells of the size that the reach needs, for each element, up to which they are not widened: that
 /// many empty ones cost less than elements that share cells.
@@ -146,11 +143,12 @@ void LayerGrid<Dim>::set_reach(kernels::LayerPair& layers) const noexcept {
 /// Joins rows to strips of 2^k rows each.
 template <int Dim>
 void LayerGrid<Dim>::join_rows(std::size_t elements) {
-  const auto count = static_cast<double>(elements);
+  const auto count = static_cast<double>(std::max<std::size_t>(elements, 1));
   const double in_row = count / static_cast<double>(rows_);
   const double in_strip = std::min(most_elements_of_strip, count / least_strips);
+  // An axis has less than 2^11 cells: strips of a 24th of them are shifted by 6 bits at most.
   int bits = 0;
-  while (bits < most_strip_bits && in_row * std::ldexp(1.0, bits + 1) <= in_strip) ++bits;
+  while (in_row * std::ldexp(1.0, bits + 1) <= in_strip) ++bits;
   layers_ = ((rows_ - 1) >> bits) + 1;
   row_mask_ = (std::uint32_t{1} << bits) - 1;
   map_.layer_shift += bits;

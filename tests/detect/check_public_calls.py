@@ -1,5 +1,6 @@
-"""Checks that the table of public calls (public_calls.cpp) has all that the library exports and that
-may run out of memory: python3 check_public_calls.py LIBRARY TABLE. Prints what is missing."""
+"""Checks that the tables of public calls (public_calls.cpp and what it adds) have all that the library
+exports and that may run out of memory: python3 check_public_calls.py LIBRARY TABLE... Prints what is
+missing."""
 
 import collections
 import re
@@ -32,14 +33,16 @@ def exported(library):
     return {name: len(signatures) for name, signatures in forms.items()}
 
 
-def main(library, table):
-    with open(table) as file:
-        rows = collections.Counter(re.findall(r'"(abut::[\w:]+)"', file.read()))
+def main(library, *tables):
+    rows = collections.Counter()
+    for table in tables:
+        with open(table) as file:
+            rows.update(re.findall(r'"(abut::[\w:]+)"', file.read()))
     public = exported(library)
-    wrong = [f"{name}: {rows[name]} rows for {forms} forms; add one to {table}"
+    wrong = [f"{name}: {rows[name]} rows for {forms} forms; add one to {tables[0]}"
              for name, forms in public.items()
              if rows[name] < forms and not NOTHING_ALLOCATED.fullmatch(name)]
-    wrong += [f"{name} is in {table}, but not exported" for name in rows if name not in public]
+    wrong += [f"{name} is in a table, but not exported" for name in rows if name not in public]
     print("\n".join(sorted(wrong)))
     return 1 if wrong or not public else 0
 

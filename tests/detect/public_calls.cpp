@@ -226,12 +226,6 @@ void add_walls(Calls& calls) {
   calls.push_back({"abut::find_mesh_contacts", "of another domain",
                    [&g] { (void)find_mesh_contacts(g.elements, g.joined, g.other_block); },
                    ErrorCode::wrong_usage});
-  calls.push_back({"abut::fit_boxes", "", [&g] { (void)fit_boxes_3d(g.corners, g.faces, 0.1); }});
-  calls.push_back({"abut::fit_boxes", "refused",
-                   [&g] { (void)fit_boxes_3d(g.corners, g.faces, -1.0); },
-                   ErrorCode::invalid_input});
-  calls.push_back({"abut::fit_boxes", "vertex refused",
-                   [&g] { (void)fit_boxes_3d(g.corners, g.bad_faces); }, ErrorCode::invalid_input});
 }
 
 /// Adds one use of a Detector twice, without a skin and with one.
@@ -394,6 +388,7 @@ std::vector<PublicCall> public_calls() {
   add_detector(calls);
   add_history(calls);
   add_wall_history(calls);
+  add_cell_calls(calls);
   return calls;
 }
 

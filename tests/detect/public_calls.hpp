@@ -18,6 +18,9 @@ struct PublicCall {
   std::optional<ErrorCode> refusal = {};  ///< what it throws when there is memory, if anything
 };
 
+/// Adds the calls that take cells: boxes around them, simplices.
+void add_cell_calls(std::vector<PublicCall>& calls);
+
 /// Each public function that may allocate, each of its forms, and what writes a sentence.
 [[nodiscard]] std::vector<PublicCall> public_calls();
 

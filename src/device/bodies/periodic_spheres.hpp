@@ -36,9 +36,9 @@ struct ImageMap {
 
 /// The elements of one or two sets in a periodic domain as a search in open space takes them: the
 /// elements themselves in about one cell, the locals, whose numbers are theirs, and behind them the
-/// ghosts; in an open domain the elements where they are. Nothing but
-/// the numbers of a ghost is stored: positions are computed from the caller's whenever they are
-/// asked for, always by the same sequence.
+/// ghosts; in an open domain the elements where they are. Nothing but the numbers of a ghost is
+/// stored: positions are computed from the caller's whenever they are asked for, always by the same
+/// sequence.
 template <int Dim>
 struct PeriodicSpheres {
   using Given = JoinedColumns<Dim>;

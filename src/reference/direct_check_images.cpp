@@ -43,8 +43,9 @@ class Checker {
     ImageWindow window = window_of(i, j);
     if (window.is_empty()) return;
     lattice::require_narrow_window(window.farthest());
+    const lattice::ImageNumbers middle = window.middle();
     if (i == j) window.first[0] = 0;
-    for_each_image(window, [&](const lattice::ImageNumbers& numbers) {
+    for_each_image(window, middle, [&](const lattice::ImageNumbers& numbers) {
       count_step();
       // Of (i, i, n) and (i, i, -n) one is a pair: look at one of them, name the positive one.
       if (i == j && numbers <= lattice::ImageNumbers{}) return;

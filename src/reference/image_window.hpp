@@ -28,16 +28,34 @@ struct ImageWindow {
     for (std::size_t k = 0; k < 3; ++k) result = std::max({result, -first[k], last[k]});
     return static_cast<double>(result);
   }
+
+  /// The numbers half way between the ends.
+  [[nodiscard]] lattice::ImageNumbers middle() const noexcept {
+    lattice::ImageNumbers result{};
+    for (std::size_t k = 0; k < 3; ++k) result[k] = first[k] + (last[k] - first[k]) / 2;
+    return result;
+  }
 };
 
+/// Calls body with each number of the window on axis k: from `start` up, then from `start` down.
 template <class Body>
-void for_each_image(const ImageWindow& window, Body&& body) {
-  lattice::ImageNumbers m{};
-  for (m[0] = window.first[0]; m[0] <= window.last[0]; ++m[0]) {
-    for (m[1] = window.first[1]; m[1] <= window.last[1]; ++m[1]) {
-      for (m[2] = window.first[2]; m[2] <= window.last[2]; ++m[2]) body(m);
-    }
-  }
+void for_each_number(const ImageWindow& window, std::size_t k, std::int64_t start, Body&& body) {
+  for (std::int64_t m = start; m <= window.last[k]; ++m) body(m);
+  for (std::int64_t m = start - 1; m >= window.first[k]; --m) body(m);
+}
+
+/// Calls body with each image of the window, from `start` on. The images within reach lie around
+/// the middle of the window they were looked for in; its corners, which hold none, may be larger
+/// than anyone can wait for. From the middle on, a limit to the number of pairs ends it at once.
+template <class Body>
+void for_each_image(const ImageWindow& window, const lattice::ImageNumbers& start, Body&& body) {
+  for_each_number(window, 0, start[0], [&](std::int64_t m0) {
+    for_each_number(window, 1, start[1], [&](std::int64_t m1) {
+      for_each_number(window, 2, start[2], [&](std::int64_t m2) {
+        body(lattice::ImageNumbers{m0, m1, m2});
+      });
+    });
+  });
 }
 
 /// Farther out than any image shift can be; windows end there.

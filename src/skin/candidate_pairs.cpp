@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
@@ -20,6 +21,9 @@ constexpr std::size_t candidates_of_word = 64;
 constexpr std::size_t words_of_unit = 128;
 constexpr std::uint64_t steps_of_exact_decision = 64;
 constexpr std::size_t candidates_of_unit = 64 * CandidateWriter::most;
+
+/// Shifts that can be numbered.
+constexpr double most_shifts = std::numeric_limits<ShiftNumber>::max();
 
 /// The least and the largest number on each axis.
 struct ShiftRange {
@@ -71,6 +75,19 @@ CandidatePairs<Dim>::CandidatePairs(base::MemoryMeter& memory)
       found_shifts_(base::make_array_for_overwrite<ShiftNumber>(memory, 0)),
       slots_(base::make_array_for_overwrite<kernels::QuantumSphere>(memory, 0)),
       survivors_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
+
+/// The sum of its components bounds the length of a vector a, so shifts 1 to margin / sum along a
+/// belong to candidates; all axes together give the least box of shifts that number_shifts() sees.
+template <int Dim>
+bool CandidatePairs<Dim>::too_many_shifts(const Domain& domain, double margin) noexcept {
+  double count = 1.0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!domain.is_periodic(axis)) continue;
+    const Domain::Vector& a = domain.vector(axis);
+    count *= 1.0 + std::floor(margin / (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2])));
+  }
+  return count > most_shifts;
+}
 
 template <int Dim>
 base::PairSink& CandidatePairs<Dim>::start_anew(std::size_t elements, bool periodic) {
@@ -138,7 +155,7 @@ bool CandidatePairs<Dim>::number_shifts(const DisplacementTracker<Dim>& placing,
   };
   ShiftRange range;
   for_each_shift([&](const auto& shift) { range.include(shift); });
-  if (range.count() > std::numeric_limits<ShiftNumber>::max()) return false;
+  if (range.count() > most_shifts) return false;
   base::make_room(found_shifts_, found_.size());
   std::size_t next = 0;
   for_each_shift([&](const auto& shift) {

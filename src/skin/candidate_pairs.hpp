@@ -31,6 +31,11 @@ class CandidatePairs {
     return (PairCount{1} << 16) + PairCount{512} * elements;
   }
 
+  /// True if the images of one element within the margin, by whole lattice vectors of one axis
+  /// each, alone span more shifts than can be numbered: the candidates could not be kept, and to
+  /// look at all their images could take forever.
+  [[nodiscard]] static bool too_many_shifts(const Domain& domain, double margin) noexcept;
+
   /// Drops all candidates and returns the sink to which a search delivers those of so many
   /// elements.
   [[nodiscard]] base::PairSink& start_anew(std::size_t elements, bool periodic);

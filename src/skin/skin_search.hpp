@@ -150,6 +150,7 @@ bool SkinSearch<Dim>::find_candidates(const ElementsNow<Dim>& now, const NamedEl
     skin_ = next_skin(2.0 * tracker_->mean_radius() + now.margin);
     margin_ = now.margin + skin_;
     if (!(margin_ < std::numeric_limits<double>::infinity())) return false;
+    if (CandidatePairs<Dim>::too_many_shifts(now.domain, margin_)) return false;
     search(margin_, candidates_->start_anew(now.spheres.size(), now.domain.is_periodic()));
     if (!candidates_->finish(now, *tracker_)) return false;
     remember(named);

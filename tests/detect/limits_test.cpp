@@ -61,6 +61,29 @@ TEST(MaxPairs, ZeroDoesWhereNothingTouches) {
   EXPECT_TRUE(find_contact_pairs(view_of(scene), Domain::open(), options).empty());
 }
 
+/// Within 10^8 cells lie 10^25 images, and the corners of the block around them, where a search
+/// must not begin, hold none.
+TEST(MaxPairs, IsReachedAtOnceAmongMoreImagesThanCanBeVisited) {
+  const std::vector<double> x{0.1, 0.5};
+  const std::vector<double> y{0.9, 0.2};
+  const ElementView pair = spheres(x, y, x, 0.1);
+  Options options;
+  options.margin = 1e8;
+  options.max_pairs = 1000;
+  for (const Domain& domain :
+       {Domain::periodic({1.0, 2.0, 3.0}), Domain::periodic({1.0, 1.0, unbounded}),
+        Domain::lattice({1, 0, 0}, {0.5, 1, 0}, {-0.5, 0.4, 1})}) {
+    for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {
+      SCOPED_TRACE(std::string(name_of(algorithm)));
+      options.algorithm = algorithm;
+      expect_error(ErrorCode::limit_exceeded, {"1000"},
+                   [&] { static_cast<void>(find_contact_pairs(pair, domain, options)); });
+      expect_error(ErrorCode::limit_exceeded, {"1000"},
+                   [&] { static_cast<void>(count_contact_pairs(pair, domain, options)); });
+    }
+  }
+}
+
 /// The bound is exact: the peak of an unbounded run is enough, a byte less is not.
 TEST(MaxBytes, ThePeakIsTheLeastThatDoes) {
   for (const char* name : {"hexagonal_2d", "dense"}) {

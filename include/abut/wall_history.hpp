@@ -53,6 +53,8 @@ class ABUT_API WallMatcher {
 
   WallMatcher();
   ~WallMatcher();
+  WallMatcher(const WallMatcher&) = delete;
+  WallMatcher& operator=(const WallMatcher&) = delete;
   WallMatcher(WallMatcher&&) noexcept;
   WallMatcher& operator=(WallMatcher&&) noexcept;
 

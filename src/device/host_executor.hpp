@@ -26,6 +26,7 @@ class HostExecutor {
   HostExecutor(KeptMemory& memory, ItemOrder order, std::size_t workers)
       : kept_(&memory), order_(order), workers_(workers) {}
 
+  ~HostExecutor() = default;
   HostExecutor(const HostExecutor&) = delete;
   HostExecutor& operator=(const HostExecutor&) = delete;
 

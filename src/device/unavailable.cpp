@@ -9,6 +9,7 @@
 
 namespace abut::device {
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a build with CUDA keeps the allocator
 std::unique_ptr<Backend> open_backend(int, Allocator) {
   throw Error(
       ErrorCode::unavailable,

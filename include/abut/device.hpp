@@ -1,12 +1,12 @@
 #pragma once
 
+#include <abut/device_lists.hpp>
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/export.hpp>
-#include <abut/image_shift.hpp>
+#include <abut/neighbor_list.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
-#include <abut/pair_list.hpp>
 #include <abut/statistics.hpp>
 
 #include <cstdint>
@@ -73,41 +73,11 @@ struct MemoryPlan {
   [[nodiscard]] std::uint64_t bytes() const noexcept { return search_bytes + pair_bytes; }
 };
 
-/// Plans the memory of a detection. `pairs` counts the contact pairs and those that must be decided
-/// exactly, which on lattices that touch are all. `elements` counts those of both sets, and in
-/// a periodic domain the ghosts, too, the images of elements near its faces.
+/// Plans the memory of a detection. `pairs` counts the contact pairs, for a full neighbor list each
+/// twice, and those that must be decided exactly, which on lattices that touch are all. `elements`
+/// counts those of both sets, and in a periodic domain the ghosts, too, the images of elements near
+/// its faces.
 [[nodiscard]] ABUT_API MemoryPlan plan(std::uint64_t elements, PairCount pairs);
-
-class Backend;
-
-/// The contact pairs of one detection, in canonical order, in the memory of a device. They belong
-/// to the detector, and are valid in the order of its stream until its next call.
-class ABUT_API PairList {
- public:
-  /// Address of the first pair, in the memory of the device.
-  [[nodiscard]] const ContactPair* data() const noexcept { return pairs_; }
-  /// Address of the first image shift, one for each pair, in the memory of the device. Null unless
-  /// Options::shifts asks for them; zeros in an open domain.
-  [[nodiscard]] const ImageShift* shifts() const noexcept { return shifts_; }
-  /// Number of pairs.
-  [[nodiscard]] PairCount size() const noexcept { return statistics_.contact_pairs; }
-  /// True if there is no pair.
-  [[nodiscard]] bool empty() const noexcept { return size() == 0; }
-  /// Statistics of the detection; peak_bytes are those of the device.
-  [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
-  /// Waits until the pairs are there: for programs that measure, or read them in another stream.
-  void wait() const;
-  /// Copies pairs and shifts to the host, and waits for them.
-  [[nodiscard]] abut::PairList to_host() const;
-
- private:
-  friend class Detector;
-
-  const ContactPair* pairs_ = nullptr;
-  const ImageShift* shifts_ = nullptr;
-  Statistics statistics_;
-  Backend* backend_ = nullptr;
-};
 
 /// Detects the contacts of elements in the memory of one device.
 ///
@@ -146,6 +116,16 @@ class ABUT_API Detector {
   /// of (i, j, image shift of j). The sets may have numbers of different types.
   const PairList& find_contact_pairs(const ElementView& first, const ElementView& second,
                                      const Domain& domain = Domain::open(), Stream stream = {});
+
+  /// Builds a neighbor list: that of abut::build_neighbor_list. The list is valid until the next
+  /// call.
+  const NeighborList& build_neighbor_list(const ElementView& elements, const Domain& domain,
+                                          NeighborListKind kind, Stream stream = {});
+
+  /// Builds a neighbor list with one row for each element of `first` and indices of `second`.
+  const NeighborList& build_neighbor_list(const ElementView& first, const ElementView& second,
+                                          const Domain& domain = Domain::open(),
+                                          Stream stream = {});
 
   /// Counts the contact pairs without storing them.
   Statistics count_contact_pairs(const ElementView& elements, const Domain& domain = Domain::open(),

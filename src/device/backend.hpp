@@ -31,8 +31,11 @@ class Backend {
   /// What a detection leaves: arrays are memory of the device, valid until the next detection.
   struct Answer {
     const ContactPair* pairs = nullptr;
-    const ImageShift* shifts = nullptr;  ///< of the pairs, where they are asked for
-    std::uint64_t count = 0;
+    const PairCount* offsets = nullptr;  ///< of a neighbor list, which has no pairs
+    const ElementIndex* neighbors = nullptr;
+    const ImageShift* shifts = nullptr;  ///< of the entries, where they are asked for
+    std::uint64_t entries = 0;           ///< pairs, or neighbors of all elements
+    std::uint64_t contact_pairs = 0;
     std::uint64_t exact_decisions = 0;
     std::uint64_t candidate_tests = 0;
     std::uint64_t peak_bytes = 0;
@@ -45,9 +48,8 @@ class Backend {
                                      std::uint64_t max_bytes, const Stream& stream,
                                      base::ProgressReporter& progress) = 0;
 
-  /// Copies what the last answer holds; waits for it.
-  virtual void copy_to_host(ContactPair* target, const ContactPair* pairs, std::uint64_t count) = 0;
-  virtual void copy_to_host(ImageShift* target, const ImageShift* shifts, std::uint64_t count) = 0;
+  /// Copies bytes that the last answer holds; waits for them.
+  virtual void copy_to_host(void* target, const void* source, std::uint64_t bytes) = 0;
 
   /// Waits until the last answer is complete.
   virtual void wait() = 0;

@@ -3,6 +3,7 @@
 #include "device/axis_stretches.hpp"
 #include "device/bodies/check.hpp"
 #include "device/bodies/decide.hpp"
+#include "device/bodies/directory.hpp"
 #include "device/bodies/larger.hpp"
 #include "device/bodies/place.hpp"
 #include "device/checked_elements.hpp"
@@ -132,7 +133,7 @@ class Detection {
     decide(doubtful, totals.doubtful);
     Buffer<ContactPair, E> copy(executor_, totals.doubtful);
     const std::uint64_t kept = keep_contacts(doubtful, copy.data(), totals.doubtful);
-    executor_.for_each(kept, CopyPair{copy.data(), doubtful});
+    executor_.for_each(kept, CopyEntry<ContactPair>{copy.data(), doubtful});
     found.count = totals.certain + kept;
     found.exact_decisions = totals.doubtful;
     found.candidate_tests = totals.tests;

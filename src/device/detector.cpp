@@ -24,11 +24,21 @@ Statistics statistics_of(const Backend::Answer& answer, const SphereSets& sphere
   statistics.elements = spheres.first.size();
   if (spheres.second != nullptr) statistics.elements += spheres.second->size();
   statistics.dimensions = spheres.first.dimensions();
-  statistics.contact_pairs = answer.count;
+  statistics.contact_pairs = answer.contact_pairs;
   statistics.candidate_tests = answer.candidate_tests;
   statistics.exact_decisions = answer.exact_decisions;
   statistics.peak_bytes = answer.peak_bytes;
   return statistics;
+}
+
+/// A copy of an array of the device; none of an array that is not there.
+template <class Array>
+Array copied(Backend* backend, const typename Array::value_type* source, std::size_t size) {
+  Array array(source == nullptr ? 0 : size);
+  if (!array.empty()) {
+    backend->copy_to_host(array.data(), source, array.size() * sizeof(array[0]));
+  }
+  return array;
 }
 
 Allocator whole(Allocator allocator) {
@@ -44,11 +54,14 @@ Allocator whole(Allocator allocator) {
 struct Detector::State {
   Options options;
   std::unique_ptr<Backend> backend;
-  PairList list;
+  PairList pairs = {};
+  NeighborList neighbors = {};
 
-  /// Asks the backend through `call(request, max_bytes, progress)`.
+  /// Asks the backend through `call(request, max_bytes, progress)`. The last list goes first.
   template <class Call>
-  Backend::Answer answer(const SphereSets& spheres, const Domain& domain, Call&& call) const {
+  Backend::Answer answer(const SphereSets& spheres, const Domain& domain, ListForm form,
+                         Call&& call) {
+    forget();
     const base::FloatEnvironment environment;
     return base::reporting_lack_of_memory([&] {
       validate_request(options, spheres, domain);
@@ -59,13 +72,26 @@ struct Detector::State {
       return call(DeviceRequest{.margin = options.margin,
                                 .max_pairs = options.max_pairs,
                                 .shifts = options.shifts,
+                                .form = form,
                                 .lattice = elements::lattice_of(domain)},
                   max_bytes, progress);
     });
   }
 
   const PairList& find(const SphereSets& spheres, const Domain& domain, const Stream& stream);
-  Statistics count(const SphereSets& spheres, const Domain& domain, const Stream& stream) const;
+  const NeighborList& build(const SphereSets& spheres, const Domain& domain, ListForm form,
+                            const Stream& stream);
+  Statistics count(const SphereSets& spheres, const Domain& domain, const Stream& stream);
+
+  Backend::Answer list(const SphereSets& spheres, const Domain& domain, ListForm form,
+                       const Stream& stream);
+
+  /// Empties the lists.
+  void forget() noexcept {
+    pairs = {};
+    neighbors = {};
+    pairs.backend_ = neighbors.backend_ = backend.get();
+  }
 };
 
 void PairList::wait() const {
@@ -74,18 +100,28 @@ void PairList::wait() const {
 
 abut::PairList PairList::to_host() const {
   return base::reporting_lack_of_memory([&] {
-    PairArray pairs(size());
-    if (!empty()) backend_->copy_to_host(pairs.data(), pairs_, size());
-    ShiftArray shifts(shifts_ == nullptr ? 0 : size());
-    if (!shifts.empty()) backend_->copy_to_host(shifts.data(), shifts_, size());
-    return abut::PairList(std::move(pairs), std::move(shifts), statistics_);
+    return abut::PairList(copied<PairArray>(backend_, pairs_, size()),
+                          copied<ShiftArray>(backend_, shifts_, size()), statistics_);
+  });
+}
+
+void NeighborList::wait() const {
+  if (backend_ != nullptr) backend_->wait();
+}
+
+abut::NeighborList NeighborList::to_host() const {
+  using Rows = abut::NeighborList;
+  return base::reporting_lack_of_memory([&] {
+    return Rows(copied<Rows::Offsets>(backend_, offsets_, rows_ + 1),
+                copied<Rows::Neighbors>(backend_, neighbors_, neighbor_count_),
+                copied<ShiftArray>(backend_, shifts_, neighbor_count_), statistics_);
   });
 }
 
 Detector::Detector(Options options, Device device, Allocator allocator)
-    : state_(std::make_unique<State>(State{
-          std::move(options), open_backend(device.number, whole(std::move(allocator))), {}})) {
-  state_->list.backend_ = state_->backend.get();
+    : state_(std::make_unique<State>(
+          State{std::move(options), open_backend(device.number, whole(std::move(allocator)))})) {
+  state_->forget();
 }
 
 Detector::~Detector() = default;
@@ -102,24 +138,38 @@ void Detector::set_options(Options options) {
 
 const PairList& Detector::State::find(const SphereSets& spheres, const Domain& domain,
                                       const Stream& stream) {
-  list.pairs_ = nullptr;
-  list.shifts_ = nullptr;
-  list.statistics_ = {};
-  const Backend::Answer found = answer(
-      spheres, domain,
+  const Backend::Answer found = list(spheres, domain, ListForm::pairs, stream);
+  pairs.pairs_ = found.pairs;
+  pairs.shifts_ = found.shifts;
+  pairs.statistics_ = statistics_of(found, spheres);
+  return pairs;
+}
+
+const NeighborList& Detector::State::build(const SphereSets& spheres, const Domain& domain,
+                                           ListForm form, const Stream& stream) {
+  const Backend::Answer found = list(spheres, domain, form, stream);
+  neighbors.rows_ = spheres.first.size();
+  neighbors.offsets_ = found.offsets;
+  neighbors.neighbors_ = found.neighbors;
+  neighbors.shifts_ = found.shifts;
+  neighbors.neighbor_count_ = found.entries;
+  neighbors.statistics_ = statistics_of(found, spheres);
+  return neighbors;
+}
+
+Backend::Answer Detector::State::list(const SphereSets& spheres, const Domain& domain,
+                                      ListForm form, const Stream& stream) {
+  return answer(
+      spheres, domain, form,
       [&](const DeviceRequest& request, std::uint64_t max_bytes, base::ProgressReporter& progress) {
         return backend->list(spheres, request, max_bytes, stream, progress);
       });
-  list.pairs_ = found.pairs;
-  list.shifts_ = found.shifts;
-  list.statistics_ = statistics_of(found, spheres);
-  return list;
 }
 
 Statistics Detector::State::count(const SphereSets& spheres, const Domain& domain,
-                                  const Stream& stream) const {
+                                  const Stream& stream) {
   const Backend::Answer found = answer(
-      spheres, domain,
+      spheres, domain, ListForm::pairs,
       [&](const DeviceRequest& request, std::uint64_t max_bytes, base::ProgressReporter& progress) {
         return backend->count(spheres, request, max_bytes, stream, progress);
       });
@@ -134,6 +184,18 @@ const PairList& Detector::find_contact_pairs(const ElementView& elements, const 
 const PairList& Detector::find_contact_pairs(const ElementView& first, const ElementView& second,
                                              const Domain& domain, Stream stream) {
   return state_->find({first, &second}, domain, stream);
+}
+
+const NeighborList& Detector::build_neighbor_list(const ElementView& elements, const Domain& domain,
+                                                  NeighborListKind kind, Stream stream) {
+  const ListForm form = kind == NeighborListKind::full ? ListForm::full_rows : ListForm::half_rows;
+  return state_->build({elements}, domain, form, stream);
+}
+
+const NeighborList& Detector::build_neighbor_list(const ElementView& first,
+                                                  const ElementView& second, const Domain& domain,
+                                                  Stream stream) {
+  return state_->build({first, &second}, domain, ListForm::half_rows, stream);
 }
 
 Statistics Detector::count_contact_pairs(const ElementView& elements, const Domain& domain,

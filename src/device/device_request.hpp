@@ -13,12 +13,17 @@ namespace abut::device {
 /// Items of a search between levels that are counted at a time; their counts take 16 bytes each.
 inline constexpr std::uint64_t most_items_at_a_time = std::uint64_t{1} << 21;
 
+/// What a list of contacts holds: pairs, or rows of neighbors, each pair once or from both
+/// elements.
+enum class ListForm { pairs, half_rows, full_rows };
+
 /// What a detection on a device is asked for.
 struct DeviceRequest {
   double margin = 0.0;
   std::uint64_t max_pairs = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t items_at_a_time = most_items_at_a_time;
   Shifts shifts = Shifts::none;
+  ListForm form = ListForm::pairs;
   exact::Lattice lattice = {};
 
   /// Whether elements of so many dimensions have images.

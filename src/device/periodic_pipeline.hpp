@@ -6,9 +6,9 @@
 #include "device/detection.hpp"
 #include "device/device_request.hpp"
 #include "device/executor.hpp"
+#include "device/finish_list.hpp"
 #include "device/found_list.hpp"
 #include "device/image_search.hpp"
-#include "device/order_pairs.hpp"
 
 #include <abut/error.hpp>
 #include <abut/image_shift.hpp>
@@ -31,19 +31,14 @@ class PeriodicPipeline {
                    base::ProgressReporter& progress)
       : executor_(executor), elements_(elements), request_(request), progress_(progress) {}
 
-  /// All contact pairs, in canonical order.
+  /// All contact pairs, in canonical order, in the form that is asked for.
   [[nodiscard]] FoundList<E> list() {
     FoundList<E> found;
     detect([&](auto& detection, const auto& spheres) {
       detection.list(found);
       name(spheres, found);
     });
-    progress_.begin("order", found.count);
-    if (request_.shifts == Shifts::stored) {
-      order_images(executor_, elements_.count, found);
-    } else {
-      order_pairs(executor_, elements_.count, found);
-    }
+    finish_list(executor_, {elements_.count, elements_.first.count}, request_, progress_, found);
     return found;
   }
 

@@ -1,16 +1,12 @@
 #pragma once
 
 #include "base/progress_reporter.hpp"
-#include "device/bodies/directory.hpp"
 #include "device/checked_elements.hpp"
 #include "device/detection.hpp"
 #include "device/device_request.hpp"
 #include "device/executor.hpp"
+#include "device/finish_list.hpp"
 #include "device/found_list.hpp"
-#include "device/order_pairs.hpp"
-
-#include <abut/image_shift.hpp>
-#include <abut/options.hpp>
 
 namespace abut::device {
 
@@ -24,16 +20,11 @@ class Pipeline {
            base::ProgressReporter& progress)
       : executor_(executor), elements_(elements), request_(request), progress_(progress) {}
 
-  /// All contact pairs, in canonical order.
+  /// All contact pairs, in canonical order, in the form that is asked for.
   [[nodiscard]] FoundList<E> list() {
     FoundList<E> found;
     detect([&](auto& detection) { detection.list(found); });
-    progress_.begin("order", found.count);
-    order_pairs(executor_, elements_.count, found);
-    if (request_.shifts == Shifts::stored) {
-      found.shifts = Buffer<ImageShift, E>(executor_, found.count);
-      executor_.for_each(found.count, FillArray<ImageShift>{found.shifts.data(), {}});
-    }
+    finish_list(executor_, {elements_.count, elements_.count}, request_, progress_, found);
     return found;
   }
 

@@ -119,6 +119,25 @@ TEST(FaceMemory, EachAllocationMayFail) {
   }
 }
 
+TEST(FaceMemory, OfNeighborListsMayFail) {
+  const device::ElementCopy copy(view_of(scenes::scene_named("touching_cubic").make(600, 2)));
+  const Domain cell = Domain::periodic({9.0, 9.0, 9.0});
+  CountingAllocator allocator(enough);
+  std::uint64_t which = 0;
+  for (;; ++which) {
+    device::Detector detector({.shifts = Shifts::stored}, device::on(0), allocator.functions());
+    allocator.refuse_request(which);
+    try {
+      detector.build_neighbor_list(copy.elements(), cell, NeighborListKind::full);
+      break;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::limit_exceeded) << error.what();
+    }
+  }
+  EXPECT_GT(which, 15U);
+  EXPECT_EQ(allocator.held_bytes, 0U);
+}
+
 TEST(FaceMemory, OfCountsMayFail) {
   const Scene scene = scenes::scene_named("log_uniform").make(600, 2);
   const device::ElementCopy copy(view_of(scene));

@@ -2,6 +2,7 @@
 // stands above a backend (the detector, the tool) is tested with it where there is no device. It
 // stands in the place of CUDA's, and refuses arrays that were not copied to it as that does.
 
+#include "device/answer_of.hpp"
 #include "device/backend.hpp"
 #include "device/bodies/decide_images.hpp"
 #include "device/columns_of.hpp"
@@ -93,12 +94,8 @@ class HostBackend final : public Backend {
                   [](auto pipeline) { return pipeline.count(); });
   }
 
-  void copy_to_host(ContactPair* target, const ContactPair* pairs, std::uint64_t count) override {
-    executor_->copy_to_host(target, pairs, count);
-  }
-
-  void copy_to_host(ImageShift* target, const ImageShift* shifts, std::uint64_t count) override {
-    executor_->copy_to_host(target, shifts, count);
+  void copy_to_host(void* target, const void* source, std::uint64_t bytes) override {
+    std::memcpy(target, source, bytes);
   }
 
   void wait() override {}
@@ -120,8 +117,7 @@ class HostBackend final : public Backend {
     executor_.emplace(memory_, ItemOrder::shuffled, 2);
     found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, progress, call)
                                              : found<3>(spheres, request, progress, call);
-    return {found_.pairs.data(),    found_.shifts.data(),   found_.count,
-            found_.exact_decisions, found_.candidate_tests, memory_.peak()};
+    return answer_of(found_, memory_.peak());
   }
 
   template <int Dim, class Call>

@@ -14,6 +14,11 @@ using device::HostExecutor;
 
 enum class Wanted { list, count };
 
+template <class T>
+void copy(std::vector<T>& to, const T* from, std::uint64_t count) {
+  if (from != nullptr) to.assign(from, from + count);
+}
+
 /// Runs a pipeline, which is made by make(executor, request, progress).
 template <class Make>
 HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const Make& make) {
@@ -24,21 +29,25 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
     HostExecutor executor(memory, run.order, run.workers);
     base::ProgressReporter progress(run.progress);
     auto pipeline = make(executor,
-                         device::DeviceRequest{margin, run.max_pairs, run.items_at_a_time,
-                                               run.shifts, elements::lattice_of(run.domain)},
+                         device::DeviceRequest{.margin = margin,
+                                               .max_pairs = run.max_pairs,
+                                               .items_at_a_time = run.items_at_a_time,
+                                               .shifts = run.shifts,
+                                               .form = run.form,
+                                               .lattice = elements::lattice_of(run.domain)},
                          progress);
     const auto found = wanted == Wanted::list ? pipeline.list() : pipeline.count();
-    result.count = found.count;
+    result.count = found.contact_pairs();
     result.exact_decisions = found.exact_decisions;
     result.searched = found.searched;
     result.candidate_tests = found.candidate_tests;
     result.waits = executor.waits();
     result.peak_bytes = memory.peak();
     if (wanted == Wanted::list) {
-      result.pairs.assign(found.pairs.data(), found.pairs.data() + found.count);
-      if (found.shifts.data() != nullptr) {
-        result.shifts.assign(found.shifts.data(), found.shifts.data() + found.count);
-      }
+      copy(result.pairs, found.pairs.data(), found.count);
+      copy(result.shifts, found.shifts.data(), found.count);
+      copy(result.offsets, found.offsets.data(), found.offsets.size());
+      copy(result.neighbors, found.neighbors.data(), found.count);
     }
   }
   result.held_bytes = memory.held();

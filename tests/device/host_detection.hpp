@@ -26,13 +26,16 @@ struct HostRun {
   ProgressHook progress = {};
   Domain domain = Domain::open();
   Shifts shifts = Shifts::none;
+  device::ListForm form = device::ListForm::pairs;
   const ElementView* second = nullptr;  ///< the second of two sets
 };
 
 struct HostAnswer {
-  PairVector pairs;                ///< in the order of the answer
-  std::vector<ImageShift> shifts;  ///< of the pairs, where they are asked for
-  std::uint64_t count = 0;
+  PairVector pairs;                     ///< in the order of the answer
+  std::vector<ImageShift> shifts;       ///< of the entries, where they are asked for
+  std::vector<PairCount> offsets;       ///< of rows, where these are asked for
+  std::vector<ElementIndex> neighbors;  ///< of rows
+  std::uint64_t count = 0;              ///< of the pairs
   std::uint64_t exact_decisions = 0;
   std::uint64_t candidate_tests = 0;
   std::uint64_t waits = 0;     ///< of the host for a device

@@ -3,6 +3,7 @@
 
 #include "device/as_rows.hpp"
 #include "device/host_detection.hpp"
+#include "device/scene_in_two.hpp"
 #include "support/error_expectations.hpp"
 #include "support/periodic_extremes.hpp"
 #include "support/scene_view.hpp"
@@ -21,19 +22,6 @@ namespace {
 
 using scenes::Scene;
 
-/// The elements of a scene in two sets, two of three in the second one.
-struct TwoSets {
-  Scene first;
-  Scene second;
-
-  explicit TwoSets(const Scene& scene) {
-    std::vector<std::size_t> numbers[2];
-    for (std::size_t k = 0; k < scene.size(); ++k) numbers[k % 3 == 0 ? 0 : 1].push_back(k);
-    first = part_of(scene, numbers[0]);
-    second = part_of(scene, numbers[1]);
-  }
-};
-
 class DeviceTwoSets : public ::testing::TestWithParam<scenes::SceneInfo> {};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, DeviceTwoSets,
@@ -43,7 +31,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, DeviceTwoSets,
 /// Either set first, each of numbers of its own type.
 TEST_P(DeviceTwoSets, InOpenSpace) {
   const std::size_t count = GetParam().name == "coincident" ? 200 : 1500;
-  const TwoSets sets(GetParam().make(count, 3));
+  const SceneInTwo sets(GetParam().make(count, 3));
   expect_as_rows(view_of(sets.first), view_of(sets.second), Domain::open());
   const double margin = 0.3 * sets.first.radius[0];
   expect_as_rows(view_of(sets.second), Float32Scene(sets.first).view(), Domain::open(), margin);
@@ -58,7 +46,7 @@ TEST(DeviceTwoSetsInCells, AreThoseOfRows) {
                      << name_of(kind) << ", " << name_of(extreme) << ", " << dimensions << 'D');
         const std::size_t count = kind == DomainKind::small_cell ? 25 : 100;
         const ExtremeSystem system = extreme_system(kind, extreme, dimensions, count, 7);
-        const TwoSets sets(system.scene);
+        const SceneInTwo sets(system.scene);
         pairs +=
             expect_as_rows(view_of(sets.first), view_of(sets.second), system.domain, system.margin);
       }

@@ -79,14 +79,6 @@ struct PlaceOfOpenPair {
   static constexpr std::uint64_t no_place = ~std::uint64_t{0};
 };
 
-/// Body: copies pair k.
-struct CopyPair {
-  const ContactPair* from;
-  ContactPair* to;
-
-  ABUT_HD void operator()(std::uint64_t k) const noexcept { to[k] = from[k]; }
-};
-
 /// Whether a decided pair is a contact pair.
 struct ContactTester {
   [[nodiscard]] ABUT_HD bool operator()(const ContactPair& pair) const noexcept {

@@ -102,4 +102,13 @@ struct FillArray {
   ABUT_HD void operator()(std::uint64_t k) const noexcept { values[k] = value; }
 };
 
+/// Body: copies entry k of an array.
+template <class T>
+struct CopyEntry {
+  const T* from;
+  T* to;
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept { to[k] = from[k]; }
+};
+
 }  // namespace abut::device

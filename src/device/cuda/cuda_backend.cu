@@ -1,3 +1,4 @@
+#include "device/answer_of.hpp"
 #include "device/backend.hpp"
 #include "device/columns_of.hpp"
 #include "device/cuda/cuda_error.hpp"
@@ -10,6 +11,7 @@
 
 #include <cuda_runtime.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -82,14 +84,10 @@ class CudaBackend final : public Backend {
     });
   }
 
-  void copy_to_host(ContactPair* target, const ContactPair* pairs, std::uint64_t count) override {
+  void copy_to_host(void* target, const void* source, std::uint64_t bytes) override {
     const CurrentDevice current(device_);
-    executor_->copy_to_host(target, pairs, count);
-  }
-
-  void copy_to_host(ImageShift* target, const ImageShift* shifts, std::uint64_t count) override {
-    const CurrentDevice current(device_);
-    executor_->copy_to_host(target, shifts, count);
+    executor_->copy_to_host(static_cast<std::byte*>(target), static_cast<const std::byte*>(source),
+                            bytes);
   }
 
   void wait() override {
@@ -127,8 +125,7 @@ class CudaBackend final : public Backend {
     executor_.emplace(memory_, handle);
     found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, call)
                                              : found<3>(spheres, request, call);
-    return {found_.pairs.data(),    found_.shifts.data(),   found_.count,
-            found_.exact_decisions, found_.candidate_tests, memory_.peak()};
+    return answer_of(found_, memory_.peak());
   }
 
   template <int Dim, class Call>

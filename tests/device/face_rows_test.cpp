@@ -1,0 +1,124 @@
+// Neighbor lists through the face of devices: those of the processor, byte for byte, in open and
+// periodic domains and of two sets; what a call leaves of the lists before it.
+
+#include "device/face_detection.hpp"
+#include "device/scene_in_two.hpp"
+#include "support/error_expectations.hpp"
+#include "support/scene_view.hpp"
+
+#include <abut/neighbor_list.hpp>
+#include <abut/two_sets.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace abut::testing {
+namespace {
+
+using scenes::Scene;
+
+void expect_same(const NeighborList& expected, const NeighborList& found) {
+  EXPECT_TRUE(std::ranges::equal(expected.offsets(), found.offsets()));
+  EXPECT_TRUE(std::ranges::equal(expected.neighbors(), found.neighbors()));
+  EXPECT_TRUE(std::ranges::equal(expected.shifts(), found.shifts()));
+  EXPECT_EQ(expected.statistics().contact_pairs, found.statistics().contact_pairs);
+}
+
+/// Both kinds, twice by the same detector, in open space and in a cell about a part of the scene.
+class FaceRows : public ::testing::TestWithParam<scenes::SceneInfo> {};
+
+INSTANTIATE_TEST_SUITE_P(Scenes, FaceRows,
+                         ::testing::ValuesIn(scenes::scenes().begin(), scenes::scenes().end()),
+                         [](const auto& parameter) { return std::string(parameter.param.name); });
+
+TEST_P(FaceRows, AreThoseOfTheProcessor) {
+  const bool is_crowded = GetParam().name == "coincident" || GetParam().name == "two_far_clusters";
+  const std::size_t count = std::min<std::size_t>(elements_of_a_scene(), is_crowded ? 300 : ~0U);
+  const Scene scene = GetParam().make(count, 3);
+  const device::ElementCopy copy(view_of(scene));
+  const double side = *std::max_element(scene.x.begin(), scene.x.end()) + 4.0 * scene.radius[0];
+  const Domain cell = scene.dimensions == 2 ? Domain::periodic({side, unbounded})
+                                            : Domain::periodic({side, unbounded, unbounded});
+  for (const Domain& domain : {Domain::open(), cell}) {
+    for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
+      const Options options{.algorithm = Algorithm::rows, .shifts = Shifts::stored};
+      const NeighborList expected = build_neighbor_list(view_of(scene), domain, kind, options);
+      device::Detector detector(options);
+      for (int call = 0; call < 2; ++call) {
+        const auto& found = detector.build_neighbor_list(copy.elements(), domain, kind);
+        EXPECT_EQ(found.size(), scene.size());
+        EXPECT_EQ(found.neighbor_count(), expected.neighbors().size());
+        expect_same(expected, found.to_host());
+      }
+    }
+  }
+}
+
+TEST(FaceRowsOfTwoSets, HaveARowForEachOfTheFirst) {
+  const SceneInTwo sets(scenes::scene_named("dense").make(400, 1));
+  const Domain cell = Domain::periodic({8.0, 8.0, 8.0});
+  const device::ElementCopy first(view_of(sets.first));
+  const device::ElementCopy second(view_of(sets.second));
+  device::Detector detector({.shifts = Shifts::stored});
+  for (const Domain& domain : {Domain::open(), cell}) {
+    const auto& found = detector.build_neighbor_list(first.elements(), second.elements(), domain);
+    EXPECT_EQ(found.size(), sets.first.size());
+    expect_same(build_neighbor_list(view_of(sets.first), view_of(sets.second), domain,
+                                    {.shifts = Shifts::stored}),
+                found.to_host());
+  }
+}
+
+TEST(FaceLists, LastUntilTheNextCall) {
+  const Scene scene = scenes::scene_named("dense").make(400, 1);
+  const device::ElementCopy copy(view_of(scene));
+  device::Detector detector;
+  const device::PairList& pairs = detector.find_contact_pairs(copy.elements());
+  EXPECT_GT(pairs.size(), 0U);
+  const device::NeighborList& rows =
+      detector.build_neighbor_list(copy.elements(), Domain::open(), NeighborListKind::full);
+  EXPECT_TRUE(pairs.empty());
+  EXPECT_EQ(pairs.data(), nullptr);
+  EXPECT_EQ(rows.size(), scene.size());
+  EXPECT_EQ(detector.count_contact_pairs(copy.elements()).contact_pairs * 2,
+            build_neighbor_list(view_of(scene), Domain::open(), NeighborListKind::full)
+                .neighbors()
+                .size());
+  EXPECT_EQ(rows.size(), 0U);
+  EXPECT_EQ(rows.offsets(), nullptr);
+  EXPECT_EQ(rows.to_host().size(), 0U);
+  rows.wait();
+}
+
+TEST(FaceLists, AreEmptyAfterAnError) {
+  Scene scene = scenes::scene_named("dense").make(100, 1);
+  const device::ElementCopy copy(view_of(scene));
+  device::Detector detector;
+  const device::NeighborList& rows =
+      detector.build_neighbor_list(copy.elements(), Domain::open(), NeighborListKind::half);
+  EXPECT_GT(rows.neighbor_count(), 0U);
+  scene.x[7] = std::numeric_limits<double>::infinity();
+  const device::ElementCopy bad(view_of(scene));
+  expect_error(ErrorCode::invalid_input, {"element 7"}, [&] {
+    detector.build_neighbor_list(bad.elements(), Domain::open(), NeighborListKind::half);
+  });
+  EXPECT_EQ(rows.neighbor_count(), 0U);
+  EXPECT_EQ(rows.to_host().size(), 0U);
+}
+
+TEST(FaceLists, OfNoElements) {
+  const Scene none = scene_of(3, {});
+  const device::ElementCopy copy(view_of(none));
+  device::Detector detector;
+  for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
+    expect_same(build_neighbor_list(view_of(none), Domain::open(), kind),
+                detector.build_neighbor_list(copy.elements(), Domain::open(), kind).to_host());
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

@@ -3,6 +3,7 @@
 #include "base/asking_workers.hpp"
 #include "elements/number_reader.hpp"
 #include "elements/reject_element.hpp"
+#include "elements/valid_element.hpp"
 #include "grid/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
 
@@ -71,17 +72,6 @@ exact::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
   return box;
 }
 
-template <int Dim>
-bool valid(const exact::Box<Dim>& box) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  bool result = true;
-  for (int axis = 0; axis < Dim; ++axis) {
-    result = result && std::fabs(box.lower[axis]) <= largest &&
-             std::fabs(box.upper[axis]) <= largest && box.lower[axis] <= box.upper[axis];
-  }
-  return result;
-}
-
 /// Halves are subtracted, since a width may exceed the largest double.
 template <int Dim>
 exact::Sphere<Dim> stand_in(const exact::Box<Dim>& box) {
@@ -91,14 +81,6 @@ exact::Sphere<Dim> stand_in(const exact::Box<Dim>& box) {
     sphere.radius = std::max(sphere.radius, 0.5 * box.upper[axis] - 0.5 * box.lower[axis]);
   }
   return sphere;
-}
-
-template <int Dim>
-bool valid(const exact::Sphere<Dim>& sphere) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  bool finite = sphere.radius >= 0.0 && sphere.radius <= largest;
-  for (const double x : sphere.center) finite = finite && std::fabs(x) <= largest;
-  return finite;
 }
 
 /// The columns that the vector kernels can read: contiguous doubles.
@@ -149,7 +131,7 @@ class Gatherer {
     if (columns_) k += pack(first, last - first, bounds);
     elements::read_spheres<Dim>(elements_, k, spheres_.subspan(k, last - k));
     for (; k < last; ++k) {
-      if (!valid(spheres_[k])) reject_element(k, spheres_[k]);
+      if (!is_valid(spheres_[k])) reject_element(k, spheres_[k]);
       bounds.include_center(spheres_[k]);
       bounds.include_radius(spheres_[k].radius);
     }
@@ -158,7 +140,7 @@ class Gatherer {
   void read_boxes(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
     for (std::size_t k = first; k < last; ++k) {
       const exact::Box<Dim> box = box_at<Dim>(elements_, k);
-      if (!valid(box)) reject_element(k, box);
+      if (!is_valid(box)) reject_element(k, box);
       boxes_[k] = box;
       spheres_[k] = stand_in(box);
       bounds.include_center(spheres_[k]);
@@ -209,32 +191,6 @@ void gather(const ElementView& elements, const GatherSettings& settings,
   gathered.bounds = {};
   for (const grid::Bounds<Dim>& part : gathered.parts) gathered.bounds.include(part);
   if (elements.shape() == Shape::box) gathered.bounds.count_largest_twice();
-}
-
-SphereReader::SphereReader(const ElementView& spheres, Simd simd)
-    : spheres_(spheres),
-      columns_(contiguous_columns(spheres)),
-      kernels_(kernels::element_kernels(simd)) {}
-
-double SphereReader::read(std::size_t first, std::span<exact::Sphere<3>> target) const {
-  std::size_t k = 0;
-  double largest_radius = 0.0;
-  if (columns_ && !target.empty()) {
-    kernels::ElementColumns columns = *columns_;
-    for (const double*& center : columns.center) center += first;
-    columns.radius += first;
-    grid::Bounds<3> bounds;
-    k = grid::widen(bounds, [&](kernels::ElementBounds& packed) {
-      return kernels_.pack(columns, target.size(), 3, target[0].center, packed);
-    });
-    if (k > 0) largest_radius = bounds.largest_radius;
-  }
-  read_spheres<3>(spheres_, first + k, target.subspan(k));
-  for (; k < target.size(); ++k) {
-    if (!valid(target[k])) reject_element(first + k, target[k]);
-    largest_radius = std::max(largest_radius, target[k].radius);
-  }
-  return largest_radius;
 }
 
 template <int Dim>

@@ -44,23 +44,6 @@ template <int Dim>
 void gather(const ElementView& elements, const GatherSettings& settings,
             GatheredElements<Dim>& gathered, base::DetectionContext& context);
 
-/// Reads the caller's spheres block by block, so that what looks at each only once need not write
-/// all of them to memory.
-class SphereReader {
- public:
-  /// `spheres` must outlive it and be spheres in 3D; `simd` must be available.
-  SphereReader(const ElementView& spheres, Simd simd);
-
-  /// Reads as many spheres as `target` has, from number `first` on, and returns the largest radius.
-  /// Throws Error{invalid_input} at the first bad one, as gather does.
-  [[nodiscard]] double read(std::size_t first, std::span<exact::Sphere<3>> target) const;
-
- private:
-  const ElementView& spheres_;
-  std::optional<kernels::ElementColumns> columns_;
-  kernels::ElementKernels kernels_;
-};
-
 /// One sphere, unchecked.
 template <int Dim>
 [[nodiscard]] exact::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number);

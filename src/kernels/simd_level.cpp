@@ -226,7 +226,7 @@ WallKernels wall_kernels(Simd level) {
   if (level != Simd::scalar) return simd_wall_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
-  return {[](const WallJob&, std::uint32_t*, std::size_t&) { return std::size_t{0}; }};
+  return {[](const WallJob&, std::uint32_t*, WallFinds&) { return std::size_t{0}; }};
 }
 
 }  // namespace kernels

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "kernels/element_kernels.hpp"
+
 #include <abut/simd.hpp>
 
 #include <cstddef>
@@ -7,9 +9,9 @@
 
 namespace abut::kernels {
 
-/// Centers of spheres, and the cells of a wall that they are looked for in.
+/// Spheres, and the cells of a wall that they are looked for in.
 struct WallJob {
-  const double* spheres;          ///< records of center and radius
+  ElementColumns spheres;         ///< as the caller gives them, to be checked
   std::size_t count;              ///< of spheres
   bool is_moved;                  ///< whether centers are brought back at all
   double inverse[3][3];           ///< rows that center - translation is multiplied by
@@ -20,11 +22,18 @@ struct WallJob {
   const std::uint32_t* occupied;  ///< a bit for each cell, x fastest
 };
 
+/// What was found beside the spheres near a wall.
+struct WallFinds {
+  std::size_t near;       ///< spheres whose cell is occupied
+  double largest_radius;  ///< of all that were treated
+};
+
 struct WallKernels {
   /// Writes the numbers of the spheres whose cell is occupied, ascending, to `near`, which has room
-  /// for all. Treats whole vectors of spheres from the front, and
-  /// returns how many spheres; the rest is the caller's. Products and sums are rounded one by one.
-  std::size_t (*find_near)(const WallJob& job, std::uint32_t* near, std::size_t& found);
+  /// for all. Treats whole vectors of spheres from the front, and returns how many spheres; the
+  /// rest is the caller's. Stops before a vector that holds a number that is not finite, or a
+  /// negative radius. Products and sums are rounded one by one.
+  std::size_t (*find_near)(const WallJob& job, std::uint32_t* near, WallFinds& finds);
 };
 
 /// `level` must be available.

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
@@ -18,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
-std::size_t find_near(const WallJob&, std::uint32_t*, std::size_t&) {
+std::size_t find_near(const WallJob&, std::uint32_t*, WallFinds&) {
   return 0;
 }
 
@@ -76,13 +77,43 @@ HWY_INLINE unsigned occupied_among(const WallJob& job, Cells cell, Mask inside) 
   return occupied[0] & within[0];
 }
 
-std::size_t find_near(const WallJob& job, std::uint32_t* near, std::size_t& found) {
+/// Of the lines of a cache.
+constexpr std::size_t doubles_of_line = 8;
+
+/// The number that is fetched while number k of a column is looked at: a page of memory ahead,
+/// which processors do not fetch by themselves. It may lie beyond the last one, at no harm.
+HWY_INLINE const void* ahead_of(const double* column, std::size_t k) {
+  constexpr std::size_t ahead = 512;
+  return reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(column) +
+                                       (k + ahead) * sizeof(double));
+}
+
+/// Loads the spheres from number k on. Returns whether all of them are valid.
+HWY_INLINE bool load(const ElementColumns& columns, std::size_t k, Doubles (&point)[3],
+                     Doubles& radius) {
+  const Doubles largest = hn::Set(doubles, std::numeric_limits<double>::max());
+  radius = hn::LoadU(doubles, columns.radius + k);
+  Mask valid = hn::And(hn::Ge(radius, hn::Zero(doubles)), hn::Le(radius, largest));
+  for (int axis = 0; axis < 3; ++axis) {
+    point[axis] = hn::LoadU(doubles, columns.center[axis] + k);
+    valid = hn::And(valid, hn::Le(hn::Abs(point[axis]), largest));
+  }
+  return hn::AllTrue(doubles, valid);
+}
+
+std::size_t find_near(const WallJob& job, std::uint32_t* near, WallFinds& finds) {
   constexpr std::size_t lanes = hn::MaxLanes(Tag());
-  std::size_t count = found;
+  std::size_t count = finds.near;
+  Doubles largest = hn::Set(doubles, finds.largest_radius);
   std::size_t k = 0;
   for (; k + lanes <= job.count; k += lanes) {
     Doubles point[3], radius;
-    hn::LoadInterleaved4(doubles, job.spheres + 4 * k, point[0], point[1], point[2], radius);
+    if (k % doubles_of_line == 0) {
+      for (const double* column : job.spheres.center) __builtin_prefetch(ahead_of(column, k));
+      __builtin_prefetch(ahead_of(job.spheres.radius, k));
+    }
+    if (HWY_UNLIKELY(!load(job.spheres, k, point, radius))) break;
+    largest = hn::Max(largest, radius);
     if (job.is_moved) bring_back(job, point);
     Mask inside = hn::FirstN(doubles, lanes);
     const Cells cell = cells_of(job, point, inside);
@@ -92,7 +123,7 @@ std::size_t find_near(const WallJob& job, std::uint32_t* near, std::size_t& foun
           static_cast<std::uint32_t>(k) + static_cast<std::uint32_t>(std::countr_zero(set));
     }
   }
-  found = count;
+  finds = {count, hn::GetLane(hn::MaxOfLanes(doubles, largest))};
   return k;
 }
 

@@ -6,6 +6,9 @@
 #include "base/stopwatch.hpp"
 #include "base/workers.hpp"
 #include "detect/validate_options.hpp"
+#include "elements/gathered_elements.hpp"
+#include "elements/reject_element.hpp"
+#include "elements/valid_element.hpp"
 #include "kernels/simd_level.hpp"
 #include "lists/result_buffer.hpp"
 #include "walls/feature_measurer.hpp"
@@ -130,7 +133,7 @@ void MeshSearch::build(const Call& call) {
   const double wide = std::min(needed * (1.0 + slack), std::numeric_limits<double>::max());
   grid_.build(mesh.size(), wide, call.context.work,
               [&](std::size_t k) { return box_around(triangles_[k]); });
-  lay_planes(wide);
+  planes_.build(anchor_, triangles_, grid_, wide, call.context.work);
   reach_of_grid_ = wide;  // last: whatever failed before leaves no grid
   ++builds_;
 }
@@ -148,7 +151,16 @@ exact::Box<3> MeshSearch::box_around(const TriangleMesh::Corners& corners) const
 
 double MeshSearch::largest_radius(const Call& call) {
   call.context.progress.begin("gather", call.spheres.size());
-  for_each_block(call, [](std::span<const exact::Sphere<3>>, std::size_t, SearchScratch&) {});
+  for_each_block(call, [](const kernels::ElementColumns& block, std::size_t, std::size_t count,
+                          SearchScratch& scratch) {
+    std::size_t k = 0;
+    for (; k < count; ++k) {
+      const exact::Sphere<3> sphere = elements::sphere_at(block, k);
+      if (!elements::is_valid(sphere)) break;
+      scratch.largest_radius = std::max(scratch.largest_radius, sphere.radius);
+    }
+    return k;
+  });
   return largest_of_workers(call);
 }
 
@@ -160,23 +172,26 @@ double MeshSearch::largest_of_workers(const Call& call) const noexcept {
   return largest;
 }
 
-/// Calls act(block, number of its first sphere, scratch) for each block of a worker's share.
+/// Calls act(block, number of its first sphere, how many there are, scratch) for each block of a
+/// worker's share. It returns how many spheres it looked at, up to the first one that is not valid.
 template <class Act>
 void MeshSearch::for_each_block(const Call& call, Act&& act) {
-  const elements::SphereReader reader(call.spheres, kernels::level_to_run(call.options.simd));
+  const elements::SphereReader reader(call.spheres);
   for (SearchScratch& scratch : scratch_) scratch.start_anew();
   base::for_each_share(
       call.workers, call.context.work, [&](std::size_t worker, base::WorkCounter& work) {
-        std::array<exact::Sphere<3>, block_size> block;
         const auto [first, last] = base::share_of(worker, call.workers, call.spheres.size());
         SearchScratch& scratch = scratch_[worker];
         for (std::size_t begin = first; begin < last; begin += block_size) {
-          const std::span<exact::Sphere<3>> some(block.data(), std::min(block_size, last - begin));
-          scratch.largest_radius = std::max(scratch.largest_radius, reader.read(begin, some));
+          const std::size_t count = std::min(block_size, last - begin);
+          const kernels::ElementColumns block = reader.read(begin, count, scratch.room);
           const std::uint64_t tests = scratch.tests;
-          act(std::span<const exact::Sphere<3>>(some), begin, scratch);
-          call.context.progress.advance(some.size());
-          work.did(2 * some.size() + steps_of_candidate * (scratch.tests - tests));
+          const std::size_t valid = act(block, begin, count, scratch);
+          if (valid < count) {
+            elements::reject_element(begin + valid, elements::sphere_at(block, valid));
+          }
+          call.context.progress.advance(count);
+          work.did(2 * count + steps_of_candidate * (scratch.tests - tests));
         }
       });
 }
@@ -187,35 +202,56 @@ double MeshSearch::search(const Call& call, const RestFrame& frame) {
   call.context.progress.begin("features", call.spheres.size());
   const MeshToucher toucher(call.mesh, Domain::open(), call.options);
   const NearWall near_wall(grid_, frame, kernels::level_to_run(call.options.simd));
-  for_each_block(call, [&](std::span<const exact::Sphere<3>> block, std::size_t first,
-                           SearchScratch& scratch) {
-    for (const std::uint32_t k : near_wall.find(block, scratch.near)) {
-      double center[3];
-      frame.bring_back(block[k].center, center);
-      choose(call, frame, block[k], center, grid_.near(center), scratch.candidates);
-      if (scratch.candidates.empty()) continue;
-      scratch.tests += scratch.candidates.size();
-      toucher({static_cast<ElementIndex>(first + k), block[k], scratch.candidates, {}},
-              scratch.found);
+  for_each_block(call, [&](const kernels::ElementColumns& block, std::size_t first,
+                           std::size_t count, SearchScratch& scratch) {
+    const NearSpheres near = near_wall.find(block, count, scratch.near);
+    scratch.largest_radius = std::max(scratch.largest_radius, near.largest_radius);
+    for (std::size_t k = 0; k < near.numbers.size(); k += near_at_a_time) {
+      const auto some = near.numbers.subspan(k, std::min(near_at_a_time, near.numbers.size() - k));
+      for (const NearSphere& one : fetch(block, some, frame, scratch)) {
+        choose(call, frame, one, scratch.candidates);
+        if (scratch.candidates.empty()) continue;
+        scratch.tests += scratch.candidates.size();
+        toucher({static_cast<ElementIndex>(first + one.number), one.sphere, scratch.candidates, {}},
+                scratch.found);
+      }
     }
+    return near.valid;
   });
   return largest_of_workers(call);
 }
 
+std::span<const MeshSearch::NearSphere> MeshSearch::fetch(const kernels::ElementColumns& block,
+                                                          std::span<const std::uint32_t> numbers,
+                                                          const RestFrame& frame,
+                                                          SearchScratch& scratch) const {
+  std::size_t count = 0;
+  for (const std::uint32_t number : numbers) {
+    NearSphere& near = scratch.fetched[count];
+    near.number = number;
+    near.sphere = elements::sphere_at(block, number);
+    frame.bring_back(near.sphere.center, near.center);
+    near.place = grid_.place_near(near.center);
+    if (near.place == WallGrid::no_place) continue;
+    __builtin_prefetch(planes_.address_of(near.place));
+    ++count;
+  }
+  return std::span<const NearSphere>(scratch.fetched).first(count);
+}
+
 /// Keeps the triangles near whose plane the center lies, and whose box meets the box around the
 /// sphere, as the search of boxes does.
-void MeshSearch::choose(const Call& call, const RestFrame& frame, const exact::Sphere<3>& sphere,
-                        const double (&center)[3], std::span<const ElementIndex> near,
+void MeshSearch::choose(const Call& call, const RestFrame& frame, const NearSphere& near,
                         base::Array<ContactPair>& candidates) const {
   candidates.clear();
-  const exact::Box<3> around = walls::box_around(sphere, call.options.margin);
-  const double reach = frame.reach_at_rest(sphere.radius + call.options.margin) + error_of_planes_;
+  const double margin = call.options.margin;
+  const double reach =
+      planes_.allowing_for_errors(frame.reach_at_rest(near.sphere.radius + margin));
+  if (planes_.is_far_from_cell(near.center, near.place, reach)) return;
+  const exact::Box<3> around = walls::box_around(near.sphere, margin);
   const FittedBoxes& boxes = call.mesh.boxes();
-  for (const ElementIndex part : near) {
-    const auto& [normal, offset] = planes_[part];
-    const double height =
-        normal[0] * center[0] + normal[1] * center[1] + normal[2] * center[2] - offset;
-    if (std::fabs(height) > reach) continue;
+  for (const ElementIndex part : grid_.parts(near.place)) {
+    if (planes_.is_far_from_triangle(near.center, part, reach)) continue;
     bool meets = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       meets = meets && boxes.lower[axis][part] <= around.upper[axis] &&
@@ -223,39 +259,6 @@ void MeshSearch::choose(const Call& call, const RestFrame& frame, const exact::S
     }
     if (meets) candidates.push_back({0, part});  // whose they are is known
   }
-}
-
-/// The normal of a triangle in which products cancel too much errs too much, and is left out; so is
-/// all beyond ordinary numbers. Of the others each component errs by less than 2^-30.
-void MeshSearch::lay_planes(double reach) {
-  base::resize_for_overwrite(planes_, triangles_.size());
-  double farthest = reach;
-  for (std::size_t k = 0; k < triangles_.size(); ++k) {
-    const auto& [a, b, c] = triangles_[k];
-    const auto& p = anchor_[a];
-    double e[3], f[3];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      e[axis] = anchor_[b][axis] - p[axis];
-      f[axis] = anchor_[c][axis] - p[axis];
-      farthest = std::max(
-          {farthest, std::fabs(p[axis]), std::fabs(anchor_[b][axis]), std::fabs(anchor_[c][axis])});
-    }
-    const double x = e[1] * f[2] - e[2] * f[1];
-    const double y = e[2] * f[0] - e[0] * f[2];
-    const double z = e[0] * f[1] - e[1] * f[0];
-    const double length = std::sqrt(x * x + y * y + z * z);
-    const double sizes = std::sqrt((e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) *
-                                   (f[0] * f[0] + f[1] * f[1] + f[2] * f[2]));
-    planes_[k] = {};
-    const bool is_certain = length > 0x1p-16 * sizes && length < 2.0 * sizes;
-    if (!(is_certain && length > 0x1p-200 && sizes < 0x1p200)) continue;
-    const double inverse = 1.0 / length;
-    planes_[k] = {{x * inverse, y * inverse, z * inverse}, 0.0};
-    const auto& normal = planes_[k].normal;
-    planes_[k].offset = normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2];
-  }
-  error_of_planes_ =
-      farthest < 0x1p1000 ? 0x1p-26 * farthest : std::numeric_limits<double>::infinity();
 }
 
 void MeshSearch::write(const Call& call, const MeshContactArrays& arrays, Statistics& statistics) {

@@ -3,13 +3,14 @@
 #include "base/array.hpp"
 #include "base/detection_context.hpp"
 #include "base/memory_meter.hpp"
-#include "elements/gathered_elements.hpp"
+#include "elements/sphere_reader.hpp"
 #include "exact/box.hpp"
 #include "exact/sphere.hpp"
 #include "walls/feature_search.hpp"
 #include "walls/mesh_toucher.hpp"
 #include "walls/rest_frame.hpp"
 #include "walls/wall_grid.hpp"
+#include "walls/wall_planes.hpp"
 
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
@@ -63,14 +64,18 @@ class MeshSearch {
     std::size_t workers;
   };
 
-  /// Plane of a triangle at rest, for a test that is cheaper than the exact one.
-  struct Plane {
-    double normal[3];  ///< of length one; 0 where rounding would spoil it
-    double offset;     ///< normal times a point of the plane
-  };
-
   /// Spheres that are read at a time.
-  static constexpr std::size_t block_size = 256;
+  static constexpr std::size_t block_size = 512;
+  /// Spheres near the wall whose cells are fetched together: enough to hide the way to memory.
+  static constexpr std::size_t near_at_a_time = 32;
+
+  /// A sphere whose cell names some triangles.
+  struct NearSphere {
+    std::uint32_t number;  ///< in its block
+    exact::Sphere<3> sphere;
+    double center[3];   ///< brought back
+    std::size_t place;  ///< of its cell
+  };
 
   /// The memory of each worker.
   struct alignas(128) SearchScratch {
@@ -84,7 +89,9 @@ class MeshSearch {
       largest_radius = 0.0;
     }
     FoundContacts<MeshContact> found;
+    std::array<double, elements::SphereReader::numbers * block_size> room;
     std::array<std::uint32_t, block_size> near;
+    std::array<NearSphere, near_at_a_time> fetched;
     base::Array<ContactPair> candidates;  ///< of one sphere
     std::uint64_t tests = 0;
     double largest_radius = 0.0;
@@ -96,9 +103,11 @@ class MeshSearch {
   [[nodiscard]] bool reaches(const RestFrame& frame, const Call& call) const noexcept;
   [[nodiscard]] double reach_of(const Call& call) const noexcept;
   void build(const Call& call);
-  void lay_planes(double reach);
-  void choose(const Call& call, const RestFrame& frame, const exact::Sphere<3>& sphere,
-              const double (&center)[3], std::span<const ElementIndex> near,
+  [[nodiscard]] std::span<const NearSphere> fetch(const kernels::ElementColumns& block,
+                                                  std::span<const std::uint32_t> numbers,
+                                                  const RestFrame& frame,
+                                                  SearchScratch& scratch) const;
+  void choose(const Call& call, const RestFrame& frame, const NearSphere& near,
               base::Array<ContactPair>& candidates) const;
   [[nodiscard]] exact::Box<3> box_around(const TriangleMesh::Corners& corners) const noexcept;
   double search(const Call& call, const RestFrame& frame);
@@ -118,8 +127,7 @@ class MeshSearch {
       base::make_array_for_overwrite<TriangleMesh::Point>(memory_, 0);
   base::Array<TriangleMesh::Corners> triangles_ =
       base::make_array_for_overwrite<TriangleMesh::Corners>(memory_, 0);
-  base::Array<Plane> planes_ = base::make_array_for_overwrite<Plane>(memory_, 0);
-  double error_of_planes_ = 0.0;
+  WallPlanes planes_{memory_};
   std::vector<SearchScratch> scratch_;
   std::uint64_t builds_ = 0;
 };

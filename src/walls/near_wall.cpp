@@ -1,8 +1,12 @@
 #include "walls/near_wall.hpp"
 
-namespace abut::walls {
+#include "elements/sphere_reader.hpp"
+#include "elements/valid_element.hpp"
+#include "exact/sphere.hpp"
 
-static_assert(sizeof(exact::Sphere<3>) == 4 * sizeof(double), "kernels read records of numbers");
+#include <algorithm>
+
+namespace abut::walls {
 
 NearWall::NearWall(const WallGrid& grid, const RestFrame& frame, Simd simd) noexcept
     : grid_(grid), frame_(frame), kernels_(kernels::wall_kernels(Simd::scalar)) {
@@ -10,19 +14,23 @@ NearWall::NearWall(const WallGrid& grid, const RestFrame& frame, Simd simd) noex
   if (grid.describe(job_)) kernels_ = kernels::wall_kernels(simd);
 }
 
-std::span<const std::uint32_t> NearWall::find(std::span<const exact::Sphere<3>> spheres,
-                                              std::span<std::uint32_t> near) const noexcept {
+NearSpheres NearWall::find(const kernels::ElementColumns& spheres, std::size_t count,
+                           std::span<std::uint32_t> near) const noexcept {
   kernels::WallJob job = job_;
-  job.spheres = reinterpret_cast<const double*>(spheres.data());
-  job.count = spheres.size();
-  std::size_t found = 0;
-  std::size_t k = kernels_.find_near(job, near.data(), found);
-  for (; k < spheres.size(); ++k) {
+  job.spheres = spheres;
+  job.count = count;
+  kernels::WallFinds finds{};
+  std::size_t k = kernels_.find_near(job, near.data(), finds);
+  for (; k < count; ++k) {
+    const exact::Sphere<3> sphere = elements::sphere_at(spheres, k);
+    if (!elements::is_valid(sphere)) break;
+    finds.largest_radius = std::max(finds.largest_radius, sphere.radius);
     double center[3];
-    frame_.bring_back(spheres[k].center, center);
-    if (!grid_.near(center).empty()) near[found++] = static_cast<std::uint32_t>(k);
+    frame_.bring_back(sphere.center, center);
+    if (grid_.place_near(center) != WallGrid::no_place)
+      near[finds.near++] = static_cast<std::uint32_t>(k);
   }
-  return near.first(found);
+  return {near.first(finds.near), k, finds.largest_radius};
 }
 
 }  // namespace abut::walls

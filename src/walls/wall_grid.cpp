@@ -1,6 +1,7 @@
 #include "walls/wall_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -30,6 +31,7 @@ double below(double x, double reach) noexcept {
 
 WallGrid::WallGrid(base::MemoryMeter& memory)
     : occupied_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+      places_before_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       parts_(base::make_array_for_overwrite<ElementIndex>(memory, 0)) {}
 
@@ -94,15 +96,21 @@ WallGrid::CellRange WallGrid::cells_near(const exact::Box<3>& box) const noexcep
   return range;
 }
 
-/// Makes places of the counts, which stand two further on, and room for the parts.
-void WallGrid::add_up() {
-  const std::size_t cells = cell_count();
-  occupied_.assign(cells / 32 + 1, 0);
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    if (begin_[cell + 2] != 0) occupied_[cell / 32] |= std::uint32_t{1} << (cell % 32);
-    begin_[cell + 2] += begin_[cell + 1];
+/// Numbers the cells whose bits are set.
+void WallGrid::number_places() {
+  base::resize_for_overwrite(places_before_, occupied_.size());
+  std::uint64_t places = 0;
+  for (std::size_t word = 0; word < occupied_.size(); ++word) {
+    places_before_[word] = places;
+    places += static_cast<std::uint64_t>(std::popcount(occupied_[word]));
   }
-  base::resize_for_overwrite(parts_, begin_[cells + 1]);
+  begin_.assign(places + 2, 0);
+}
+
+/// Adds up the counts, which stand two further on, and makes room for the parts.
+void WallGrid::add_up() {
+  for (std::size_t k = 2; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
+  base::resize_for_overwrite(parts_, begin_.back());
 }
 
 }  // namespace abut::walls

@@ -9,8 +9,10 @@
 #include <abut/pair.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace abut::walls {
@@ -29,18 +31,29 @@ class WallGrid {
   template <class BoxOf>
   void build(std::size_t count, double reach, base::WorkCounter& work, BoxOf&& box_of);
 
-  /// Parts that may be within reach of a point, ascending.
-  [[nodiscard]] std::span<const ElementIndex> near(const double (&point)[3]) const noexcept {
+  /// What stands for a cell that no part is near.
+  static constexpr std::size_t no_place = std::numeric_limits<std::size_t>::max();
+
+  /// Returns the place of a point's cell among those that parts are near, or no_place.
+  [[nodiscard]] std::size_t place_near(const double (&point)[3]) const noexcept {
     // What lies before the first cell by less than a cell is looked for in it, at no harm. Numbers
     // that no integer holds, and those that are none, become one that no cell has.
     const std::uint32_t x = whole_part(place_of(point[0], 0));
     const std::uint32_t y = whole_part(place_of(point[1], 1));
     const std::uint32_t z = whole_part(place_of(point[2], 2));
-    if (!((x < size_[0]) & (y < size_[1]) & (z < size_[2]))) return {};
+    if (!((x < size_[0]) & (y < size_[1]) & (z < size_[2]))) return no_place;
     const std::size_t cell = (std::size_t{z} * size_[1] + y) * size_[0] + x;
-    if ((occupied_[cell / 32] >> (cell % 32) & 1) == 0) return {};
-    return std::span<const ElementIndex>(parts_).subspan(begin_[cell],
-                                                         begin_[cell + 1] - begin_[cell]);
+    if ((occupied_[cell / 32] >> (cell % 32) & 1) == 0) return no_place;
+    return place_of_cell(cell);
+  }
+
+  /// Cells that parts are near.
+  [[nodiscard]] std::size_t places() const noexcept { return begin_.size() - 2; }
+
+  /// Parts that may be within reach of a point of the cell with that place, ascending; never none.
+  [[nodiscard]] std::span<const ElementIndex> parts(std::size_t place) const noexcept {
+    return std::span<const ElementIndex>(parts_).subspan(begin_[place],
+                                                         begin_[place + 1] - begin_[place]);
   }
 
   /// Says where points are looked for. Returns false where there are too many cells for kernels.
@@ -63,9 +76,16 @@ class WallGrid {
   [[nodiscard]] double shortest_cell(std::size_t count, double reach) const noexcept;
   void lay_cells(double length) noexcept;
   [[nodiscard]] CellRange cells_near(const exact::Box<3>& box) const noexcept;
+  void number_places();
   void add_up();
 
   [[nodiscard]] std::size_t cell_count() const noexcept { return size_[0] * size_[1] * size_[2]; }
+  /// Of a cell whose bit is set.
+  [[nodiscard]] std::size_t place_of_cell(std::size_t cell) const noexcept {
+    const std::uint32_t before = (std::uint32_t{1} << (cell % 32)) - 1;
+    return places_before_[cell / 32] +
+           static_cast<std::size_t>(std::popcount(occupied_[cell / 32] & before));
+  }
   [[nodiscard]] double place_of(double x, int axis) const noexcept {
     return (x - origin_[axis]) * inverse_[axis];
   }
@@ -90,8 +110,9 @@ class WallGrid {
   double origin_[3] = {};
   double inverse_[3] = {};  ///< of the length of a cell
   std::size_t size_[3] = {};
-  base::Array<std::uint32_t> occupied_;  ///< a bit for each cell
-  base::Array<std::uint64_t> begin_;     ///< places of the parts of each cell
+  base::Array<std::uint32_t> occupied_;       ///< a bit for each cell
+  base::Array<std::uint64_t> places_before_;  ///< the bits that are set in the words before each
+  base::Array<std::uint64_t> begin_;          ///< first of the parts of each cell that has some
   base::Array<ElementIndex> parts_;
 };
 
@@ -113,17 +134,22 @@ void WallGrid::build(std::size_t count, double reach, base::WorkCounter& work, B
     work.did(4 * count);
     if (cell_count() == 1 || entries <= most_entries(count)) break;
   }
-  begin_.assign(cell_count() + 2, 0);
-  for (std::size_t k = 0; k < count; ++k) {
-    for_each_cell(cells_near(wider(box_of(k), reach)), work,
-                  [&](std::size_t cell) { ++begin_[cell + 2]; });
-  }
+  const auto for_each_entry = [&](auto&& act) {
+    for (std::size_t k = 0; k < count; ++k) {
+      for_each_cell(cells_near(wider(box_of(k), reach)), work,
+                    [&](std::size_t cell) { act(cell, k); });
+    }
+  };
+  occupied_.assign(cell_count() / 32 + 1, 0);
+  for_each_entry([&](std::size_t cell, std::size_t) {
+    occupied_[cell / 32] |= std::uint32_t{1} << (cell % 32);
+  });
+  number_places();
+  for_each_entry([&](std::size_t cell, std::size_t) { ++begin_[place_of_cell(cell) + 2]; });
   add_up();
-  for (std::size_t k = 0; k < count; ++k) {
-    for_each_cell(cells_near(wider(box_of(k), reach)), work, [&](std::size_t cell) {
-      parts_[begin_[cell + 1]++] = static_cast<ElementIndex>(k);
-    });
-  }
+  for_each_entry([&](std::size_t cell, std::size_t k) {
+    parts_[begin_[place_of_cell(cell) + 1]++] = static_cast<ElementIndex>(k);
+  });
 }
 
 }  // namespace abut::walls

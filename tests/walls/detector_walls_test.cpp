@@ -159,6 +159,31 @@ TEST(DetectorWalls, OfBoxesAreThoseOfTheFreeFunction) {
   EXPECT_EQ(list.points()[0], (Vector{0.0, 0.0, 1.0}));
 }
 
+TEST(DetectorWalls, ReadNumbersHoweverTheyLie) {
+  Random random(1706);
+  const TriangleMesh mesh = soup(random, 40, 60, 6).mesh();
+  const std::size_t count = 1300;
+  std::vector<double> x(count), y(count), z(count), r(count);
+  std::vector<std::array<float, 3>> singles(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    singles[k] = {static_cast<float>(x[k] = random.uniform(-1.0, 7.0)),
+                  static_cast<float>(y[k] = random.uniform(-1.0, 7.0)),
+                  static_cast<float>(z[k] = random.uniform(-1.0, 7.0))};
+    r[k] = random.uniform(0.05, 0.3);
+  }
+  const ElementView views[] = {spheres(x, y, z, r), spheres(x, y, z, 0.25),
+                               spheres(singles, 0.25F)};
+  Detector detector(Options{.shifts = Shifts::stored, .quantities = some_quantities});
+  for (const ElementView& view : views) {
+    const MeshContactList expected = find_mesh_contacts(view, mesh, detector.options());
+    EXPECT_GT(expected.size(), 100U);
+    expect_same(detector.find_mesh_contacts(view, mesh), expected);
+  }
+  r[1000] = -0.5;
+  expect_error(ErrorCode::invalid_input, {"element 1000", "radius = -0.5"},
+               [&] { static_cast<void>(detector.find_mesh_contacts(views[0], mesh)); });
+}
+
 /// A mesh that moves rigidly keeps its grid, and one that is deformed by little does.
 TEST(DetectorWalls, BuildTheGridOnce) {
   Random random(1705);

@@ -4,6 +4,7 @@
 
 #include "base/memory_meter.hpp"
 #include "base/progress_reporter.hpp"
+#include "exact/sphere.hpp"
 #include "scenes/random.hpp"
 
 #include <abut/simd.hpp>
@@ -11,8 +12,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -52,11 +55,25 @@ void build(walls::WallGrid& grid, std::size_t parts, double scale) {
   });
 }
 
-std::vector<std::uint32_t> found_by(Simd simd, const walls::WallGrid& grid,
-                                    const walls::RestFrame& frame, const Spheres& spheres) {
+/// What NearWall finds, with memory of its own.
+struct Found {
+  std::vector<std::uint32_t> near;
+  std::size_t valid;
+  double largest_radius;
+};
+
+Found found_by(Simd simd, const walls::WallGrid& grid, const walls::RestFrame& frame,
+               const Spheres& spheres) {
+  std::array<std::vector<double>, 4> numbers;
+  for (const exact::Sphere<3>& sphere : spheres) {
+    for (std::size_t axis = 0; axis < 3; ++axis) numbers[axis].push_back(sphere.center[axis]);
+    numbers[3].push_back(sphere.radius);
+  }
+  const kernels::ElementColumns columns{{numbers[0].data(), numbers[1].data(), numbers[2].data()},
+                                        numbers[3].data()};
   std::vector<std::uint32_t> room(spheres.size());
-  const auto found = walls::NearWall(grid, frame, simd).find(spheres, room);
-  return {found.begin(), found.end()};
+  const auto found = walls::NearWall(grid, frame, simd).find(columns, spheres.size(), room);
+  return {{found.numbers.begin(), found.numbers.end()}, found.valid, found.largest_radius};
 }
 
 std::vector<std::uint32_t> expected(const walls::WallGrid& grid, const walls::RestFrame& frame,
@@ -65,7 +82,8 @@ std::vector<std::uint32_t> expected(const walls::WallGrid& grid, const walls::Re
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     double center[3];
     frame.bring_back(spheres[k].center, center);
-    if (!grid.near(center).empty()) near.push_back(static_cast<std::uint32_t>(k));
+    if (grid.place_near(center) != walls::WallGrid::no_place)
+      near.push_back(static_cast<std::uint32_t>(k));
   }
   return near;
 }
@@ -97,12 +115,41 @@ TEST(NearWall, NamesTheSameSpheresWithEveryInstructionSet) {
           }
           for (const Simd simd : simd_levels()) {
             if (available(simd)) {
-              EXPECT_EQ(found_by(simd, grid, frame, spheres), near)
-                  << name_of(simd) << ' ' << count;
+              const Found found = found_by(simd, grid, frame, spheres);
+              EXPECT_EQ(found.near, near) << name_of(simd) << ' ' << count;
+              EXPECT_EQ(found.valid, count) << name_of(simd);
             }
           }
         }
       }
+    }
+  }
+}
+
+TEST(NearWall, LooksAtSpheresUpToTheFirstThatIsNotValid) {
+  scenes::Random random(1512);
+  base::MemoryMeter memory;
+  walls::WallGrid grid(memory);
+  build(grid, 40, 1.0);
+  const walls::RestFrame frame(some_mesh(1.0), 0.0);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double wrong[] = {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity};
+  for (std::size_t round = 0; round < 200; ++round) {
+    Spheres spheres = some_spheres(61, 1.0, random);
+    for (auto& sphere : spheres) sphere.radius = random.uniform(0.0, 0.5);
+    const std::size_t bad = random.below(spheres.size());
+    const std::size_t field = round % 4;
+    (field < 3 ? spheres[bad].center[field] : spheres[bad].radius) = wrong[round % 3];
+    if (round % 8 == 7) spheres[bad].radius = -0x1p-1074;
+    const Spheres before(spheres.begin(), spheres.begin() + static_cast<std::ptrdiff_t>(bad));
+    double largest = 0.0;
+    for (const auto& sphere : before) largest = std::max(largest, sphere.radius);
+    for (const Simd simd : simd_levels()) {
+      if (!available(simd)) continue;
+      const Found found = found_by(simd, grid, frame, spheres);
+      EXPECT_EQ(found.valid, bad) << name_of(simd);
+      EXPECT_EQ(found.near, expected(grid, frame, before)) << name_of(simd);
+      EXPECT_EQ(found.largest_radius, largest) << name_of(simd);
     }
   }
 }

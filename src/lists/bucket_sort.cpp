@@ -44,7 +44,7 @@ class Digits {
 
 struct ByFirst : Digits {
   using Digits::Digits;
-  template <PairEntry Entry>
+  template <RangeEntry Entry>
   [[nodiscard]] std::uint32_t operator()(const Entry& entry) const {
     return of(pair_of(entry).first);
   }
@@ -52,7 +52,7 @@ struct ByFirst : Digits {
 
 struct BySecond : Digits {
   using Digits::Digits;
-  template <PairEntry Entry>
+  template <RangeEntry Entry>
   [[nodiscard]] std::uint32_t operator()(const Entry& entry) const {
     return of(pair_of(entry).second);
   }
@@ -65,7 +65,7 @@ struct Partners {
   std::size_t near = 0;  ///< those within the range itself
 };
 
-template <PairEntry Entry>
+template <RangeEntry Entry>
 Partners partners_of(std::span<const Entry> entries, std::size_t first_element, std::size_t width,
                      base::WorkCounter& work) {
   Partners all;
@@ -95,7 +95,7 @@ bool has_crowd(std::span<const std::uint32_t> ends) {
 }
 
 /// True if so many entries are out of order that the branches of insertion could not be predicted.
-template <PairEntry Entry>
+template <RangeEntry Entry>
 bool is_shuffled(std::span<const Entry> entries, base::WorkCounter& work) {
   std::size_t descents = 0;
   work.in_pieces(1, entries.size(), [&](std::size_t begin, std::size_t end) {
@@ -110,7 +110,7 @@ bool is_shuffled(std::span<const Entry> entries, base::WorkCounter& work) {
 
 /// Sorts entries that are nearly in order. If that takes too many steps, or an entry is far from
 /// its place, std::sort takes over.
-template <PairEntry Entry>
+template <RangeEntry Entry>
 void sort_by_insertion(std::span<Entry> entries, base::WorkCounter& work) {
   constexpr std::size_t farthest = std::size_t{1} << 16;
   constexpr std::size_t piece = 4096;
@@ -138,7 +138,7 @@ void sort_by_insertion(std::span<Entry> entries, base::WorkCounter& work) {
 }  // namespace
 
 /// Sorts by a digit, stably. Returns where the entries of each digit end.
-template <PairEntry Entry>
+template <RangeEntry Entry>
 template <class Digit>
 std::span<const std::uint32_t> BucketSort<Entry>::scatter(std::span<const Entry> from, Digit digit,
                                                           std::span<Entry> target,
@@ -164,7 +164,7 @@ std::span<const std::uint32_t> BucketSort<Entry>::scatter(std::span<const Entry>
 }
 
 /// Sorts the rows of `moved_` into `entries` in vectors, unless one of them is too long.
-template <PairEntry Entry>
+template <RangeEntry Entry>
 bool BucketSort<Entry>::sort_rows(std::span<Entry> entries, std::span<const std::uint32_t> ends,
                                   std::size_t first_element, const kernels::OrderKernels& kernels,
                                   base::WorkCounter& work) const {
@@ -181,7 +181,7 @@ bool BucketSort<Entry>::sort_rows(std::span<Entry> entries, std::span<const std:
   return false;
 }
 
-template <PairEntry Entry>
+template <RangeEntry Entry>
 void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element, std::size_t width,
                              const kernels::OrderKernels& kernels, base::WorkCounter& work) {
   if (entries.size() > std::numeric_limits<std::uint32_t>::max()) {
@@ -190,10 +190,9 @@ void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element
   if (entries.empty()) return;
   base::make_room(moved_, entries.size() + kernels::longest_sorted_row);
   const std::span<Entry> moved = std::span(moved_).first(entries.size());
-  const auto first = static_cast<ElementIndex>(first_element);
+  const ElementIndex first = row_origin<Entry>(first_element);
   // If most elements have no pair, several share a digit: an empty digit costs as much as a pair.
-  const ByFirst by_first(first, static_cast<ElementIndex>(first_element + width - 1),
-                         2 * entries.size());
+  const ByFirst by_first(first, first + static_cast<ElementIndex>(width - 1), 2 * entries.size());
   const Partners partners = partners_of<Entry>(entries, first_element, width, work);
   // A few pairs need no pass over second elements. Rows of elements that are numbered nearby have
   // partners in the same cache lines: vectors sort them faster than a second pass would, which is
@@ -215,5 +214,6 @@ void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element
 
 template class BucketSort<ContactPair>;
 template class BucketSort<ImagePair>;
+template class BucketSort<PackedEntry>;
 
 }  // namespace abut::lists

@@ -3,7 +3,7 @@
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
 #include "kernels/order_kernels.hpp"
-#include "lists/pair_entry.hpp"
+#include "lists/packed_entry.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,14 +13,15 @@ namespace abut::lists {
 
 /// Sorts pairs whose first elements lie in a narrow range: by counting, then row by row in vectors,
 /// or by insertion, which has next to nothing left to do. It keeps its arrays.
-template <PairEntry Entry>
+template <RangeEntry Entry>
 class BucketSort {
  public:
   explicit BucketSort(base::MemoryMeter& memory)
       : places_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
         moved_(base::make_array_for_overwrite<Entry>(memory, 0)) {}
 
-  /// First elements are first_element .. first_element + width - 1. Equal entries may come.
+  /// First elements are first_element .. first_element + width - 1, counted from row_origin().
+  /// Equal entries may come.
   void sort(std::span<Entry> entries, std::size_t first_element, std::size_t width,
             const kernels::OrderKernels& kernels, base::WorkCounter& work);
 

@@ -3,6 +3,7 @@
 #include "base/asking_workers.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,8 +37,10 @@ void for_each_entry(const FoundPieces& pieces, NeighborListKind kind, std::size_
   }
 }
 
-/// Writes entries to their ranges. Passed as a value: the compiler knows that no write changes it.
-struct Target {
+// Where entries go. Passed as values: the compiler knows that no write changes them.
+
+/// Writes entries to their ranges of the rows.
+struct RowTarget {
   ElementRanges ranges;
   std::uint64_t* next;
   RowArrays rows;
@@ -49,7 +52,19 @@ struct Target {
     const std::uint64_t place = next[ranges.of(row)]++;
     rows.neighbors[place] = neighbor;
     put_shift(entry, rows.shifts, place);
-    row_in_range[place] = static_cast<std::uint16_t>(row & (ranges.width() - 1));
+    row_in_range[place] = ranges.in_range(row);
+  }
+};
+
+/// Packs entries to their ranges.
+struct PackedTarget {
+  ElementRanges ranges;
+  std::uint64_t* next;
+  PackedEntry* entries;
+
+  void operator()(const ImagePair& entry) const {
+    const ElementIndex row = entry.pair.first;
+    entries[next[ranges.of(row)]++] = packed(ranges.in_range(row), entry);
   }
 };
 
@@ -57,24 +72,36 @@ struct Target {
 
 void CsrBuilder::list(const FoundPieces& pieces, NeighborListKind kind, const RowArrays& rows,
                       std::size_t workers, base::WorkCounter& work) {
-  pieces.shifts.empty() ? list_entries<ContactPair>(pieces, kind, rows, workers, work)
-                        : list_entries<ImagePair>(pieces, kind, rows, workers, work);
+  if (pieces.shifts.empty()) return list_entries<ContactPair>(pieces, kind, rows, workers, work);
+  shifts_can_be_packed(pieces, workers, work)
+      ? list_entries<PackedEntry>(pieces, kind, rows, workers, work)
+      : list_entries<ImagePair>(pieces, kind, rows, workers, work);
 }
 
-template <PairEntry Entry>
+template <RangeEntry Entry>
 void CsrBuilder::list_entries(const FoundPieces& pieces, NeighborListKind kind,
                               const RowArrays& rows, std::size_t workers, base::WorkCounter& work) {
   const ElementRanges ranges(rows.offsets.size() - 1);
-  base::make_room(row_in_range_, rows.neighbors.size());
+  constexpr bool are_packed = std::same_as<Entry, PackedEntry>;
+  if constexpr (are_packed) {
+    base::make_room(packed_, rows.neighbors.size());
+  } else {
+    base::make_room(row_in_range_, rows.neighbors.size());
+  }
   const auto count_share = [&](std::size_t share, base::WorkCounter& its_work, auto&& count) {
     for_each_entry<ContactPair>(pieces, kind, share, workers, its_work,
                                 [&](const ContactPair& entry) { count(entry.first); });
   };
   places_.count(ranges, workers, work, count_share);
   base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
-    for_each_entry<Entry>(
-        pieces, kind, share, workers, its_work,
-        Target{ranges, places_.next_of(ranges, share), rows, row_in_range_.data()});
+    std::uint64_t* const next = places_.next_of(ranges, share);
+    if constexpr (are_packed) {
+      for_each_entry<ImagePair>(pieces, kind, share, workers, its_work,
+                                PackedTarget{ranges, next, packed_.data()});
+    } else {
+      for_each_entry<Entry>(pieces, kind, share, workers, its_work,
+                            RowTarget{ranges, next, rows, row_in_range_.data()});
+    }
   });
   const std::span scratches = scratch_.of<Entry>(workers);
   const auto finish_one = [&](std::size_t worker, std::size_t range, base::WorkCounter& its_work) {
@@ -84,8 +111,29 @@ void CsrBuilder::list_entries(const FoundPieces& pieces, NeighborListKind kind,
   rows.offsets.back() = rows.neighbors.size();
 }
 
+/// The entries of a range, together.
+template <RangeEntry Entry>
+std::span<Entry> CsrBuilder::entries_of(const ElementRanges& ranges, std::size_t range,
+                                        const RowArrays& rows, SortScratch<Entry>& scratch,
+                                        base::WorkCounter& work) {
+  const PairCount begin = places_.begin(range);
+  if constexpr (std::same_as<Entry, PackedEntry>) {
+    return std::span(packed_).subspan(begin, places_.size(range));
+  } else {
+    const std::span entries = scratch.entries_for(places_.size(range));
+    work.in_pieces(0, entries.size(), [&](std::size_t from, std::size_t to) {
+      for (std::size_t k = from; k < to; ++k) {
+        const auto row =
+            static_cast<ElementIndex>(ranges.first_of(range) + row_in_range_[begin + k]);
+        entries[k] = entry_of<Entry>({row, rows.neighbors[begin + k]}, rows.shifts, begin + k);
+      }
+    });
+    return entries;
+  }
+}
+
 /// Sorts the entries of a range and says where its rows begin.
-template <PairEntry Entry>
+template <RangeEntry Entry>
 void CsrBuilder::finish_range(const ElementRanges& ranges, std::size_t range, const RowArrays& rows,
                               SortScratch<Entry>& scratch, base::WorkCounter& work) {
   const PairCount begin = places_.begin(range);
@@ -93,13 +141,7 @@ void CsrBuilder::finish_range(const ElementRanges& ranges, std::size_t range, co
   const auto begins = rows.offsets.first(rows.offsets.size() - 1)
                           .subspan(first_row)
                           .first(std::min(ranges.width(), rows.offsets.size() - 1 - first_row));
-  const std::span entries = scratch.entries_for(places_.size(range));
-  work.in_pieces(0, entries.size(), [&](std::size_t from, std::size_t to) {
-    for (std::size_t k = from; k < to; ++k) {
-      const auto row = static_cast<ElementIndex>(first_row + row_in_range_[begin + k]);
-      entries[k] = entry_of<Entry>({row, rows.neighbors[begin + k]}, rows.shifts, begin + k);
-    }
-  });
+  const std::span entries = entries_of<Entry>(ranges, range, rows, scratch, work);
   scratch.sort.sort(entries, first_row, ranges.width(), kernels_, work);
   std::fill(begins.begin(), begins.end(), PairCount{0});
   work.did(begins.size());
@@ -108,7 +150,7 @@ void CsrBuilder::finish_range(const ElementRanges& ranges, std::size_t range, co
       const auto [row, neighbor] = pair_of(entries[k]);
       rows.neighbors[begin + k] = neighbor;
       put_shift(entries[k], rows.shifts, begin + k);
-      ++begins[row - first_row];
+      ++begins[row - row_origin<Entry>(first_row)];
     }
   });
   PairCount place = begin;

@@ -24,13 +24,15 @@ struct RowArrays {
 };
 
 /// Builds compressed rows of neighbors (CSR) straight from the pairs as found: entries are written
-/// into ranges of rows, then each range is sorted by (row, neighbor, shift) in the cache. A pair
-/// that is seen from its second element has the opposite shift. It keeps its arrays.
+/// into ranges of rows, then each range is sorted by (row, neighbor, shift) in the cache. Entries
+/// with short shifts are packed meanwhile. A pair that is seen from its second element has the
+/// opposite shift. It keeps its arrays.
 class CsrBuilder {
  public:
   explicit CsrBuilder(base::MemoryMeter& memory)
       : places_(memory),
         row_in_range_(base::make_array_for_overwrite<std::uint16_t>(memory, 0)),
+        packed_(base::make_array_for_overwrite<PackedEntry>(memory, 0)),
         scratch_(memory) {}
 
   /// Takes other kernels than plain C++.
@@ -41,15 +43,20 @@ class CsrBuilder {
             std::size_t workers, base::WorkCounter& work);
 
  private:
-  template <PairEntry Entry>
+  template <RangeEntry Entry>
   void list_entries(const FoundPieces& pieces, NeighborListKind kind, const RowArrays& rows,
                     std::size_t workers, base::WorkCounter& work);
-  template <PairEntry Entry>
+  template <RangeEntry Entry>
+  [[nodiscard]] std::span<Entry> entries_of(const ElementRanges& ranges, std::size_t range,
+                                            const RowArrays& rows, SortScratch<Entry>& scratch,
+                                            base::WorkCounter& work);
+  template <RangeEntry Entry>
   void finish_range(const ElementRanges& ranges, std::size_t range, const RowArrays& rows,
                     SortScratch<Entry>& scratch, base::WorkCounter& work);
 
   RangePlaces places_;
   base::Array<std::uint16_t> row_in_range_;  ///< of each entry, until its range is sorted
+  base::Array<PackedEntry> packed_;          ///< the entries by range, where they can be packed
   WorkersSortScratch scratch_;
   kernels::OrderKernels kernels_;
 };

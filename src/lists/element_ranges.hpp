@@ -25,6 +25,10 @@ class ElementRanges {
   /// Number of elements in a range, at most 2^16.
   [[nodiscard]] std::size_t width() const noexcept { return std::size_t{1} << shift_; }
   [[nodiscard]] std::size_t of(ElementIndex element) const noexcept { return element >> shift_; }
+  /// The number of an element in its range.
+  [[nodiscard]] std::uint16_t in_range(ElementIndex element) const noexcept {
+    return static_cast<std::uint16_t>(element & (width() - 1));
+  }
   [[nodiscard]] std::size_t first_of(std::size_t range) const noexcept { return range << shift_; }
 
  private:

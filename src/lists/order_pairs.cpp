@@ -3,6 +3,7 @@
 #include "base/asking_workers.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -30,15 +31,21 @@ void for_each_part(const FoundPieces& pieces, std::size_t share, std::size_t sha
   }
 }
 
-/// Writes pairs to their ranges. `ranges` is a copy: the compiler knows that no write changes it.
-template <PairEntry Entry>
+/// Writes pairs to their ranges, packed ones in place of the pairs they are of. `ranges` is a copy:
+/// the compiler knows that no write changes it.
+template <RangeEntry Entry>
 void scatter(const FoundPiece& piece, std::size_t begin, std::size_t end, ElementRanges ranges,
              std::uint64_t* next, OutputBuffer target) {
   const auto [pairs, shifts] = piece;
   for (std::size_t p = begin; p < end; ++p) {
     const std::uint64_t place = next[ranges.of(pairs[p].first)]++;
-    target.pairs[place] = pairs[p];
-    if constexpr (std::same_as<Entry, ImagePair>) target.shifts[place] = shifts[p];
+    if constexpr (std::same_as<Entry, PackedEntry>) {
+      const PackedEntry entry = packed(ranges.in_range(pairs[p].first), {pairs[p], shifts[p]});
+      target.pairs[place] = std::bit_cast<ContactPair>(entry);
+    } else {
+      target.pairs[place] = pairs[p];
+      if constexpr (std::same_as<Entry, ImagePair>) target.shifts[place] = shifts[p];
+    }
   }
 }
 
@@ -60,6 +67,25 @@ void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t 
     for (std::size_t k = begin; k < end; ++k) {
       part.pairs[k] = entries[k].pair;
       part.shifts[k] = entries[k].shift;
+    }
+  });
+}
+
+void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t width,
+               SortScratch<PackedEntry>& scratch, const kernels::OrderKernels& kernels,
+               base::WorkCounter& work) {
+  const std::span entries = scratch.entries_for(part.pairs.size());
+  work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      entries[k] = std::bit_cast<PackedEntry>(part.pairs[k]);
+    }
+  });
+  scratch.sort.sort(entries, first_element, width, kernels, work);
+  work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto [row, neighbor] = pair_of(entries[k]);
+      part.pairs[k] = {static_cast<ElementIndex>(first_element + row), neighbor};
+      put_shift(entries[k], part.shifts, k);
     }
   });
 }
@@ -102,12 +128,16 @@ void PairOrder::sort(const FoundPieces& pieces, std::size_t element_count,
   if (target.pairs.empty()) return;
   const ElementRanges ranges(element_count);
   count(pieces, ranges, workers, work);
-  pieces.shifts.empty() ? sort_entries<ContactPair>(pieces, ranges, target, workers, work)
-                        : sort_entries<ImagePair>(pieces, ranges, target, workers, work);
+  if (pieces.shifts.empty()) {
+    return sort_entries<ContactPair>(pieces, ranges, target, workers, work);
+  }
+  shifts_can_be_packed(pieces, workers, work)
+      ? sort_entries<PackedEntry>(pieces, ranges, target, workers, work)
+      : sort_entries<ImagePair>(pieces, ranges, target, workers, work);
 }
 
 /// Scatters the entries, counted already, into their ranges and sorts these.
-template <PairEntry Entry>
+template <RangeEntry Entry>
 void PairOrder::sort_entries(const FoundPieces& pieces, const ElementRanges& ranges,
                              const OutputBuffer& target, std::size_t workers,
                              base::WorkCounter& work) {

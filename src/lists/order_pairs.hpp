@@ -36,7 +36,7 @@ class PairOrder {
             std::size_t workers, base::WorkCounter& work);
 
  private:
-  template <PairEntry Entry>
+  template <RangeEntry Entry>
   void sort_entries(const FoundPieces& pieces, const ElementRanges& ranges,
                     const OutputBuffer& target, std::size_t workers, base::WorkCounter& work);
   void count(const FoundPieces& pieces, const ElementRanges& ranges, std::size_t workers,

@@ -11,7 +11,7 @@
 namespace abut::lists {
 
 /// Memory of one worker that sorts entries range by range.
-template <PairEntry Entry>
+template <RangeEntry Entry>
 struct SortScratch {
   explicit SortScratch(base::MemoryMeter& memory)
       : sort(memory), entries(base::make_array_for_overwrite<Entry>(memory, 0)) {}
@@ -26,12 +26,12 @@ struct SortScratch {
   base::Array<Entry> entries;
 };
 
-/// The scratch of all workers, for either type of entry. It keeps its arrays.
+/// The scratch of all workers, for each type of entry. It keeps its arrays.
 class WorkersSortScratch {
  public:
   explicit WorkersSortScratch(base::MemoryMeter& memory) : memory_(memory) {}
 
-  template <PairEntry Entry>
+  template <RangeEntry Entry>
   [[nodiscard]] std::span<SortScratch<Entry>> of(std::size_t workers) {
     auto& all = std::get<std::vector<SortScratch<Entry>>>(scratches_);
     while (all.size() < workers) all.emplace_back(memory_);
@@ -40,7 +40,9 @@ class WorkersSortScratch {
 
  private:
   base::MemoryMeter& memory_;
-  std::tuple<std::vector<SortScratch<ContactPair>>, std::vector<SortScratch<ImagePair>>> scratches_;
+  std::tuple<std::vector<SortScratch<ContactPair>>, std::vector<SortScratch<ImagePair>>,
+             std::vector<SortScratch<PackedEntry>>>
+      scratches_;
 };
 
 }  // namespace abut::lists

@@ -163,8 +163,8 @@ TEST(RowsLayersWork, TakesFewBytesForEachElement) {
   }
 }
 
-/// Locals and ghosts are sorted into layers alike, whatever the cell. Half as many elements as above:
-/// direct checking takes most of the time.
+/// Locals and ghosts are sorted into layers alike, whatever the cell. Half as many elements as
+/// above: direct checking takes most of the time.
 TEST(RowsLayersInCells, HaveThePairsOfDirectCheck) {
   struct SceneInCell {
     std::string scene;

@@ -18,8 +18,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -307,39 +309,6 @@ TEST(OrderPairs, OneCrowdedElement) {
     PairVector ordered(pairs.size());
     lists::PairOrder(memory).sort({{&piece, 1}}, count, {ordered, {}}, workers, nobody.work);
     EXPECT_EQ(ordered, expected);
-  }
-}
-
-/// Many images of the same pairs, as small periodic cells have them, too.
-TEST(OrderPairs, ShiftsFollowTheirPairsAndDecideAmongEqualOnes) {
-  Random random(9);
-  for (const ElementIndex count : {2U, 50U, 5000U}) {
-    std::set<std::pair<ContactPair, ImageShift>> expected;
-    PairVector pairs;
-    std::vector<ImageShift> shifts;
-    while (pairs.size() < 30000) {
-      const auto first = static_cast<ElementIndex>(random.below(count - 1));
-      const ContactPair pair{first, static_cast<ElementIndex>(first + random.below(2))};
-      const auto number = [&] { return static_cast<std::int32_t>(random.below(41)) - 20; };
-      const ImageShift shift{number(), number(), number()};
-      if (!expected.insert({pair, shift}).second) continue;
-      pairs.push_back(pair);
-      shifts.push_back(shift);
-    }
-    const std::array pieces{std::span<const ContactPair>(pairs).first(1000),
-                            std::span<const ContactPair>(pairs).subspan(1000)};
-    const std::array shift_pieces{std::span<const ImageShift>(shifts).first(1000),
-                                  std::span<const ImageShift>(shifts).subspan(1000)};
-    base::MemoryMeter memory;
-    PairVector ordered(pairs.size());
-    std::vector<ImageShift> ordered_shifts(pairs.size());
-    lists::PairOrder(memory).sort({pieces, shift_pieces}, count, {ordered, ordered_shifts}, 2,
-                                  nobody.work);
-    std::size_t k = 0;
-    for (const auto& [pair, shift] : expected) {
-      ASSERT_EQ(ordered[k], pair) << k;
-      ASSERT_EQ(ordered_shifts[k++], shift) << k;
-    }
   }
 }
 

@@ -35,11 +35,12 @@ REFERENCE = {
         "wall_history",
     ],
     "Algorithms and instruction sets": ["algorithm", "simd"],
-    "Devices": ["device", "device_elements"],
+    "Devices": ["device", "device_elements", "device_lists"],
     "A look inside": ["trace", "version"],
 }
 # Headers whose names lie in a name space within abut.
-SPACES = {"trace": "trace", "device": "device", "device_elements": "device"}
+SPACES = {"trace": "trace", "device": "device", "device_elements": "device",
+          "device_lists": "device"}
 REFERENCE_HEAD = """The C++ interface
 =================
 

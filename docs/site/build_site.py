@@ -20,7 +20,8 @@ ROOT = HERE.parents[1]
 # The pages of the reference, and the headers on each.
 REFERENCE = {
     "Finding contact pairs": ["detect", "two_sets", "options", "progress", "statistics", "error"],
-    "Elements": ["element_view", "points", "column", "fit_boxes", "simplex_contacts"],
+    "Elements": ["element_view", "points", "column", "fit_boxes", "simplex_contacts",
+                 "spatial_order"],
     "Domains": ["domain", "image_shift"],
     "Results": ["pair", "pair_list", "neighbor_list"],
     "From a contact to a force": ["measure", "quantity", "pair_geometry"],

@@ -32,6 +32,7 @@
 #include <abut/simd.hpp>
 #include <abut/simplex_contacts.hpp>
 #include <abut/skin.hpp>
+#include <abut/spatial_order.hpp>
 #include <abut/statistics.hpp>
 #include <abut/triangle_mesh.hpp>
 #include <abut/two_sets.hpp>

@@ -67,6 +67,7 @@ void add_free_functions(Calls& calls) {
     calls.push_back(
         {"abut::neighbors", where, [&g, domain] { (void)neighbors(g.points, 0.7, *domain); }});
   }
+  calls.push_back({"abut::spatial_order", "", [&g] { (void)spatial_order(g.elements); }});
 }
 
 void add_measures(Calls& calls) {

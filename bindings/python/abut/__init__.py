@@ -35,6 +35,7 @@ from ._mesh import Motion, TriangleMesh
 from ._neighbors import NeighborList, build_neighbor_list, neighbors
 from ._options import Options
 from ._rules import ExclusionList, GroupTable, PairRule
+from ._spatial_order import spatial_order
 from ._statistics import Statistics
 from ._wall_contacts import BoxContacts, FeatureKind, MeshContacts
 from ._wall_history import BoxContactHistory, MeshContactHistory
@@ -93,6 +94,7 @@ __all__ = [
     "read",
     "rectangles",
     "simd_levels",
+    "spatial_order",
     "spheres",
     "write",
 ]

@@ -18,6 +18,7 @@ void bind_pairs(nb::module_& module);
 void bind_measure(nb::module_& module);
 void bind_pair_graph(nb::module_& module);
 void bind_neighbors(nb::module_& module);
+void bind_spatial_order(nb::module_& module);
 void bind_boxes(nb::module_& module);
 void bind_mesh(nb::module_& module);
 void bind_detector(nb::module_& module);

@@ -15,6 +15,7 @@ NB_MODULE(_abut, module) {
   bind_measure(module);
   bind_pair_graph(module);
   bind_neighbors(module);
+  bind_spatial_order(module);
   bind_boxes(module);
   bind_mesh(module);
   bind_detector(module);

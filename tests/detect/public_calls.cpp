@@ -67,10 +67,9 @@ void add_free_functions(Calls& calls) {
     calls.push_back(
         {"abut::neighbors", where, [&g, domain] { (void)neighbors(g.points, 0.7, *domain); }});
   }
-  calls.push_back({"abut::spatial_order", "", [&g] { (void)spatial_order(g.elements); }});
 }
 
-void add_measures(Calls& calls) {
+void add_measures_and_orders(Calls& calls) {
   const Given& g = given();
   const auto measured = Quantity::gap | Quantity::point;
   calls.push_back({"abut::measure", "", [&g, measured] {
@@ -87,6 +86,7 @@ void add_measures(Calls& calls) {
       {"abut::measure", "into an array", [&g] { measure(g.elements, g.pairs, {.gaps = gaps}); }});
   calls.push_back({"abut::measure", "of two sets, into an array",
                    [&g] { measure(g.elements, g.elements, g.pairs, {.gaps = gaps}); }});
+  calls.push_back({"abut::spatial_order", "", [&g] { (void)spatial_order(g.elements); }});
   calls.push_back({"abut::PairMeasurer::measure", "",
                    [&g] { PairMeasurer(g.elements).measure(g.pairs, {.gaps = gaps}); }});
 }
@@ -377,7 +377,7 @@ void add_wall_history(Calls& calls) {
 std::vector<PublicCall> public_calls() {
   Calls calls;
   add_free_functions(calls);
-  add_measures(calls);
+  add_measures_and_orders(calls);
   add_wall_measures(calls);
   add_candidates(calls);
   add_refusals(calls);

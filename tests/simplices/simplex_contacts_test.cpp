@@ -109,6 +109,9 @@ TEST(SimplexContacts, TwoSetsThatShareVertices) {
   EXPECT_TRUE(same_canonical_pairs(all, find_simplex_contacts(first, second).pairs()));
   EXPECT_TRUE(same_canonical_pairs(
       some, find_simplex_contacts(first, second, {}, SharedVertices::excluded).pairs()));
+  EXPECT_TRUE(same_canonical_pairs(
+      some,
+      find_simplex_contacts(first, second, Domain::open(), {}, SharedVertices::excluded).pairs()));
 }
 
 /// Any algorithm, any number of threads; in the order as found the same pairs.

@@ -90,16 +90,19 @@ class DisplacementTracker {
     std::array<double, Dim> lower{};
     std::array<double, Dim> upper{};
 
+    double negligible = 0.0;  ///< squares below are of displacements shorter than `second`
+
     void include(double displacement, double growth_of_one) noexcept;
+    void include_square(double square, double growth_of_one) noexcept;
     void include(const Part& others) noexcept;
   };
 
   void start_in_cell(const ElementsNow<Dim>& now);
   [[nodiscard]] Part measure(const ElementsNow<Dim>& now, double allowed);
-  [[nodiscard]] Part measure_open(const ElementsNow<Dim>& now, std::size_t first,
-                                  std::size_t last) const;
-  [[nodiscard]] Part measure_periodic(const ElementsNow<Dim>& now, double allowed,
-                                      std::size_t first, std::size_t last);
+  void measure_open(const ElementsNow<Dim>& now, std::size_t first, std::size_t last,
+                    Part& part) const;
+  void measure_periodic(const ElementsNow<Dim>& now, double allowed, std::size_t first,
+                        std::size_t last, Part& part);
   [[nodiscard]] bool comparable(const ElementsNow<Dim>& now) const noexcept;
   void follow_lattice(const Domain& domain);
   [[nodiscard]] lattice::CellNumbers cells_around_middle(const Frame& frame,

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 #include <vector>
 
 namespace abut::testing {
@@ -156,6 +157,25 @@ TEST(DeviceKeptMemory, IsGivenUpForABoundOrForWantOfIt) {
   call(memory);
   EXPECT_EQ(memory.take(1001), nullptr);
   EXPECT_EQ(memory.held(), 0U);
+  EXPECT_EQ(source.blocks, 0);
+}
+
+/// What was not given counts nothing: the bound is as far away as before.
+TEST(DeviceKeptMemory, AnAllocatorMayThrow) {
+  bool throws = true;
+  Source source;
+  device::Allocator functions = source.functions();
+  functions.allocate = [&, give = functions.allocate](std::uint64_t bytes, Stream stream) {
+    if (throws) throw std::out_of_range("mine");
+    return give(bytes, stream);
+  };
+  KeptMemory memory(functions);
+  memory.begin(1000, {});
+  for (int again = 0; again < 3; ++again) {
+    EXPECT_THROW(static_cast<void>(memory.take(600)), std::out_of_range);
+  }
+  throws = false;
+  call(memory);
   EXPECT_EQ(source.blocks, 0);
 }
 

@@ -68,6 +68,22 @@ TEST(DeviceRequests, TwoSetsAreAlike) {
   });
 }
 
+TEST(DeviceRequests, ElementsAreNumberedIn32Bits) {
+  const double zero = 0.0;
+  const auto elements = [&](std::size_t count) {
+    const Column<double> column{&zero, count, 0};
+    return spheres(column, column, column, 1.0);
+  };
+  const ElementView one = elements(1);
+  EXPECT_NO_THROW(validate({}, elements(4294967294), Domain::open()));
+  expect_error(ErrorCode::limit_exceeded, {"4294967295 elements", "at most 4294967294"},
+               [&] { validate({}, elements(4294967295), Domain::open()); });
+  EXPECT_NO_THROW(device::validate_request({}, {elements(4294967293), &one}, Domain::open()));
+  expect_error(ErrorCode::limit_exceeded, {"two sets of 4294967294 and 1 elements"}, [&] {
+    device::validate_request({}, {elements(4294967294), &one}, Domain::open());
+  });
+}
+
 TEST(DeviceRequests, MarginsAreThoseOfTheLibrary) {
   const Scene scene = scenes::scene_named("dense").make(10, 1);
   for (const double margin :

@@ -76,6 +76,20 @@ TEST(History, CarriesValuesFromStepToStep) {
   EXPECT_TRUE(history.lost().empty());
 }
 
+TEST(History, GoesOnWhereItIsMovedTo) {
+  const Elements elements(5);
+  ContactHistory<double> history;
+  history.update(list_of({{0, 1}, {1, 3}}), elements.view());
+  history.values()[1] = 7.0;
+  ContactHistory<double> moved(std::move(history));
+  ContactHistory<double> assigned;
+  assigned.update(list_of({{2, 3}}), elements.view());
+  assigned = std::move(moved);
+  assigned.update(list_of({{1, 3}, {2, 3}}), elements.view());
+  EXPECT_EQ(counts(assigned.born()), (std::vector<PairCount>{1}));
+  EXPECT_EQ(assigned.values()[0], 7.0);
+}
+
 TEST(History, FollowsIdsThroughInsertionRemovalAndReordering) {
   ContactHistory<double> history;
   const std::vector<std::uint64_t> before{70, 20, 50, 90};

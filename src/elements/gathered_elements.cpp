@@ -3,6 +3,7 @@
 #include "base/asking_workers.hpp"
 #include "elements/number_reader.hpp"
 #include "elements/reject_element.hpp"
+#include "elements/sphere_reader.hpp"
 #include "elements/valid_element.hpp"
 #include "grid/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
@@ -10,6 +11,7 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -35,33 +37,6 @@ exact::Sphere<Dim> read_sphere(const ElementView& elements, std::size_t k) {
   return sphere;
 }
 
-/// Reads as many spheres as `target` has, from number `first` on. What is the same for all of them
-/// is looked up once, and each number is written by itself: a record that is copied as a whole just
-/// after its numbers were written waits for these.
-template <int Dim, Real T>
-void read_spheres_of(const ElementView& elements, std::size_t first,
-                     std::span<exact::Sphere<Dim>> target) {
-  for (int axis = 0; axis < Dim; ++axis) {
-    const NumberReader<T> centers(elements.center(axis));
-    for (std::size_t k = 0; k < target.size(); ++k) target[k].center[axis] = centers[first + k];
-  }
-  if (elements.has_common_radius()) {
-    const double radius = elements.common_radius();
-    for (exact::Sphere<Dim>& sphere : target) sphere.radius = radius;
-  } else {
-    const NumberReader<T> radii(elements.radii());
-    for (std::size_t k = 0; k < target.size(); ++k) target[k].radius = radii[first + k];
-  }
-}
-
-template <int Dim>
-void read_spheres(const ElementView& elements, std::size_t first,
-                  std::span<exact::Sphere<Dim>> target) {
-  elements.precision() == Precision::float32
-      ? read_spheres_of<Dim, float>(elements, first, target)
-      : read_spheres_of<Dim, double>(elements, first, target);
-}
-
 template <int Dim, Real T>
 exact::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
   exact::Box<Dim> box{};
@@ -83,26 +58,6 @@ exact::Sphere<Dim> stand_in(const exact::Box<Dim>& box) {
   return sphere;
 }
 
-/// The columns that the vector kernels can read: contiguous doubles.
-std::optional<kernels::ElementColumns> contiguous_columns(const ElementView& elements) {
-  if (elements.shape() != Shape::sphere || elements.precision() != Precision::float64 ||
-      elements.has_common_radius()) {
-    return {};
-  }
-  kernels::ElementColumns columns{};
-  bool contiguous = true;
-  const auto column = [&](const ElementView::Numbers& numbers) {
-    contiguous = contiguous && numbers.stride_bytes == sizeof(double) &&
-                 reinterpret_cast<std::uintptr_t>(numbers.first) % alignof(double) == 0;
-    return reinterpret_cast<const double*>(numbers.first);
-  };
-  for (int axis = 0; axis < elements.dimensions(); ++axis) {
-    columns.center[axis] = column(elements.center(axis));
-  }
-  columns.radius = column(elements.radii());
-  return contiguous ? std::optional(columns) : std::nullopt;
-}
-
 /// Reads parts of the elements, one part a worker.
 template <int Dim>
 class Gatherer {
@@ -111,8 +66,9 @@ class Gatherer {
       : elements_(elements),
         spheres_(gathered.spheres),
         boxes_(gathered.boxes),
-        columns_(contiguous_columns(elements)),
-        kernels_(kernels::element_kernels(simd)) {}
+        kernels_(kernels::element_kernels(simd)) {
+    if (elements.shape() == Shape::sphere) reader_.emplace(elements);
+  }
 
   /// Bounds of the elements [first, last). Throws at the first bad one.
   [[nodiscard]] grid::Bounds<Dim> read(std::size_t first, std::size_t last) const {
@@ -126,14 +82,20 @@ class Gatherer {
   }
 
  private:
+  /// At most elements_at_a_time.
   void read_spheres(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
-    std::size_t k = first;
-    if (columns_) k += pack(first, last - first, bounds);
-    elements::read_spheres<Dim>(elements_, k, spheres_.subspan(k, last - k));
-    for (; k < last; ++k) {
-      if (!is_valid(spheres_[k])) reject_element(k, spheres_[k]);
-      bounds.include_center(spheres_[k]);
-      bounds.include_radius(spheres_[k].radius);
+    std::array<double, SphereReader::numbers * elements_at_a_time> room;
+    const std::size_t count = last - first;
+    const kernels::ElementColumns columns = reader_->read(first, count, room);
+    std::size_t k = grid::widen(bounds, [&](kernels::ElementBounds& packed) {
+      return kernels_.pack(columns, count, Dim, spheres_[first].center, packed);
+    });
+    for (; k < count; ++k) {
+      const exact::Sphere<Dim> sphere = sphere_at<Dim>(columns, k);
+      if (!is_valid(sphere)) reject_element(first + k, sphere);
+      spheres_[first + k] = sphere;
+      bounds.include_center(sphere);
+      bounds.include_radius(sphere.radius);
     }
   }
 
@@ -148,19 +110,10 @@ class Gatherer {
     }
   }
 
-  std::size_t pack(std::size_t first, std::size_t count, grid::Bounds<Dim>& bounds) const {
-    kernels::ElementColumns columns = *columns_;
-    for (int axis = 0; axis < Dim; ++axis) columns.center[axis] += first;
-    columns.radius += first;
-    return grid::widen(bounds, [&](kernels::ElementBounds& packed) {
-      return kernels_.pack(columns, count, Dim, spheres_[first].center, packed);
-    });
-  }
-
   const ElementView& elements_;
   std::span<exact::Sphere<Dim>> spheres_;
   std::span<exact::Box<Dim>> boxes_;
-  std::optional<kernels::ElementColumns> columns_;
+  std::optional<SphereReader> reader_;  ///< of spheres
   kernels::ElementKernels kernels_;
 };
 

@@ -33,7 +33,7 @@ void copy(const ElementView::Numbers& numbers, std::size_t first, std::span<doub
 }  // namespace
 
 SphereReader::SphereReader(const ElementView& spheres) : spheres_(spheres), in_place_{} {
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < spheres.dimensions(); ++axis) {
     in_place_[axis] = contiguous_doubles(spheres, spheres.center(axis));
   }
   if (!spheres.has_common_radius()) {
@@ -44,7 +44,7 @@ SphereReader::SphereReader(const ElementView& spheres) : spheres_(spheres), in_p
 kernels::ElementColumns SphereReader::read(std::size_t first, std::size_t count,
                                            std::span<double> room) const {
   kernels::ElementColumns columns{};
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < spheres_.dimensions(); ++axis) {
     columns.center[axis] =
         column(axis, first, room.subspan(static_cast<std::size_t>(axis) * count, count));
   }

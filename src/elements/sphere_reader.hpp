@@ -17,7 +17,7 @@ class SphereReader {
   /// Numbers of a sphere, for each of which a block needs room.
   static constexpr std::size_t numbers = 4;
 
-  /// `spheres` must outlive it and be spheres in 3D.
+  /// `spheres` must outlive it and be spheres or discs.
   explicit SphereReader(const ElementView& spheres);
 
   /// Returns the columns of `count` spheres from number `first` on, unchecked. What is copied goes
@@ -33,9 +33,13 @@ class SphereReader {
 };
 
 /// Sphere k of some columns.
-[[nodiscard]] inline exact::Sphere<3> sphere_at(const kernels::ElementColumns& columns,
-                                                std::size_t k) noexcept {
-  return {{columns.center[0][k], columns.center[1][k], columns.center[2][k]}, columns.radius[k]};
+template <int Dim>
+[[nodiscard]] exact::Sphere<Dim> sphere_at(const kernels::ElementColumns& columns,
+                                           std::size_t k) noexcept {
+  exact::Sphere<Dim> sphere{};
+  for (int axis = 0; axis < Dim; ++axis) sphere.center[axis] = columns.center[axis][k];
+  sphere.radius = columns.radius[k];
+  return sphere;
 }
 
 }  // namespace abut::elements

@@ -155,7 +155,7 @@ double MeshSearch::largest_radius(const Call& call) {
                           SearchScratch& scratch) {
     std::size_t k = 0;
     for (; k < count; ++k) {
-      const exact::Sphere<3> sphere = elements::sphere_at(block, k);
+      const exact::Sphere<3> sphere = elements::sphere_at<3>(block, k);
       if (!elements::is_valid(sphere)) break;
       scratch.largest_radius = std::max(scratch.largest_radius, sphere.radius);
     }
@@ -188,7 +188,7 @@ void MeshSearch::for_each_block(const Call& call, Act&& act) {
           const std::uint64_t tests = scratch.tests;
           const std::size_t valid = act(block, begin, count, scratch);
           if (valid < count) {
-            elements::reject_element(begin + valid, elements::sphere_at(block, valid));
+            elements::reject_element(begin + valid, elements::sphere_at<3>(block, valid));
           }
           call.context.progress.advance(count);
           work.did(2 * count + steps_of_candidate * (scratch.tests - tests));
@@ -229,7 +229,7 @@ std::span<const MeshSearch::NearSphere> MeshSearch::fetch(const kernels::Element
   for (const std::uint32_t number : numbers) {
     NearSphere& near = scratch.fetched[count];
     near.number = number;
-    near.sphere = elements::sphere_at(block, number);
+    near.sphere = elements::sphere_at<3>(block, number);
     frame.bring_back(near.sphere.center, near.center);
     near.place = grid_.place_near(near.center);
     if (near.place == WallGrid::no_place) continue;

@@ -22,7 +22,7 @@ NearSpheres NearWall::find(const kernels::ElementColumns& spheres, std::size_t c
   kernels::WallFinds finds{};
   std::size_t k = kernels_.find_near(job, near.data(), finds);
   for (; k < count; ++k) {
-    const exact::Sphere<3> sphere = elements::sphere_at(spheres, k);
+    const exact::Sphere<3> sphere = elements::sphere_at<3>(spheres, k);
     if (!elements::is_valid(sphere)) break;
     finds.largest_radius = std::max(finds.largest_radius, sphere.radius);
     double center[3];

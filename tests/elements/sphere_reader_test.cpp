@@ -44,7 +44,7 @@ kernels::ElementColumns expect_numbers(const ElementView& view, bool has_common_
   room.assign(elements::SphereReader::numbers * size, -1.0);
   const kernels::ElementColumns columns = elements::SphereReader(view).read(first, size, room);
   for (std::size_t k = 0; k < size; ++k) {
-    const exact::Sphere<3> sphere = elements::sphere_at(columns, k);
+    const exact::Sphere<3> sphere = elements::sphere_at<3>(columns, k);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       EXPECT_EQ(sphere.center[axis], number(first + k, axis));
     }
@@ -61,6 +61,23 @@ TEST(SphereReader, AreTheCallersNumbers) {
   expect_numbers(spheres(numbers.singles, numbers.single_radii), false, room);
   expect_numbers(spheres(numbers.singles, 0.75F), true, room);
   expect_numbers(spheres(x, y, z, 0.75), true, room);
+}
+
+TEST(SphereReader, ReadsDiscs) {
+  const Numbers numbers;
+  const auto& [x, y, z, r] = numbers.columns;
+  std::vector<std::array<double, 2>> points;
+  for (const auto& point : numbers.points) points.push_back({point[0], point[1]});
+  for (const ElementView& view : {discs(points, r), discs(x, y, r)}) {
+    std::vector<double> room(elements::SphereReader::numbers * count);
+    const kernels::ElementColumns columns = elements::SphereReader(view).read(0, count, room);
+    for (std::size_t k = 0; k < count; ++k) {
+      const exact::Sphere<2> disc = elements::sphere_at<2>(columns, k);
+      EXPECT_EQ(disc.center[0], number(k, 0));
+      EXPECT_EQ(disc.center[1], number(k, 1));
+      EXPECT_EQ(disc.radius, number(k, 3));
+    }
+  }
 }
 
 TEST(SphereReader, StayWhereTheyAreIfTheyCan) {

@@ -64,7 +64,9 @@ struct MemoryPlan {
   std::uint64_t pair_bytes = 0;    ///< bytes of the list while it is brought into order
   std::uint64_t gap_bytes = 0;     ///< bytes more in a domain far wider than its elements need
   std::uint64_t image_bytes = 0;   ///< bytes more in a periodic domain
-  std::uint64_t shift_bytes = 0;   ///< bytes more where shifts are stored
+  /// Bytes more where shifts are stored, or gaps are measured in a periodic domain.
+  std::uint64_t shift_bytes = 0;
+  std::uint64_t quantity_bytes = 0;  ///< bytes more where gaps are measured
   /// Scratch memory of sorts and scans: a bound by what is known of them, as only a device can
   /// tell.
   std::uint64_t scratch_bytes = 0;
@@ -83,8 +85,8 @@ struct MemoryPlan {
 ///
 /// Options mean what they mean for abut::Detector, except that pairs always come in canonical order
 /// and that `threads` and `simd` mean nothing. What a device does not do yet throws
-/// Error{wrong_usage} and says what to take instead: boxes, rules, quantities, and algorithms other
-/// than `rows` and `automatic`.
+/// Error{wrong_usage} and says what to take instead: boxes, rules, quantities other than gaps, and
+/// algorithms other than `rows` and `automatic`.
 class ABUT_API Detector {
  public:
   /// Makes a detector on a device, with memory of its own or of an allocator. Throws

@@ -22,6 +22,9 @@ class ABUT_API PairList {
   /// Address of the first image shift, one for each pair, in the memory of the device. Null unless
   /// Options::shifts asks for them; zeros in an open domain.
   [[nodiscard]] const ImageShift* shifts() const noexcept { return shifts_; }
+  /// Address of the first gap, one for each pair as PairGeometry has them, in the memory of the
+  /// device. Null unless Options::quantities asks for them.
+  [[nodiscard]] const double* gaps() const noexcept { return gaps_; }
   /// Number of pairs.
   [[nodiscard]] PairCount size() const noexcept { return statistics_.contact_pairs; }
   /// True if there is no pair.
@@ -30,7 +33,7 @@ class ABUT_API PairList {
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
   /// Waits until the pairs are there: for programs that measure, or read them in another stream.
   void wait() const;
-  /// Copies pairs and shifts to the host, and waits for them.
+  /// Copies pairs, shifts and gaps to the host, and waits for them.
   [[nodiscard]] abut::PairList to_host() const;
 
  private:
@@ -38,6 +41,7 @@ class ABUT_API PairList {
 
   const ContactPair* pairs_ = nullptr;
   const ImageShift* shifts_ = nullptr;
+  const double* gaps_ = nullptr;
   Statistics statistics_;
   Backend* backend_ = nullptr;
 };
@@ -58,6 +62,9 @@ class ABUT_API NeighborList {
   /// Address of the first image shift, one for each neighbor, in the memory of the device. Null
   /// unless Options::shifts asks for them; zeros in an open domain.
   [[nodiscard]] const ImageShift* shifts() const noexcept { return shifts_; }
+  /// Address of the first gap, one for each neighbor, in the memory of the device. Null unless
+  /// Options::quantities asks for them.
+  [[nodiscard]] const double* gaps() const noexcept { return gaps_; }
   /// Number of neighbors of all elements: in a full list two for each contact pair.
   [[nodiscard]] PairCount neighbor_count() const noexcept { return neighbor_count_; }
   /// Statistics of the detection; peak_bytes are those of the device.
@@ -74,6 +81,7 @@ class ABUT_API NeighborList {
   const PairCount* offsets_ = nullptr;
   const ElementIndex* neighbors_ = nullptr;
   const ImageShift* shifts_ = nullptr;
+  const double* gaps_ = nullptr;
   PairCount neighbor_count_ = 0;
   Statistics statistics_;
   Backend* backend_ = nullptr;

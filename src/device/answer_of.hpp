@@ -14,6 +14,7 @@ template <class E>
           .offsets = found.offsets.data(),
           .neighbors = found.neighbors.data(),
           .shifts = found.shifts.data(),
+          .gaps = found.gaps.data(),
           .entries = found.count,
           .contact_pairs = found.contact_pairs(),
           .exact_decisions = found.exact_decisions,

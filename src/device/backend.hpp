@@ -34,6 +34,7 @@ class Backend {
     const PairCount* offsets = nullptr;  ///< of a neighbor list, which has no pairs
     const ElementIndex* neighbors = nullptr;
     const ImageShift* shifts = nullptr;  ///< of the entries, where they are asked for
+    const double* gaps = nullptr;        ///< of the entries, where they are asked for
     std::uint64_t entries = 0;           ///< pairs, or neighbors of all elements
     std::uint64_t contact_pairs = 0;
     std::uint64_t exact_decisions = 0;

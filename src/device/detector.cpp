@@ -73,6 +73,7 @@ struct Detector::State {
                                 .max_pairs = options.max_pairs,
                                 .shifts = options.shifts,
                                 .form = form,
+                                .quantities = options.quantities,
                                 .lattice = elements::lattice_of(domain)},
                   max_bytes, progress);
     });
@@ -100,8 +101,11 @@ void PairList::wait() const {
 
 abut::PairList PairList::to_host() const {
   return base::reporting_lack_of_memory([&] {
+    PairGeometry geometry;
+    geometry.gaps = copied<NumberArray>(backend_, gaps_, size());
     return abut::PairList(copied<PairArray>(backend_, pairs_, size()),
-                          copied<ShiftArray>(backend_, shifts_, size()), statistics_);
+                          copied<ShiftArray>(backend_, shifts_, size()), std::move(geometry),
+                          statistics_);
   });
 }
 
@@ -112,9 +116,12 @@ void NeighborList::wait() const {
 abut::NeighborList NeighborList::to_host() const {
   using Rows = abut::NeighborList;
   return base::reporting_lack_of_memory([&] {
+    PairGeometry geometry;
+    geometry.gaps = copied<NumberArray>(backend_, gaps_, neighbor_count_);
     return Rows(copied<Rows::Offsets>(backend_, offsets_, rows_ + 1),
                 copied<Rows::Neighbors>(backend_, neighbors_, neighbor_count_),
-                copied<ShiftArray>(backend_, shifts_, neighbor_count_), statistics_);
+                copied<ShiftArray>(backend_, shifts_, neighbor_count_), std::move(geometry),
+                statistics_);
   });
 }
 
@@ -141,6 +148,7 @@ const PairList& Detector::State::find(const SphereSets& spheres, const Domain& d
   const Backend::Answer found = list(spheres, domain, ListForm::pairs, stream);
   pairs.pairs_ = found.pairs;
   pairs.shifts_ = found.shifts;
+  pairs.gaps_ = found.gaps;
   pairs.statistics_ = statistics_of(found, spheres);
   return pairs;
 }
@@ -152,6 +160,7 @@ const NeighborList& Detector::State::build(const SphereSets& spheres, const Doma
   neighbors.offsets_ = found.offsets;
   neighbors.neighbors_ = found.neighbors;
   neighbors.shifts_ = found.shifts;
+  neighbors.gaps_ = found.gaps;
   neighbors.neighbor_count_ = found.entries;
   neighbors.statistics_ = statistics_of(found, spheres);
   return neighbors;

@@ -3,6 +3,7 @@
 #include "exact/lattice.hpp"
 
 #include <abut/options.hpp>
+#include <abut/quantity.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,16 @@ struct DeviceRequest {
   std::uint64_t items_at_a_time = most_items_at_a_time;
   Shifts shifts = Shifts::none;
   ListForm form = ListForm::pairs;
+  Quantities quantities = {};  ///< of lists
   exact::Lattice lattice = {};
+
+  /// Whether gaps are measured.
+  [[nodiscard]] bool wants_gaps() const noexcept { return quantities.has(Quantity::gap); }
+
+  /// Whether shifts are told of what is found in a domain that may be periodic.
+  [[nodiscard]] bool finds_shifts(int dimensions) const noexcept {
+    return shifts == Shifts::stored || (wants_gaps() && is_periodic(dimensions));
+  }
 
   /// Whether elements of so many dimensions have images.
   [[nodiscard]] bool is_periodic(int dimensions) const noexcept {

@@ -2,6 +2,7 @@
 
 #include "base/progress_reporter.hpp"
 #include "device/bodies/directory.hpp"
+#include "device/bodies/measure_gap.hpp"
 #include "device/bodies/neighbor_rows.hpp"
 #include "device/device_request.hpp"
 #include "device/executor.hpp"
@@ -15,12 +16,6 @@
 #include <cstdint>
 
 namespace abut::device {
-
-/// How many elements pairs are numbered by, and how many rows they may make.
-struct ListSizes {
-  std::uint64_t elements;
-  std::uint64_t rows;
-};
 
 /// Writes each pair once more, as its second element sees it.
 template <class E>
@@ -49,23 +44,46 @@ void make_rows(E& executor, std::uint64_t rows, FoundList<E>& found) {
   found.pairs = {};
 }
 
-/// Brings what was found into canonical order and into the form that is asked for. Pairs have
-/// shifts where their domain is periodic, and these matter; in open space all are 0.
-template <class E>
-void finish_list(E& executor, const ListSizes& sizes, const DeviceRequest& request,
-                 base::ProgressReporter& progress, FoundList<E>& found) {
+/// Measures the gaps of pairs in order.
+template <class Given, class E>
+void measure_gaps(E& executor, const Given& elements, const DeviceRequest& request,
+                  FoundList<E>& found) {
+  found.gaps = Buffer<double, E>(executor, found.count);
+  const MeasuredPairs<Given> measured{elements,
+                                      request.lattice,
+                                      found.pairs.data(),
+                                      found.shifts.data(),
+                                      request.margin == 0.0,
+                                      found.gaps.data()};
+  executor.for_each(found.count, MeasureGap<Given>{measured});
+  executor.for_each(found.count, MeasureOpenGap<Given>{measured});
+}
+
+/// Brings what was found into canonical order and into the form that is asked for. Pairs have the
+/// numbers of the caller, and shifts where these matter; a list in rows has as many as the first
+/// set has elements.
+template <class Given, class E>
+void finish_list(E& executor, const Given& elements, std::uint64_t rows,
+                 const DeviceRequest& request, base::ProgressReporter& progress,
+                 FoundList<E>& found) {
   progress.begin("order", found.count);
   if (request.form == ListForm::full_rows) add_reversed(executor, found);
   if (found.shifts.data() != nullptr) {
-    order_images(executor, sizes.elements, found);
+    order_images(executor, elements.count, found);
   } else {
-    order_pairs(executor, sizes.elements, found);
+    order_pairs(executor, elements.count, found);
   }
-  if (request.shifts == Shifts::stored && found.shifts.data() == nullptr) {
+  if (request.wants_gaps()) {
+    progress.begin("measure", found.count);
+    measure_gaps(executor, elements, request, found);
+  }
+  if (request.shifts == Shifts::none) {
+    found.shifts = {};
+  } else if (found.shifts.data() == nullptr) {
     found.shifts = Buffer<ImageShift, E>(executor, found.count);
     executor.for_each(found.count, FillArray<ImageShift>{found.shifts.data(), {}});
   }
-  if (request.form != ListForm::pairs) make_rows(executor, sizes.rows, found);
+  if (request.form != ListForm::pairs) make_rows(executor, rows, found);
 }
 
 }  // namespace abut::device

@@ -19,6 +19,7 @@ struct FoundList {
   Buffer<ImageShift, E> shifts;       ///< of the entries, where they are asked for
   Buffer<PairCount, E> offsets;       ///< of rows
   Buffer<ElementIndex, E> neighbors;  ///< of rows
+  Buffer<double, E> gaps;             ///< of the entries, where they are asked for
   std::uint64_t count = 0;            ///< of the entries; there may be room for more pairs
   std::uint64_t entries_of_pair = 1;  ///< 2 where each is seen from both elements
   std::uint64_t exact_decisions = 0;

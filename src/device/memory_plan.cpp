@@ -42,6 +42,7 @@ MemoryPlan plan(std::uint64_t elements, PairCount pairs) {
   plan.gap_bytes = elements * stretch_bytes;
   plan.scratch_bytes = (elements + pairs) / keys_of_scratch_byte + fixed_scratch_bytes;
   plan.image_bytes = elements * sizeof(lattice::Ghost);
+  plan.quantity_bytes = pairs * sizeof(double);
   plan.shift_bytes = pairs * bytes_with_shift - plan.pair_bytes;
   return plan;
 }

@@ -38,7 +38,7 @@ class PeriodicPipeline {
       detection.list(found);
       name(spheres, found);
     });
-    finish_list(executor_, {elements_.count, elements_.first.count}, request_, progress_, found);
+    finish_list(executor_, elements_, elements_.first.count, request_, progress_, found);
     return found;
   }
 
@@ -87,7 +87,7 @@ class PeriodicPipeline {
   }
 
   void name(const Spheres& spheres, FoundList<E>& found) {
-    if (request_.shifts == Shifts::stored) {
+    if (request_.finds_shifts(Dim)) {
       found.shifts = Buffer<ImageShift, E>(executor_, found.count);
     }
     executor_.for_each(found.count,

@@ -24,7 +24,7 @@ class Pipeline {
   [[nodiscard]] FoundList<E> list() {
     FoundList<E> found;
     detect([&](auto& detection) { detection.list(found); });
-    finish_list(executor_, {elements_.count, elements_.count}, request_, progress_, found);
+    finish_list(executor_, elements_, elements_.count, request_, progress_, found);
     return found;
   }
 

@@ -39,7 +39,8 @@ void validate_request(const Options& options, const SphereSets& spheres, const D
   if (spheres.second != nullptr) elements::require_alike(spheres.first, *spheres.second);
   refuse(spheres.first.shape() != Shape::sphere, "boxes");
   refuse(!options.rule.is_empty(), "rules");
-  refuse(!options.quantities.empty(), "quantities");
+  refuse(!options.quantities.empty() && options.quantities != Quantity::gap,
+         "quantities other than gaps");
   if (options.algorithm != Algorithm::automatic && options.algorithm != Algorithm::rows) {
     throw Error(ErrorCode::wrong_usage, std::string(name_of(options.algorithm)) +
                                             " does not run on a device; take rows or auto");

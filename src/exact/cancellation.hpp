@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/lattice.hpp"
 #include "exact/sphere.hpp"
 
@@ -14,11 +15,11 @@ inline constexpr double most_cancellation = 0x1p-40;
 
 /// The largest coordinate, and the largest component of a vector that moves b.
 template <int Dim>
-[[nodiscard]] double largest_term(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                  const LatticeSteps<Dim>& steps) noexcept {
+[[nodiscard]] ABUT_HD double largest_term(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                          const LatticeSteps<Dim>& steps) noexcept {
   double largest = 0.0;
   for (int axis = 0; axis < Dim; ++axis) {
-    largest = std::max({largest, std::fabs(a.center[axis]), std::fabs(b.center[axis])});
+    largest = std::max(std::max(largest, std::fabs(a.center[axis])), std::fabs(b.center[axis]));
     for (const auto& step : steps) {
       largest = std::max(largest, std::fabs(step.number * step.vector[axis]));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/lattice.hpp"
 #include "exact/numbers/double_double.hpp"
 #include "exact/numbers/exact_accumulator.hpp"
@@ -14,9 +15,9 @@ namespace abut::exact {
 /// One component of x_b + n A - x_a, times a power of two: the nearest double and, from what is
 /// left, the nearest double. For numbers up to 2^900, which can be split for exact products.
 template <int Dim>
-[[nodiscard]] DoubleDouble component(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                     const LatticeSteps<Dim>& steps, int axis,
-                                     double scale = 1.0) noexcept {
+[[nodiscard]] ABUT_HD DoubleDouble component(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                             const LatticeSteps<Dim>& steps, int axis,
+                                             double scale = 1.0) noexcept {
   const double from = a.center[axis] * scale;
   const double to = b.center[axis] * scale;
   if (steps.empty()) return two_sum(to, -from);

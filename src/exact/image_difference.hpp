@@ -29,8 +29,8 @@ template <int Dim>
 /// Returns that component for numbers of any size, rounded once; infinite beyond the largest
 /// double.
 template <int Dim>
-[[nodiscard]] double rounded_difference(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                        const LatticeSteps<Dim>& steps, int axis) noexcept {
+[[nodiscard]] ABUT_HD double rounded_difference(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                                const LatticeSteps<Dim>& steps, int axis) noexcept {
   ExactAccumulator<1> sum;
   sum.add(a.center[axis], 1);
   sum.add(b.center[axis], -1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/lattice.hpp"
 #include "exact/sphere.hpp"
 
@@ -9,7 +10,7 @@ namespace abut::exact {
 /// exact predicate gives: <= 0 exactly if the spheres touch. Never overflows to infinity. Without a
 /// shift it has the bits of the gap in open space.
 template <int Dim>
-[[nodiscard]] double gap(const Sphere<Dim>& a, const Sphere<Dim>& b, const ImageShift& shift,
-                         const Lattice& lattice) noexcept;
+[[nodiscard]] ABUT_HD double gap(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                 const ImageShift& shift, const Lattice& lattice) noexcept;
 
 }  // namespace abut::exact

@@ -34,9 +34,10 @@ inline constexpr double largest_safe_magnitude = 0x1p500;
 /// The contract with a lattice: whether a and the image of b that `shift` names are within reach.
 /// Touching counts. Adds one to `exact_decisions` when the filter cannot decide.
 template <int Dim>
-[[nodiscard]] inline bool within_reach(const Sphere<Dim>& a, const Sphere<Dim>& b,
-                                       const ImageShift& shift, const Lattice& lattice,
-                                       double margin, std::uint64_t& exact_decisions) noexcept {
+[[nodiscard]] ABUT_HD inline bool within_reach(const Sphere<Dim>& a, const Sphere<Dim>& b,
+                                               const ImageShift& shift, const Lattice& lattice,
+                                               double margin,
+                                               std::uint64_t& exact_decisions) noexcept {
   const LatticeSteps<Dim> steps(shift, lattice);
   if (steps.empty()) return within_reach(a, b, margin, exact_decisions);
   const double reach = a.radius + b.radius + margin;

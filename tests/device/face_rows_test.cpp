@@ -1,5 +1,5 @@
-// Neighbor lists through the face of devices: those of the processor, byte for byte, in open and
-// periodic domains and of two sets; what a call leaves of the lists before it.
+// Neighbor lists and gaps through the face of devices: those of the processor, byte for byte, in
+// open and periodic domains and of two sets; what a call leaves of the lists before it.
 
 #include "device/face_detection.hpp"
 #include "device/scene_in_two.hpp"
@@ -12,8 +12,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 
 namespace abut::testing {
@@ -21,10 +24,23 @@ namespace {
 
 using scenes::Scene;
 
+/// 0.0 and -0.0 are not the same.
+void expect_same_bits(std::span<const double> expected, std::span<const double> found) {
+  const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+  EXPECT_TRUE(std::ranges::equal(expected, found, {}, bits, bits));
+}
+
+void expect_same(const PairList& expected, const PairList& found) {
+  EXPECT_TRUE(std::ranges::equal(expected.pairs(), found.pairs()));
+  EXPECT_TRUE(std::ranges::equal(expected.shifts(), found.shifts()));
+  expect_same_bits(expected.gaps(), found.gaps());
+}
+
 void expect_same(const NeighborList& expected, const NeighborList& found) {
   EXPECT_TRUE(std::ranges::equal(expected.offsets(), found.offsets()));
   EXPECT_TRUE(std::ranges::equal(expected.neighbors(), found.neighbors()));
   EXPECT_TRUE(std::ranges::equal(expected.shifts(), found.shifts()));
+  expect_same_bits(expected.gaps(), found.gaps());
   EXPECT_EQ(expected.statistics().contact_pairs, found.statistics().contact_pairs);
 }
 
@@ -44,8 +60,14 @@ TEST_P(FaceRows, AreThoseOfTheProcessor) {
   const Domain cell = scene.dimensions == 2 ? Domain::periodic({side, unbounded})
                                             : Domain::periodic({side, unbounded, unbounded});
   for (const Domain& domain : {Domain::open(), cell}) {
+    const Options options{.algorithm = Algorithm::rows,
+                          .shifts = Shifts::stored,
+                          .quantities = Quantity::gap,
+                          .margin = 0.2 * scene.radius[0]};
+    device::Detector pair_detector(options);
+    expect_same(find_contact_pairs(view_of(scene), domain, options),
+                pair_detector.find_contact_pairs(copy.elements(), domain).to_host());
     for (const auto kind : {NeighborListKind::half, NeighborListKind::full}) {
-      const Options options{.algorithm = Algorithm::rows, .shifts = Shifts::stored};
       const NeighborList expected = build_neighbor_list(view_of(scene), domain, kind, options);
       device::Detector detector(options);
       for (int call = 0; call < 2; ++call) {
@@ -63,12 +85,14 @@ TEST(FaceRowsOfTwoSets, HaveARowForEachOfTheFirst) {
   const Domain cell = Domain::periodic({8.0, 8.0, 8.0});
   const device::ElementCopy first(view_of(sets.first));
   const device::ElementCopy second(view_of(sets.second));
-  device::Detector detector({.shifts = Shifts::stored});
+  const Options options{.quantities = Quantity::gap, .margin = 0.1};
+  device::Detector detector(options);
   for (const Domain& domain : {Domain::open(), cell}) {
     const auto& found = detector.build_neighbor_list(first.elements(), second.elements(), domain);
     EXPECT_EQ(found.size(), sets.first.size());
-    expect_same(build_neighbor_list(view_of(sets.first), view_of(sets.second), domain,
-                                    {.shifts = Shifts::stored}),
+    EXPECT_NE(found.gaps(), nullptr);
+    EXPECT_EQ(found.shifts(), nullptr);
+    expect_same(build_neighbor_list(view_of(sets.first), view_of(sets.second), domain, options),
                 found.to_host());
   }
 }

@@ -34,6 +34,7 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
                                                .items_at_a_time = run.items_at_a_time,
                                                .shifts = run.shifts,
                                                .form = run.form,
+                                               .quantities = run.quantities,
                                                .lattice = elements::lattice_of(run.domain)},
                          progress);
     const auto found = wanted == Wanted::list ? pipeline.list() : pipeline.count();
@@ -46,6 +47,7 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
     if (wanted == Wanted::list) {
       copy(result.pairs, found.pairs.data(), found.count);
       copy(result.shifts, found.shifts.data(), found.count);
+      copy(result.gaps, found.gaps.data(), found.count);
       copy(result.offsets, found.offsets.data(), found.offsets.size());
       copy(result.neighbors, found.neighbors.data(), found.count);
     }

@@ -27,12 +27,14 @@ struct HostRun {
   Domain domain = Domain::open();
   Shifts shifts = Shifts::none;
   device::ListForm form = device::ListForm::pairs;
+  Quantities quantities = {};
   const ElementView* second = nullptr;  ///< the second of two sets
 };
 
 struct HostAnswer {
   PairVector pairs;                     ///< in the order of the answer
   std::vector<ImageShift> shifts;       ///< of the entries, where they are asked for
+  std::vector<double> gaps;             ///< of the entries, where they are asked for
   std::vector<PairCount> offsets;       ///< of rows, where these are asked for
   std::vector<ElementIndex> neighbors;  ///< of rows
   std::uint64_t count = 0;              ///< of the pairs

@@ -34,15 +34,20 @@ TEST(DeviceRequests, WhatWorksIsTaken) {
   const Scene scene = scenes::scene_named("dense").make(10, 1);
   for (const Algorithm algorithm : {Algorithm::automatic, Algorithm::rows}) {
     for (const Order order : {Order::canonical, Order::as_found}) {
-      const Options options{
-          .algorithm = algorithm, .order = order, .margin = 0.5, .max_pairs = 3, .max_bytes = 1};
+      const Options options{.algorithm = algorithm,
+                            .order = order,
+                            .quantities = Quantity::gap,
+                            .margin = 0.5,
+                            .max_pairs = 3,
+                            .max_bytes = 1};
       EXPECT_NO_THROW(validate(options, view_of(scene), Domain::open()));
     }
   }
 }
 
 TEST(DeviceRequests, WhatWaitsIsRefusedByName) {
-  expect_refused({"quantities", "abut::Detector"}, {.quantities = Quantity::gap});
+  expect_refused({"quantities other than gaps", "abut::Detector"},
+                 {.quantities = Quantity::gap | Quantity::normal});
   expect_refused({"sorting_array", "rows"}, {.algorithm = Algorithm::sorting_array});
   const scenes::BoxScene boxes = scenes::boxes_in(scenes::scene_named("dense").make(10, 1), 1);
   expect_error(ErrorCode::wrong_usage, {"boxes", "abut::Detector"},

@@ -40,6 +40,14 @@ struct JoinedColumns {
     return is_in_first(k) ? first[k] : second[k - first.count];
   }
 
+  /// The elements of a pair, each numbered in its set.
+  [[nodiscard]] ABUT_HD exact::Sphere<Dim> first_of(const ContactPair& pair) const noexcept {
+    return first[pair.first];
+  }
+  [[nodiscard]] ABUT_HD exact::Sphere<Dim> second_of(const ContactPair& pair) const noexcept {
+    return is_of_two_sets ? second[pair.second] : first[pair.second];
+  }
+
   /// Whether two elements may be a pair.
   [[nodiscard]] ABUT_HD bool may_pair(std::uint32_t a, std::uint32_t b) const noexcept {
     return !is_of_two_sets || is_in_first(a) != is_in_first(b);

@@ -72,6 +72,14 @@ struct SphereColumns {
     return center[axis][k];
   }
 
+  /// The elements of a pair.
+  [[nodiscard]] ABUT_HD exact::Sphere<Dim> first_of(const ContactPair& pair) const noexcept {
+    return (*this)[pair.first];
+  }
+  [[nodiscard]] ABUT_HD exact::Sphere<Dim> second_of(const ContactPair& pair) const noexcept {
+    return (*this)[pair.second];
+  }
+
   [[nodiscard]] ABUT_HD const SphereColumns& given() const noexcept { return *this; }
 
   /// Whether the numbers of two elements decide as they are given.

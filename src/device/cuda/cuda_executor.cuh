@@ -23,6 +23,8 @@ namespace abut::device {
 
 template <class Spheres>
 struct DecideOpen;
+template <class Given>
+struct MeasureOpenGap;
 
 template <class Body>
 __global__ void __launch_bounds__(threads_of_block, blocks_at_once<Body>)
@@ -73,9 +75,12 @@ class CudaExecutor {
   }
 
   /// The long accumulator takes memory of each thread. It is compiled apart (decide_open.cu,
-  /// decide_images.cu), so that the compiler can refuse that of all other bodies.
+  /// decide_images.cu, measure_open_gaps.cu), so that the compiler can refuse that of all other
+  /// bodies.
   template <class Spheres>
   void for_each(std::uint64_t count, const DecideOpen<Spheres>& body);
+  template <class Given>
+  void for_each(std::uint64_t count, const MeasureOpenGap<Given>& body);
 
   /// In two steps and a last one on the host: extents are too large for what CUB keeps of each
   /// thread in registers, and the order in which parts are joined does not matter.

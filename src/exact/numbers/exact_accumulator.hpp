@@ -66,7 +66,7 @@ class ExactAccumulator {
   }
 
   /// The double nearest to the sum, ties to even; infinite beyond the largest.
-  [[nodiscard]] double rounded() const noexcept requires(Degree == 1) {
+  [[nodiscard]] ABUT_HD double rounded() const noexcept requires(Degree == 1) {
     ExactAccumulator magnitude = *this;
     if (is_negative()) magnitude.negate();
     std::size_t bits = magnitude.bit_width();
@@ -135,7 +135,7 @@ class ExactAccumulator {
 
   [[nodiscard]] ABUT_HD bool is_negative() const noexcept { return (words_.back() >> 63) != 0; }
 
-  void negate() noexcept {
+  ABUT_HD void negate() noexcept {
     std::uint64_t carry = 1;
     for (std::uint64_t& word : words_) {
       const std::uint64_t complement = ~word;
@@ -145,7 +145,7 @@ class ExactAccumulator {
   }
 
   /// Number of bits of a sum that is not negative.
-  [[nodiscard]] std::size_t bit_width() const noexcept {
+  [[nodiscard]] ABUT_HD std::size_t bit_width() const noexcept {
     for (std::size_t k = word_count; k > 0; --k) {
       if (words_[k - 1] != 0) {
         return 64 * (k - 1) + static_cast<std::size_t>(std::bit_width(words_[k - 1]));
@@ -154,12 +154,12 @@ class ExactAccumulator {
     return 0;
   }
 
-  [[nodiscard]] bool bit(std::size_t position) const noexcept {
+  [[nodiscard]] ABUT_HD bool bit(std::size_t position) const noexcept {
     return (words_[position / 64] >> (position % 64) & 1) != 0;
   }
 
   /// The 64 bits that begin at a position.
-  [[nodiscard]] std::uint64_t bits_from(std::size_t position) const noexcept {
+  [[nodiscard]] ABUT_HD std::uint64_t bits_from(std::size_t position) const noexcept {
     const std::size_t word = position / 64;
     const unsigned shift = static_cast<unsigned>(position % 64);
     if (shift == 0) return words_[word];
@@ -167,7 +167,7 @@ class ExactAccumulator {
     return words_[word] >> shift | above << (64 - shift);
   }
 
-  [[nodiscard]] bool any_below(std::size_t position) const noexcept {
+  [[nodiscard]] ABUT_HD bool any_below(std::size_t position) const noexcept {
     for (std::size_t k = 0; k < position / 64; ++k) {
       if (words_[k] != 0) return true;
     }

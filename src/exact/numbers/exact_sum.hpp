@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/numbers/double_double.hpp"
 
 #include <array>
@@ -13,7 +14,7 @@ namespace abut::exact {
 template <std::size_t Most>
 class ExactSum {
  public:
-  void add(double term) noexcept {
+  ABUT_HD void add(double term) noexcept {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       const DoubleDouble sum = two_sum(term, parts_[k]);
@@ -23,13 +24,13 @@ class ExactSum {
     if (term != 0.0) parts_[kept++] = term;
     count_ = kept;
   }
-  void add(const DoubleDouble& term) noexcept {
+  ABUT_HD void add(const DoubleDouble& term) noexcept {
     add(term.high);
     add(term.low);
   }
 
   /// Returns the sum rounded to the nearest double, to even between two; never -0.0.
-  [[nodiscard]] double rounded() const noexcept {
+  [[nodiscard]] ABUT_HD double rounded() const noexcept {
     if (count_ == 0) return 0.0;
     std::size_t k = count_ - 1;
     DoubleDouble sum{parts_[k], 0.0};

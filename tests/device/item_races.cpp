@@ -16,6 +16,13 @@
 namespace abut::testing {
 namespace {
 
+/// The same run for a full neighbor list with gaps.
+HostRun with_rows(HostRun run) {
+  run.form = device::ListForm::full_rows;
+  run.quantities = Quantity::gap;
+  return run;
+}
+
 void compare(std::string_view name, std::size_t count, const Domain& domain = Domain::open()) {
   const scenes::Scene scene = scenes::scene_named(name).make(count, 1);
   const HostRun alone{.domain = domain, .shifts = Shifts::stored};
@@ -27,6 +34,12 @@ void compare(std::string_view name, std::size_t count, const Domain& domain = Do
     const HostAnswer counted = count_on_host(view_of(scene), margin, together);
     if (one.pairs != four.pairs || one.shifts != four.shifts || one.count != counted.count) {
       throw std::logic_error("four threads give other pairs of the scene " + std::string(name));
+    }
+    const HostAnswer rows = list_on_host(view_of(scene), margin, with_rows(alone));
+    const HostAnswer same = list_on_host(view_of(scene), margin, with_rows(together));
+    if (rows.offsets != same.offsets || rows.neighbors != same.neighbors ||
+        rows.shifts != same.shifts || rows.gaps != same.gaps) {
+      throw std::logic_error("four threads give other rows of the scene " + std::string(name));
     }
   }
 }

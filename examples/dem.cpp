@@ -76,7 +76,7 @@ int check_restart(Grains& dem, int count, int steps, double dt) {
 }
 
 void print_profile(Grains& dem) {
-  const char* const names[] = {"search", "geometry", "history", "forces", "integration"};
+  const char* const names[] = {"contacts", "history", "forces", "integration"};
   constexpr int steps = 100;
   dem.forget_seconds();
   for (int step = 0; step < steps; ++step) dem.step();

@@ -87,11 +87,15 @@ inline Vec contact_force(double overlap, const Vec& normal, const Sliding& slidi
   return -pressure * normal - tangential * stretch;
 }
 
-/// What a step spends its time on.
-enum Phase { search, geometry, history, forces, integration, phases };
+/// What a step spends its time on; contacts are found and measured in one.
+enum Phase { search, history, forces, integration, phases };
 
 /// One thread: the loop over forces has no more.
-inline const abut::Options options{.threads = 1};
+inline const abut::Options pair_options{.quantities = abut::Quantity::gap | abut::Quantity::normal,
+                                        .threads = 1};
+inline const abut::Options wall_options{
+    .quantities = abut::Quantity::gap | abut::Quantity::normal | abut::Quantity::point,
+    .threads = 1};
 
 class Grains {
  public:
@@ -133,14 +137,8 @@ class Grains {
     last_lap_ = std::clock();
     const abut::ElementView spheres = abut::spheres(x_, radius_);
     const abut::PairList& pairs = detector_.find_contact_pairs(spheres);
-    const abut::MeshContactList& walls = detector_.find_mesh_contacts(spheres, walls_);
+    const abut::MeshContactList& walls = wall_detector_.find_mesh_contacts(spheres, walls_);
     lap(search);
-    resize(pair_geometry_, pairs.size());
-    abut::measure(spheres, pairs, {.gaps = pair_geometry_.gaps, .normals = pair_geometry_.normals},
-                  abut::Domain::open(), options);
-    resize(wall_geometry_, walls.size());
-    abut::measure(spheres, walls_, walls, wall_geometry_.spans(), abut::Domain::open(), options);
-    lap(geometry);
     choose(walls);
     history_.update(pairs, spheres);
     wall_history_.update(std::span<const abut::MeshContact>(touching_), spheres, walls_);
@@ -148,8 +146,8 @@ class Grains {
     contacts_ = pairs.size();
     const Ledger before = std::exchange(ledger_, {});
     foretell(dt);
-    for (std::size_t k = 0; k < pairs.size(); ++k) press_pair(pairs[k], k, dt);
-    for (std::size_t k = 0; k < touching_.size(); ++k) press_wall(k, dt);
+    for (std::size_t k = 0; k < pairs.size(); ++k) press_pair(pairs, k, dt);
+    for (std::size_t k = 0; k < touching_.size(); ++k) press_wall(walls, k, dt);
     settle_accounts(before, dt);
     lap(forces);
   }
@@ -243,10 +241,6 @@ class Grains {
     last_lap_ = now;
   }
 
-  static void resize(abut::PairGeometry& arrays, std::size_t count) {
-    arrays.gaps.resize(count), arrays.normals.resize(count), arrays.points.resize(count);
-  }
-
   [[nodiscard]] double inertia(std::size_t k) const {
     return 0.4 * mass_[k] * radius_[k] * radius_[k];
   }
@@ -274,7 +268,8 @@ class Grains {
   /// agree the deepest alone counts: then the energy does not jump where the sphere leaves one, and
   /// the spring goes on to the next.
   void choose(const abut::MeshContactList& walls) {
-    const auto& [gaps, normals, points, distances, vectors] = wall_geometry_;
+    const auto gaps = walls.gaps();
+    const auto normals = walls.normals();
     touching_.clear(), places_.clear();
     for (std::size_t k = 0; k < walls.size(); ++k) {
       const auto hides = [&, k](std::size_t other) {
@@ -291,29 +286,29 @@ class Grains {
     }
   }
 
-  void press_pair(const abut::ContactPair& pair, std::size_t k, double dt) {
-    const auto [i, j] = pair;
-    const Vec& normal = pair_geometry_.normals[k];
+  void press_pair(const abut::PairList& pairs, std::size_t k, double dt) {
+    const auto [i, j] = pairs[k];
+    const Vec& normal = pairs.normals()[k];
     const Vec turn = radius_[i] * spin_[i] + radius_[j] * spin_[j];
     const Vec turn_now = radius_[i] * foretold_spin_[i] + radius_[j] * foretold_spin_[j];
     const Sliding sliding{dt * (v_[i] - v_[j] + cross(turn, normal)),
                           foretold_[i] - foretold_[j] + cross(turn_now, normal)};
     const Vec force =
-        contact_force(-pair_geometry_.gaps[k], normal, sliding, history_.values()[k], ledger_);
+        contact_force(-pairs.gaps()[k], normal, sliding, history_.values()[k], ledger_);
     force_[i] = force_[i] + force;
     force_[j] = force_[j] - force;
     torque_[i] = torque_[i] + radius_[i] * cross(normal, force);
     torque_[j] = torque_[j] + radius_[j] * cross(normal, force);
   }
 
-  void press_wall(std::size_t k, double dt) {
+  void press_wall(const abut::MeshContactList& walls, std::size_t k, double dt) {
     const abut::ElementIndex i = touching_[k].sphere;
-    const Vec& normal = wall_geometry_.normals[places_[k]];
-    const Vec& point = wall_geometry_.points[places_[k]];
+    const Vec& normal = walls.normals()[places_[k]];
+    const Vec& point = walls.points()[places_[k]];
     const Vec wall = cross({turning_, 0, 0}, point);  // its velocity there
     const Sliding sliding{dt * (v_[i] - wall + radius_[i] * cross(spin_[i], normal)),
                           foretold_[i] - wall + radius_[i] * cross(foretold_spin_[i], normal)};
-    const Vec force = contact_force(-wall_geometry_.gaps[places_[k]], normal, sliding,
+    const Vec force = contact_force(-walls.gaps()[places_[k]], normal, sliding,
                                     wall_history_.values()[k], ledger_);
     force_[i] = force_[i] + force;
     torque_[i] = torque_[i] + radius_[i] * cross(normal, force);
@@ -336,8 +331,7 @@ class Grains {
   double turning_;
   std::vector<Vec> x_, v_, spin_, force_, torque_, foretold_, foretold_spin_;
   std::vector<double> radius_, mass_;
-  abut::Detector detector_{options};
-  abut::PairGeometry pair_geometry_, wall_geometry_;
+  abut::Detector detector_{pair_options}, wall_detector_{wall_options};
   std::vector<abut::MeshContact> touching_;  ///< the deepest contacts with walls
   std::vector<std::size_t> places_;          ///< of each its place in the list of all
   abut::ContactHistory<Spring> history_;

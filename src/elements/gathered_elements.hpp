@@ -5,13 +5,11 @@
 #include "exact/elements.hpp"
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
-#include "kernels/element_kernels.hpp"
 
 #include <abut/element_view.hpp>
 #include <abut/simd.hpp>
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 

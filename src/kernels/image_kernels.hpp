@@ -56,6 +56,18 @@ struct CenterBounds {
   double upper[3];
 };
 
+/// How far a block of pairs was treated, and how many of these were kept.
+struct KeptPairs {
+  std::size_t treated;
+  std::size_t kept;
+};
+
+/// Copies the pairs of a block that have a local element down to `to`, which may be where they are,
+/// and lists those that have a ghost besides by their places there. Numbers from `locals` on are
+/// those of ghosts; of no pair the first number is larger.
+using KeepWithLocal = KeptPairs(const ContactPair* pairs, std::size_t count, std::uint32_t locals,
+                                ContactPair* to, BlockList& with_ghost);
+
 /// Passes over the elements of a periodic domain, in vectors. Each treats whole vectors from the
 /// front and returns how many elements it treated; what is left is the caller's, who has the same
 /// in plain C++ (so the level `scalar` treats none).
@@ -70,10 +82,7 @@ struct ImageKernels {
   std::size_t (*list_outer)(const double* records, std::size_t count, int dimensions,
                             const OrthogonalCellMap& map, BlockList& outer);
 
-  /// Lists the pairs of a block whose second number is at least the limit. Of no pair the first
-  /// number is larger.
-  std::size_t (*list_from)(const ContactPair* pairs, std::size_t count, std::uint32_t limit,
-                           BlockList& list);
+  KeepWithLocal* keep_with_local;
 };
 
 /// `level` must be available.
@@ -81,5 +90,6 @@ struct ImageKernels {
 
 /// `target` as Highway numbers instruction sets. Only where Highway is built in.
 [[nodiscard]] ImageKernels simd_image_kernels(std::int64_t target);
+[[nodiscard]] KeepWithLocal* simd_keep_with_local(std::int64_t target);
 
 }  // namespace abut::kernels

@@ -10,7 +10,6 @@
 #include "kernels/image_kernels.hpp"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -165,29 +164,6 @@ std::size_t list_outer(const double* records, std::size_t count, int dimensions,
   return map.sides == 1 ? run(list_outer_in<3, 1>) : run(list_outer_in<3, 2>);
 }
 
-/// A pair as one number whose upper half is the second of them.
-std::size_t list_from(const ContactPair* pairs, std::size_t count, std::uint32_t limit,
-                      BlockList& list) {
-  static_assert(std::endian::native == std::endian::little);
-  static_assert(sizeof(ContactPair) == sizeof(std::uint64_t));
-  const auto* const numbers = reinterpret_cast<const std::uint64_t*>(pairs);
-  constexpr hn::RebindToUnsigned<DoubleTag> wide;
-  constexpr std::size_t step = 4 * lanes;  // one question for so many: most have none
-  const auto below = hn::Set(wide, (std::uint64_t{limit} << 32) - 1);
-  const auto listed = [&](std::size_t k) { return hn::Gt(hn::LoadU(wide, numbers + k), below); };
-  std::uint32_t* end = list.number + list.count;
-  std::size_t k = 0;
-  for (; k + step <= count; k += step) {
-    const decltype(listed(0)) masks[4] = {listed(k), listed(k + lanes), listed(k + 2 * lanes),
-                                          listed(k + 3 * lanes)};
-    const auto any = hn::Or(hn::Or(masks[0], masks[1]), hn::Or(masks[2], masks[3]));
-    if (hn::AllFalse(wide, any)) continue;
-    for (std::size_t v = 0; v < 4; ++v) end = list_lanes(wide, masks[v], k + v * lanes, end);
-  }
-  list.count = static_cast<std::size_t>(end - list.number);
-  return k;
-}
-
 }  // namespace abut::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -196,14 +172,12 @@ namespace abut::kernels {
 
 HWY_EXPORT(wrap);
 HWY_EXPORT(list_outer);
-HWY_EXPORT(list_from);
 
 ImageKernels simd_image_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(wrap)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(list_outer)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(list_from)[chosen.GetIndex()]};
+          HWY_DISPATCH_TABLE(list_outer)[chosen.GetIndex()], simd_keep_with_local(target)};
 }
 
 }  // namespace abut::kernels

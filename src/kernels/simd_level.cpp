@@ -179,13 +179,14 @@ ImageKernels image_kernels(Simd level) {
   if (level != Simd::scalar) return simd_image_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
-  return {
-      [](const double*, std::size_t, int, const OrthogonalCellMap&, double*, void*, CenterBounds&,
-         BlockList&) { return std::size_t{0}; },
-      [](const double*, std::size_t, int, const OrthogonalCellMap&, BlockList&) {
-        return std::size_t{0};
-      },
-      [](const ContactPair*, std::size_t, std::uint32_t, BlockList&) { return std::size_t{0}; }};
+  return {[](const double*, std::size_t, int, const OrthogonalCellMap&, double*, void*,
+             CenterBounds&, BlockList&) { return std::size_t{0}; },
+          [](const double*, std::size_t, int, const OrthogonalCellMap&, BlockList&) {
+            return std::size_t{0};
+          },
+          [](const ContactPair*, std::size_t, std::uint32_t, ContactPair*, BlockList&) {
+            return KeptPairs{0, 0};
+          }};
 }
 
 CandidateKernels candidate_kernels(Simd level) {

@@ -47,75 +47,95 @@ std::size_t ImageSink<Dim>::name(ImageBuffer& buffer, std::size_t count) const {
   buffer.of_ghosts.clear();
   std::size_t kept = 0;
   for (std::size_t begin = 0; begin < count; begin += kernels::BlockList::room) {
-    kept = name_block(buffer, begin, std::min(begin + kernels::BlockList::room, count), kept);
+    const std::span<ContactPair> pairs = buffer.pairs;
+    kernels::BlockList with_ghost;
+    std::size_t block =
+        keep(pairs.subspan(begin, std::min(kernels::BlockList::room, count - begin)),
+             pairs.data() + kept, with_ghost);
+    if (!images_->all_ghosts_count())
+      block = drop_uncounted(pairs.subspan(kept, block), with_ghost);
+    name_block(buffer, kept, kept + block, with_ghost);
+    kept += block;
   }
   if (!buffer.shifts.empty()) name_shifts(buffer, kept);
   return kept;
 }
 
-/// The pairs [begin, end), moved down to where kept ones end; returns where they end then.
+/// Moves the pairs that have a local element down to `to`, lists those that have a ghost besides,
+/// and asks for what naming will need. Returns how many are kept.
 template <int Dim>
-std::size_t ImageSink<Dim>::name_block(ImageBuffer& buffer, std::size_t begin, std::size_t end,
-                                       std::size_t to) const {
-  const std::size_t first = begin;
-  kernels::BlockList with_ghosts;
-  list_ghosts(buffer.pairs.subspan(begin, end - begin), with_ghosts);
-  for (const std::uint32_t place : std::span(with_ghosts.number, with_ghosts.count)) {
-    const std::size_t at = first + place;
-    move_locals(buffer, begin, at, to);
-    to += at - begin;
-    if (name_ghost(buffer, at, to)) ++to;
-    begin = at + 1;
-  }
-  move_locals(buffer, begin, end, to);
-  return to + (end - begin);
-}
-
-/// Lists the pairs with a ghost, which is the second of them, and asks for what naming will need.
-template <int Dim>
-void ImageSink<Dim>::list_ghosts(std::span<const ContactPair> pairs,
-                                 kernels::BlockList& list) const {
+std::size_t ImageSink<Dim>::keep(std::span<const ContactPair> pairs, ContactPair* to,
+                                 kernels::BlockList& with_ghost) const {
   const auto locals = static_cast<std::uint32_t>(images_->locals().size());
-  std::size_t k = kernels_.list_from(pairs.data(), pairs.size(), locals, list);
+  auto [k, kept] = kernels_.keep_with_local(pairs.data(), pairs.size(), locals, to, with_ghost);
   for (; k < pairs.size(); ++k) {
-    if (pairs[k].second >= locals) list.push(k);
+    if (pairs[k].first >= locals) continue;
+    if (pairs[k].second >= locals) with_ghost.push(kept);
+    to[kept++] = pairs[k];
   }
-  const Ghost* const ghosts = images_->ghosts().data();
-  for (const std::uint32_t place : std::span(list.number, list.count)) {
-    __builtin_prefetch(ghosts + (pairs[place].second - locals));
+  for (const std::uint32_t place : std::span(with_ghost.number, with_ghost.count)) {
+    __builtin_prefetch(&ghost_of(to[place]));
+  }
+  return kept;
+}
+
+/// Drops the pairs whose ghost does not count for the other element, from the list too. Returns how
+/// many are left.
+template <int Dim>
+std::size_t ImageSink<Dim>::drop_uncounted(std::span<ContactPair> pairs,
+                                           kernels::BlockList& with_ghost) const {
+  const kernels::BlockList all = with_ghost;
+  with_ghost.count = 0;
+  std::size_t left = 0;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const bool has_ghost = next < all.count && all.number[next] == k;
+    if (has_ghost) ++next;
+    if (has_ghost && !images_->counts(pairs[k].first, ghost_of(pairs[k]))) continue;
+    if (has_ghost) with_ghost.push(left);
+    pairs[left++] = pairs[k];
+  }
+  return left;
+}
+
+/// Names the pairs [begin, end) of a block. Where shifts might not fit each is asked for in turn,
+/// also where shifts are not wanted: those that do not are refused.
+template <int Dim>
+void ImageSink<Dim>::name_block(ImageBuffer& buffer, std::size_t begin, std::size_t end,
+                                const kernels::BlockList& with_ghost) const {
+  if (images_->shifts_always_fit()) {
+    for (const std::uint32_t place : std::span(with_ghost.number, with_ghost.count)) {
+      name_ghost(buffer, begin + place);
+    }
+    return;
+  }
+  for (std::size_t place = begin; place < end; ++place) {
+    if (buffer.pairs[place].second < images_->locals().size()) {
+      name_local(buffer, place);
+    } else {
+      name_ghost(buffer, place);
+    }
   }
 }
 
-/// The pairs [begin, end) of two locals, moved down to where kept ones end. Where shifts might not
-/// fit each is asked for, also where shifts are not wanted: those that do not are refused.
 template <int Dim>
-void ImageSink<Dim>::move_locals(const ImageBuffer& buffer, std::size_t begin, std::size_t end,
-                                 std::size_t to) const {
-  const std::span pairs = buffer.pairs.subspan(to, end - begin);
-  if (to != begin) std::ranges::copy(buffer.pairs.subspan(begin, end - begin), pairs.begin());
-  if (images_->shifts_always_fit()) return;
-  if (!buffer.shifts.empty()) {
-    return images_->shifts_between(pairs, buffer.shifts.subspan(to, pairs.size()));
-  }
-  for (const auto [first, second] : pairs) {
-    static_cast<void>(images_->shift_between(first, second));
-  }
+void ImageSink<Dim>::name_local(const ImageBuffer& buffer, std::size_t place) const {
+  const auto [first, second] = buffer.pairs[place];
+  const ImageShift shift = images_->shift_between(first, second);
+  if (!buffer.shifts.empty()) buffer.shifts[place] = shift;
 }
 
-/// Returns whether the pair is kept.
 template <int Dim>
-bool ImageSink<Dim>::name_ghost(ImageBuffer& buffer, std::size_t from, std::size_t to) const {
-  const std::size_t locals = images_->locals().size();
-  const auto [first, second] = buffer.pairs[from];
-  const Ghost& ghost = images_->ghosts()[second - locals];
-  if (first >= locals || !images_->counts(first, ghost)) return false;
-  buffer.pairs[to] = {std::min(first, ghost.element), std::max(first, ghost.element)};
-  if (buffer.shifts.empty() && images_->shifts_always_fit()) return true;
+void ImageSink<Dim>::name_ghost(ImageBuffer& buffer, std::size_t place) const {
+  ContactPair& pair = buffer.pairs[place];
+  const std::uint32_t first = pair.first;
+  const Ghost& ghost = ghost_of(pair);
+  pair = {std::min(first, ghost.element), std::max(first, ghost.element)};
+  if (buffer.shifts.empty() && images_->shifts_always_fit()) return;
   const ImageShift shift = images_->shift_between(first, ghost);
+  if (buffer.shifts.empty()) return;
   const bool in_order = first < ghost.element || (first == ghost.element && ImageShift{} < shift);
-  if (!buffer.shifts.empty())
-    buffer.of_ghosts.push_back({to, in_order ? shift : base::opposite(shift)});
-  return true;
+  buffer.of_ghosts.push_back({place, in_order ? shift : base::opposite(shift)});
 }
 
 /// Names the shifts of the pairs that are kept: all of them as if they were of locals, since longer

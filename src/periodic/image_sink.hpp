@@ -40,13 +40,17 @@ class ImageSink final : public base::PairSink {
   /// Pairs of two ghosts, and of a local element with one that does not count for it, are dropped:
   /// they are found elsewhere, too. Returns how many pairs are left.
   std::size_t name(ImageBuffer& buffer, std::size_t count) const;
-  std::size_t name_block(ImageBuffer& buffer, std::size_t begin, std::size_t end,
-                         std::size_t to) const;
-  void list_ghosts(std::span<const ContactPair> pairs, kernels::BlockList& list) const;
-  void move_locals(const ImageBuffer& buffer, std::size_t begin, std::size_t end,
-                   std::size_t to) const;
-  bool name_ghost(ImageBuffer& buffer, std::size_t from, std::size_t to) const;
+  std::size_t keep(std::span<const ContactPair> pairs, ContactPair* to,
+                   kernels::BlockList& with_ghost) const;
+  std::size_t drop_uncounted(std::span<ContactPair> pairs, kernels::BlockList& with_ghost) const;
+  void name_block(ImageBuffer& buffer, std::size_t begin, std::size_t end,
+                  const kernels::BlockList& with_ghost) const;
+  void name_local(const ImageBuffer& buffer, std::size_t place) const;
+  void name_ghost(ImageBuffer& buffer, std::size_t place) const;
   void name_shifts(const ImageBuffer& buffer, std::size_t count) const;
+  [[nodiscard]] const Ghost& ghost_of(const ContactPair& pair) const {
+    return images_->ghosts()[pair.second - images_->locals().size()];
+  }
 
   base::PairSink* next_ = nullptr;
   const Images<Dim>* images_ = nullptr;

@@ -107,10 +107,15 @@ class Images {
   /// reported.
   /// Of a small and a large element the ghost is the large one.
   [[nodiscard]] bool counts(std::size_t local, const Ghost& ghost) const noexcept {
-    if (size_cut_ > bounds_.largest_radius) return true;
+    if (all_ghosts_count()) return true;
     const bool large = locals_and_ghosts_[local].radius >= size_cut_;
     if (locals_and_ghosts_[ghost.element].radius < size_cut_) return !large;
     return !large || ghost.is_positive();
+  }
+
+  /// True if each ghost counts for all locals, since none is large.
+  [[nodiscard]] bool all_ghosts_count() const noexcept {
+    return size_cut_ > bounds_.largest_radius;
   }
 
   /// True if no shift can exceed 2^31 - 1, so that shift_between never throws.

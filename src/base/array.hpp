@@ -78,6 +78,12 @@ void make_room(Array<T>& array, std::size_t size) {
   array.resize(size);
 }
 
+/// Gives the memory of an array back; it is empty then.
+template <class T>
+void give_back(Array<T>& array) noexcept {
+  Array<T>(array.get_allocator()).swap(array);
+}
+
 /// Exactly `size` elements of any value, likewise.
 template <class T>
 void resize_for_overwrite(Array<T>& array, std::size_t size) {

@@ -11,11 +11,10 @@
 namespace abut {
 namespace {
 
-/// Allocated, not on the stack: its 75 KiB may be all the stack that a thread has. Nearly all of it
-/// are buffers, which are written before they are read, and need no zeros.
+/// Allocated, not on the stack: its 75 KiB may be all the stack that a thread has.
 std::unique_ptr<detect::DetectionRun> new_run() {
   return base::reporting_lack_of_memory(
-      [] { return std::make_unique_for_overwrite<detect::DetectionRun>(); });
+      [] { return std::make_unique<detect::DetectionRun>(detect::WorkingArrays::given_back); });
 }
 
 PairList pair_list_of(const detect::DetectionRequest& request) {

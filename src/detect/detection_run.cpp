@@ -14,6 +14,7 @@
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 
 namespace abut::detect {
@@ -21,6 +22,9 @@ namespace {
 
 using base::DetectionContext;
 using base::Stopwatch;
+
+/// Less is not worth the calls of the system.
+constexpr std::uint64_t large_memory = std::uint64_t{1} << 22;
 
 bool is_measured(const DetectionRequest& request) {
   return !request.options.quantities.empty();
@@ -76,6 +80,9 @@ Statistics DetectionRun::list(const DetectionRequest& request, const lists::Pair
     statistics.contact_pairs = found_.size();
     search_.skin().note_survivors(found_.size());
     context.progress.begin("order", found_.size());
+    if (working_arrays_ == WorkingArrays::given_back && memory_.held() >= large_memory) {
+      search_.give_back_memory(request);
+    }
     write(Writing{static_cast<std::size_t>(statistics.threads), context, statistics});
     return statistics;
   });

@@ -32,11 +32,17 @@ struct PairArrays {
   PairGeometry& geometry;
 };
 
-/// Runs detections from the request to the result and keeps their memory: for a Detector from call
-/// to call, for a free function once.
+/// What becomes of working arrays when the pairs have been found.
+enum class WorkingArrays {
+  kept,        ///< for the next call
+  given_back,  ///< before the list is written, if they are large: there is no next call
+};
+
+/// Runs detections from the request to the result: for a Detector from call to call, for a free
+/// function once.
 class DetectionRun {
  public:
-  DetectionRun() = default;
+  explicit DetectionRun(WorkingArrays working_arrays) : working_arrays_(working_arrays) {}
   DetectionRun(const DetectionRun&) = delete;
   DetectionRun& operator=(const DetectionRun&) = delete;
   ~DetectionRun() = default;
@@ -91,6 +97,7 @@ class DetectionRun {
   void measure_rows(const DetectionRequest& request, const NeighborArrays& arrays,
                     const Writing& writing);
 
+  WorkingArrays working_arrays_;
   base::MemoryMeter memory_;
   PairSearch search_{memory_};
   lists::FoundPairs found_{memory_};

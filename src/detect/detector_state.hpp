@@ -17,7 +17,7 @@ struct Detector::State {
   explicit State(Options given) : options(std::move(given)) {}
 
   Options options;
-  detect::DetectionRun run;
+  detect::DetectionRun run{detect::WorkingArrays::kept};
   PairList pairs;
   NeighborList neighbors;
   std::shared_ptr<void> walls;  ///< walls::DetectorWalls, which stands above; made when first asked

@@ -69,14 +69,20 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
   context.progress.begin("search", elements.spheres.size());
   const registry::EntryPoints<Dim>& entry = choice.row->entry_points.in<Dim>();
   const exact::Elements<Dim> packed = elements.elements();
-  const registry::AlgorithmInput<Dim> input{packed, elements.bounds, task.settings, workspace_,
-                                            periodic_};
+  const registry::AlgorithmInput<Dim> input{packed, elements.bounds, task.settings, *workspace_,
+                                            *periodic_};
   if (task.domain.is_periodic()) {
     return entry.on_images(input, elements.spheres, elements::lattice_of(task.domain), sink,
                            context);
   }
   if (entry.on_elements != nullptr) return entry.on_elements(input, sink, context);
   search_cells<Dim>(*choice.row, packed, elements.bounds, task.options, sink, context);
+}
+
+template <int Dim>
+void ElementSearch<Dim>::give_back_memory() {
+  workspace_.emplace(memory_);
+  periodic_.emplace(memory_);
 }
 
 template class ElementSearch<2>;

@@ -12,6 +12,8 @@
 #include <abut/options.hpp>
 #include <abut/statistics.hpp>
 
+#include <optional>
+
 namespace abut::detect {
 
 /// The settings of a search among gathered elements, and what it may use.
@@ -26,7 +28,8 @@ struct SearchTask {
 template <int Dim>
 class ElementSearch {
  public:
-  explicit ElementSearch(base::MemoryMeter& memory) : workspace_(memory), periodic_(memory) {}
+  explicit ElementSearch(base::MemoryMeter& memory)
+      : memory_(memory), workspace_(memory), periodic_(memory) {}
 
   /// Delivers every contact pair once to `sink` and notes in `statistics` which algorithm ran, and
   /// how. A periodic search appends ghosts to the array of spheres and takes them away again, so
@@ -34,9 +37,13 @@ class ElementSearch {
   void search(elements::GatheredElements<Dim>& elements, const SearchTask& task,
               base::PairSink& sink, base::DetectionContext& context, Statistics& statistics);
 
+  /// Gives back what the algorithms have kept.
+  void give_back_memory();
+
  private:
-  engine::Workspace<Dim> workspace_;
-  periodic::PeriodicWorkspace<Dim> periodic_;
+  base::MemoryMeter& memory_;
+  std::optional<engine::Workspace<Dim>> workspace_;
+  std::optional<periodic::PeriodicWorkspace<Dim>> periodic_;
 };
 
 }  // namespace abut::detect

@@ -70,6 +70,20 @@ Statistics PairSearch::find_in(const DetectionRequest& request, PairSink& sink,
   return statistics;
 }
 
+template <int Dim>
+void PairSearch::give_back_memory_in(const DetectionRequest& request) {
+  SearchArrays<Dim>& own = arrays_.in<Dim>();
+  own.search.give_back_memory();
+  if (!request.options.quantities.empty()) return;
+  own.elements.give_back_memory();
+  own.two_set_search.give_back_memory();
+}
+
+void PairSearch::give_back_memory(const DetectionRequest& request) {
+  request.elements.dimensions() == 2 ? give_back_memory_in<2>(request)
+                                     : give_back_memory_in<3>(request);
+}
+
 Statistics PairSearch::find(const DetectionRequest& request, PairSink& sink,
                             DetectionContext& context) {
   const PairRule& rule = request.options.rule;

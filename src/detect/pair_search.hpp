@@ -44,7 +44,11 @@ class PairSearch {
   Statistics find(const DetectionRequest& request, base::PairSink& sink,
                   base::DetectionContext& context);
 
-  /// The elements of the last request.
+  /// Gives back the arrays of the last search, and of the elements too where these are not to be
+  /// measured.
+  void give_back_memory(const DetectionRequest& request);
+
+  /// The elements of the last request, unless their memory was given back.
   template <int Dim>
   [[nodiscard]] const SearchArrays<Dim>& arrays() const noexcept {
     return arrays_.in<Dim>();
@@ -58,6 +62,8 @@ class PairSearch {
   template <int Dim>
   Statistics find_in(const DetectionRequest& request, base::PairSink& sink,
                      base::DetectionContext& context);
+  template <int Dim>
+  void give_back_memory_in(const DetectionRequest& request);
   template <int Dim>
   void search(const DetectionRequest& request, const SearchTask& task, base::PairSink& sink,
               base::DetectionContext& context, Statistics& statistics);

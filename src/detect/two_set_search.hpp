@@ -37,6 +37,9 @@ class TwoSetSearch {
   [[nodiscard]] exact::Elements<Dim> first() const noexcept { return sets_.first(); }
   [[nodiscard]] exact::Elements<Dim> second() const noexcept { return sets_.second(); }
 
+  /// Forgets the sets and the memory of their elements.
+  void give_back_memory() noexcept { sets_.give_back_memory(); }
+
  private:
   elements::JoinedSets<Dim> sets_;
   lists::CrossSink crossing_;

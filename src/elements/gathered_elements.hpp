@@ -30,6 +30,12 @@ struct GatheredElements {
 
   [[nodiscard]] exact::Elements<Dim> elements() const noexcept { return {spheres, boxes}; }
 
+  /// Forgets the elements and their memory.
+  void give_back_memory() noexcept {
+    base::give_back(spheres);
+    base::give_back(boxes);
+  }
+
   base::Array<exact::Sphere<Dim>> spheres;
   base::Array<exact::Box<Dim>> boxes;  ///< none where the elements are spheres
   grid::Bounds<Dim> bounds;

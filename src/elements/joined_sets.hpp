@@ -36,6 +36,12 @@ class JoinedSets {
   void gather(const ElementView& first, const ElementView& second, const Search& search,
               GatheredElements<Dim>& joined, base::DetectionContext& context);
 
+  /// Forgets the sets and the memory of their elements.
+  void give_back_memory() noexcept {
+    first_.elements.give_back_memory();
+    second_.elements.give_back_memory();
+  }
+
   /// The number of elements of the first set among those joined.
   [[nodiscard]] std::size_t first_count() const noexcept { return first_.count; }
 

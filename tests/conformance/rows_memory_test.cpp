@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -40,6 +41,28 @@ TEST_P(RowsMemory, KeepsTheLaw) {
           view_of(scene), Domain::open(), {.algorithm = Algorithm::rows, .threads = threads});
       EXPECT_LE(statistics.working_bytes, allowed_bytes(scene, threads))
           << count << " elements, " << threads << " threads";
+    }
+  }
+}
+
+/// The largest chunk in which pairs are kept while they are found.
+constexpr std::uint64_t chunk_bytes = std::uint64_t{4} << 20;
+
+/// What a call without a next one holds at most: what it searches with and the pairs found so far,
+/// and then these pairs and the list, with quantities the elements besides.
+TEST(RowsMemory, AListIsWrittenWhenTheSearchIsGone) {
+  const scenes::Scene scene = scenes::scene_named("dense").make(300000, 1);
+  for (const Order order : {Order::as_found, Order::canonical}) {
+    for (const Quantities quantities : {Quantities{}, Quantities{Quantity::gap}}) {
+      const Options options{
+          .algorithm = Algorithm::rows, .order = order, .quantities = quantities, .threads = 1};
+      const PairList list = find_contact_pairs(view_of(scene), Domain::open(), options);
+      const Statistics& statistics = list.statistics();
+      const std::uint64_t pairs = list.size() * sizeof(ContactPair);
+      const std::uint64_t packed = quantities.empty() ? 0 : scene.size() * 4 * sizeof(double);
+      const std::uint64_t search = statistics.working_bytes;
+      EXPECT_LE(statistics.peak_bytes, pairs + chunk_bytes + std::max(search, packed + 2 * pairs))
+          << static_cast<int>(order) << quantities.empty();
     }
   }
 }

@@ -8,21 +8,21 @@
 
 namespace abut::kernels {
 
-/// Pairs that lie together row by row: those of first element first_element + r end at ends[r]. No
-/// row is longer than longest_sorted_row.
+/// Pairs that lie together row by row: those of first element first_element + r end at ends[r].
 struct PairRows {
   const ContactPair* pairs;  ///< readable `longest_sorted_row` beyond the last
   std::size_t count;
   ElementIndex first_element;
-  const std::uint32_t* ends;
+  const std::uint32_t* ends;  ///< of each row
+  std::uint32_t row_count;
 };
 
-inline constexpr std::uint32_t longest_sorted_row = 16;
+inline constexpr std::uint32_t longest_sorted_row = 64;
 
 /// Orders of pairs in vectors.
 struct OrderKernels {
-  /// Writes the pairs with each row sorted by second elements. Equal pairs may come. Null where
-  /// there are no vectors.
+  /// Writes the pairs with each row sorted by second elements, longer ones than longest_sorted_row
+  /// as they are. Equal pairs may come. Null where there are no vectors.
   void (*sort_rows)(const PairRows& rows, ContactPair* sorted) = nullptr;
 };
 

@@ -1,6 +1,7 @@
 #include "lists/bucket_sort.hpp"
 
 #include "base/asking_sort.hpp"
+#include "lists/far_apart.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -58,28 +59,42 @@ struct BySecond : Digits {
   }
 };
 
-/// Range of the second elements of pairs, and how many lie in the range of the first ones.
-struct Partners {
+/// Tells whether vectors sort such entries.
+template <RangeEntry Entry>
+bool has_vectors(const kernels::OrderKernels& kernels) {
+  return std::same_as<Entry, ContactPair> && kernels.sort_rows != nullptr;
+}
+
+/// Tells whether most partners, judged by a few of them, are elements of the range themselves.
+template <RangeEntry Entry>
+bool are_near(std::span<const Entry> entries, std::size_t first_element, std::size_t width) {
+  constexpr std::size_t asked = 64;
+  const std::size_t step = std::max<std::size_t>(entries.size() / asked, 1);
+  std::size_t near = 0;
+  std::size_t all = 0;
+  for (std::size_t k = 0; k < entries.size(); k += step, ++all) {
+    near += pair_of(entries[k]).second - first_element < width ? 1 : 0;
+  }
+  return near > all / 2;
+}
+
+/// Digits of second elements that tell most partners of one element apart.
+template <RangeEntry Entry>
+BySecond digits_of_partners(std::span<const Entry> entries, base::WorkCounter& work) {
   ElementIndex least = std::numeric_limits<ElementIndex>::max();
   ElementIndex greatest = 0;
-  std::size_t near = 0;  ///< those within the range itself
-};
-
-template <RangeEntry Entry>
-Partners partners_of(std::span<const Entry> entries, std::size_t first_element, std::size_t width,
-                     base::WorkCounter& work) {
-  Partners all;
   work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
-    Partners partners = all;
+    ElementIndex least_of_piece = least;
+    ElementIndex greatest_of_piece = greatest;
     for (const Entry& entry : entries.subspan(begin, end - begin)) {
       const ElementIndex partner = pair_of(entry).second;
-      partners.least = std::min(partners.least, partner);
-      partners.greatest = std::max(partners.greatest, partner);
-      partners.near += partner - first_element < width ? 1 : 0;
+      least_of_piece = std::min(least_of_piece, partner);
+      greatest_of_piece = std::max(greatest_of_piece, partner);
     }
-    all = partners;
+    least = least_of_piece;
+    greatest = greatest_of_piece;
   });
-  return all;
+  return BySecond(least, greatest, most_partner_digits(entries.size()));
 }
 
 /// Most pairs of one digit; `ends` says where the pairs of each digit end.
@@ -88,6 +103,16 @@ std::uint32_t most_of_digit(std::span<const std::uint32_t> ends) {
   std::uint32_t most = 0;
   for (const std::uint32_t end : ends) most = std::max(most, end - std::exchange(begin, end));
   return most;
+}
+
+/// Calls visit(begin, end) for each row that vectors do not sort.
+template <class Visit>
+void for_each_long_row(std::span<const std::uint32_t> ends, Visit&& visit) {
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends) {
+    if (end - begin > kernels::longest_sorted_row) visit(begin, end);
+    begin = end;
+  }
 }
 
 bool has_crowd(std::span<const std::uint32_t> ends) {
@@ -106,6 +131,13 @@ bool is_shuffled(std::span<const Entry> entries, base::WorkCounter& work) {
     descents += in_piece;
   });
   return descents > entries.size() / 4;
+}
+
+/// Turns counts into first places.
+void lay_out(std::span<std::uint32_t> places, base::WorkCounter& work) {
+  std::uint32_t next = 0;
+  for (std::uint32_t& place : places) next += std::exchange(place, next);
+  work.did(places.size());
 }
 
 /// Sorts entries that are nearly in order. If that takes too many steps, or an entry is far from
@@ -137,45 +169,76 @@ void sort_by_insertion(std::span<Entry> entries, base::WorkCounter& work) {
 
 }  // namespace
 
-/// Sorts by a digit, stably. Returns where the entries of each digit end.
+/// Counters of that many digits, all 0.
+template <RangeEntry Entry>
+std::span<std::uint32_t> BucketSort<Entry>::no_places(std::size_t digits) {
+  base::make_room(places_, digits);
+  const auto places = std::span(places_).first(digits);
+  std::fill(places.begin(), places.end(), 0u);
+  return places;
+}
+
+/// Sorts by a digit; entries of one digit come in any order. Returns where those of each digit end.
 template <RangeEntry Entry>
 template <class Digit>
-std::span<const std::uint32_t> BucketSort<Entry>::scatter(std::span<const Entry> from, Digit digit,
+std::span<const std::uint32_t> BucketSort<Entry>::scatter(std::span<const Entry> from,
+                                                          const Digit& digit,
                                                           std::span<Entry> target,
                                                           base::WorkCounter& work) {
-  base::make_room(places_, digit.count());
-  const auto places = std::span(places_).first(digit.count());
-  std::fill(places.begin(), places.end(), 0u);
+  const std::span<std::uint32_t> places = no_places(digit.count());
+  const auto places_of = places.data();
+  const auto* const entries = from.data();
+  for_each_far_apart(from.size(), work, [digit, entries, places_of](std::size_t k) {
+    ++places_of[digit(entries[k])];
+  });
+  lay_out(places, work);
+  const auto placed = target.data();
+  for_each_far_apart(from.size(), work, [digit, entries, places_of, placed](std::size_t k) {
+    placed[places_of[digit(entries[k])]++] = entries[k];
+  });
+  return places;
+}
+
+/// Sorts by a digit, stably.
+template <RangeEntry Entry>
+template <class Digit>
+void BucketSort<Entry>::scatter_stably(std::span<const Entry> from, const Digit& digit,
+                                       std::span<Entry> target, base::WorkCounter& work) {
+  const std::span<std::uint32_t> places = no_places(digit.count());
   work.in_pieces(0, from.size(), [&](std::size_t begin, std::size_t end) {
     // A copy: the compiler knows that no write below changes it.
     const Digit digit_of = digit;
     for (const Entry& entry : from.subspan(begin, end - begin)) ++places[digit_of(entry)];
   });
-  std::uint32_t next = 0;
-  for (std::uint32_t& place : places) next += std::exchange(place, next);
-  work.did(places.size());
+  lay_out(places, work);
   work.in_pieces(0, from.size(), [&](std::size_t begin, std::size_t end) {
     const Digit digit_of = digit;
     for (const Entry& entry : from.subspan(begin, end - begin)) {
       target[places[digit_of(entry)]++] = entry;
     }
   });
-  return places;
 }
 
-/// Sorts the rows of `moved_` into `entries` in vectors, unless one of them is too long.
+/// Sorts the rows of `moved_` into `entries` in vectors, and the few that are too long for these by
+/// std::sort; does nothing and returns false where they are not few.
 template <RangeEntry Entry>
 bool BucketSort<Entry>::sort_rows(std::span<Entry> entries, std::span<const std::uint32_t> ends,
                                   std::size_t first_element, const kernels::OrderKernels& kernels,
                                   base::WorkCounter& work) const {
   if constexpr (std::same_as<Entry, ContactPair>) {
-    if (kernels.sort_rows == nullptr || most_of_digit(ends) > kernels::longest_sorted_row) {
-      return false;
-    }
-    kernels.sort_rows(
-        {moved_.data(), entries.size(), static_cast<ElementIndex>(first_element), ends.data()},
-        entries.data());
+    constexpr std::size_t one_in = 8;
+    std::size_t in_long_rows = 0;
+    for_each_long_row(ends,
+                      [&](std::uint32_t begin, std::uint32_t end) { in_long_rows += end - begin; });
+    if (in_long_rows * one_in > entries.size()) return false;
+    kernels.sort_rows({moved_.data(), entries.size(), static_cast<ElementIndex>(first_element),
+                       ends.data(), static_cast<std::uint32_t>(ends.size())},
+                      entries.data());
     work.did(entries.size());
+    for_each_long_row(ends, [&](std::uint32_t begin, std::uint32_t end) {
+      base::sort_asking(entries.begin() + begin, entries.begin() + end, work,
+                        [](const Entry& a, const Entry& b) { return comes_before(a, b); });
+    });
     return true;
   }
   return false;
@@ -193,22 +256,23 @@ void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element
   const ElementIndex first = row_origin<Entry>(first_element);
   // If most elements have no pair, several share a digit: an empty digit costs as much as a pair.
   const ByFirst by_first(first, first + static_cast<ElementIndex>(width - 1), 2 * entries.size());
-  const Partners partners = partners_of<Entry>(entries, first_element, width, work);
-  // A few pairs need no pass over second elements. Rows of elements that are numbered nearby have
-  // partners in the same cache lines: vectors sort them faster than a second pass would, which is
-  // faster where partners lie anywhere.
-  if (entries.size() < width / 2 || partners.near > entries.size() / 2) {
+  const bool digits_are_rows = by_first.count() == width;
+  // An empty row costs as much as one of some pairs.
+  const bool fits_vectors =
+      digits_are_rows && 2 * entries.size() >= 3 * width && has_vectors<Entry>(kernels);
+  // Few pairs, and those of rows whose partners lie in the same cache lines, are sorted by
+  // insertion without a pass over second elements.
+  if (fits_vectors || entries.size() < width / 2 ||
+      are_near<Entry>(entries, first_element, width)) {
     const auto ends = scatter(entries, by_first, moved, work);
-    const bool digits_are_rows = by_first.count() == width;
-    if (digits_are_rows && sort_rows(entries, ends, first_element, kernels, work)) return;
+    if (fits_vectors && sort_rows(entries, ends, first_element, kernels, work)) return;
     if (!has_crowd(ends) && !is_shuffled<Entry>(moved, work)) {
       std::copy(moved.begin(), moved.end(), entries.begin());
       return sort_by_insertion(entries, work);
     }
   }
-  const BySecond by_second(partners.least, partners.greatest, most_partner_digits(entries.size()));
-  scatter(entries, by_second, moved, work);
-  scatter(moved, by_first, entries, work);
+  scatter(entries, digits_of_partners<Entry>(entries, work), moved, work);
+  scatter_stably(moved, by_first, entries, work);
   sort_by_insertion(entries, work);
 }
 

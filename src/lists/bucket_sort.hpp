@@ -30,9 +30,13 @@ class BucketSort {
                  std::size_t first_element, const kernels::OrderKernels& kernels,
                  base::WorkCounter& work) const;
 
+  [[nodiscard]] std::span<std::uint32_t> no_places(std::size_t digits);
   template <class Digit>
-  std::span<const std::uint32_t> scatter(std::span<const Entry> from, Digit digit,
+  std::span<const std::uint32_t> scatter(std::span<const Entry> from, const Digit& digit,
                                          std::span<Entry> target, base::WorkCounter& work);
+  template <class Digit>
+  void scatter_stably(std::span<const Entry> from, const Digit& digit, std::span<Entry> target,
+                      base::WorkCounter& work);
 
   base::Array<std::uint32_t> places_;
   base::Array<Entry> moved_;

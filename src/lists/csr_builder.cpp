@@ -1,6 +1,7 @@
 #include "lists/csr_builder.hpp"
 
 #include "base/asking_workers.hpp"
+#include "lists/far_apart.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -15,24 +16,21 @@ namespace {
 /// Calls visit(entry) for each entry that the pairs of one share make, the row its first element.
 template <PairEntry Entry, class Visit>
 void for_each_entry(const FoundPieces& pieces, NeighborListKind kind, std::size_t share,
-                    std::size_t shares, base::WorkCounter& work, Visit visit_entry) {
+                    std::size_t shares, base::WorkCounter& work, const Visit& visit) {
   const auto [first, last] = base::share_of(share, shares, pieces.size());
   for (std::size_t k = first; k < last; ++k) {
     work.did(1);
     const FoundPiece piece = pieces[k];
-    work.in_pieces(0, piece.pairs.size(), [&](std::size_t begin, std::size_t end) {
-      // Copies: the compiler knows that no write below changes them.
-      const Visit visit = visit_entry;
-      const auto [pairs, shifts] = piece;
-      if (kind == NeighborListKind::half) {
-        for (std::size_t p = begin; p < end; ++p) visit(entry_of<Entry>(pairs[p], shifts, p));
-        return;
-      }
-      for (std::size_t p = begin; p < end; ++p) {
-        const auto entry = entry_of<Entry>(pairs[p], shifts, p);
-        visit(entry);
-        visit(reversed(entry));
-      }
+    if (kind == NeighborListKind::half) {
+      for_each_far_apart(piece.pairs.size(), work, [piece, visit](std::size_t p) {
+        visit(entry_of<Entry>(piece.pairs[p], piece.shifts, p));
+      });
+      continue;
+    }
+    for_each_far_apart(piece.pairs.size(), work, [piece, visit](std::size_t p) {
+      const auto entry = entry_of<Entry>(piece.pairs[p], piece.shifts, p);
+      visit(entry);
+      visit(reversed(entry));
     });
   }
 }

@@ -1,6 +1,7 @@
 #include "lists/order_pairs.hpp"
 
 #include "base/asking_workers.hpp"
+#include "lists/far_apart.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -18,26 +19,23 @@ void copy_to(std::span<const T> piece, std::span<T> target, std::uint64_t begin)
   if (!piece.empty()) std::copy(piece.begin(), piece.end(), target.subspan(begin).begin());
 }
 
-/// Calls body(piece, begin, end) for parts of each piece of a share.
+/// Calls body(piece) for the pieces of a share.
 template <class Body>
-void for_each_part(const FoundPieces& pieces, std::size_t share, std::size_t shares,
-                   base::WorkCounter& work, Body&& body) {
+void for_each_piece(const FoundPieces& pieces, std::size_t share, std::size_t shares,
+                    base::WorkCounter& work, Body&& body) {
   const auto [first, last] = base::share_of(share, shares, pieces.size());
   for (std::size_t k = first; k < last; ++k) {
     work.did(1);
-    const FoundPiece piece = pieces[k];
-    work.in_pieces(0, piece.pairs.size(),
-                   [&](std::size_t begin, std::size_t end) { body(piece, begin, end); });
+    body(pieces[k]);
   }
 }
 
-/// Writes pairs to their ranges, packed ones in place of the pairs they are of. `ranges` is a copy:
-/// the compiler knows that no write changes it.
+/// Writes pairs to their ranges, packed ones in place of the pairs they are of.
 template <RangeEntry Entry>
-void scatter(const FoundPiece& piece, std::size_t begin, std::size_t end, ElementRanges ranges,
-             std::uint64_t* next, OutputBuffer target) {
-  const auto [pairs, shifts] = piece;
-  for (std::size_t p = begin; p < end; ++p) {
+void scatter(const FoundPiece& piece, const ElementRanges& ranges, std::uint64_t* next,
+             OutputBuffer target, base::WorkCounter& work) {
+  for_each_far_apart(piece.pairs.size(), work, [piece, ranges, next, target](std::size_t p) {
+    const auto [pairs, shifts] = piece;
     const std::uint64_t place = next[ranges.of(pairs[p].first)]++;
     if constexpr (std::same_as<Entry, PackedEntry>) {
       const PackedEntry entry = packed(ranges.in_range(pairs[p].first), {pairs[p], shifts[p]});
@@ -46,7 +44,7 @@ void scatter(const FoundPiece& piece, std::size_t begin, std::size_t end, Elemen
       target.pairs[place] = pairs[p];
       if constexpr (std::same_as<Entry, ImagePair>) target.shifts[place] = shifts[p];
     }
-  }
+  });
 }
 
 void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t width,
@@ -113,12 +111,10 @@ void PairOrder::join(const FoundPieces& pieces, const OutputBuffer& target, std:
 void PairOrder::count(const FoundPieces& pieces, const ElementRanges& ranges, std::size_t workers,
                       base::WorkCounter& work) {
   const auto count_share = [&](std::size_t share, base::WorkCounter& its_work, auto&& count) {
-    for_each_part(pieces, share, workers, its_work,
-                  [&](const FoundPiece& piece, std::size_t begin, std::size_t end) {
-                    for (const ContactPair& pair : piece.pairs.subspan(begin, end - begin)) {
-                      count(pair.first);
-                    }
-                  });
+    for_each_piece(pieces, share, workers, its_work, [&](const FoundPiece& piece) {
+      for_each_far_apart(piece.pairs.size(), its_work,
+                         [pairs = piece.pairs, count](std::size_t p) { count(pairs[p].first); });
+    });
   };
   places_.count(ranges, workers, work, count_share);
 }
@@ -143,10 +139,9 @@ void PairOrder::sort_entries(const FoundPieces& pieces, const ElementRanges& ran
                              base::WorkCounter& work) {
   base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
     std::uint64_t* const next = places_.next_of(ranges, share);
-    for_each_part(pieces, share, workers, its_work,
-                  [&](const FoundPiece& piece, std::size_t begin, std::size_t end) {
-                    scatter<Entry>(piece, begin, end, ranges, next, target);
-                  });
+    for_each_piece(pieces, share, workers, its_work, [&](const FoundPiece& piece) {
+      scatter<Entry>(piece, ranges, next, target, its_work);
+    });
   });
   const std::span scratches = scratch_.of<Entry>(workers);
   const auto sort_range = [&](std::size_t worker, std::size_t b, base::WorkCounter& its_work) {

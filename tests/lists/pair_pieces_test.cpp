@@ -249,32 +249,43 @@ PairVector scattered_pairs(Random& random, ElementIndex count, std::size_t pairs
   return result;
 }
 
-/// Rows as short as those of contacts, with equal pairs, which vectors sort; and one row that is as
-/// long as they take, or longer by one.
-TEST(OrderPairs, ShortRowsOnEveryLevel) {
-  constexpr ElementIndex count = 20000;
-  Random random(9);
-  for (const std::size_t longest : {16U, 17U}) {
-    PairVector pairs;
-    for (ElementIndex first = 0; first < count; ++first) {
-      const std::size_t partners = first == 5000 ? longest : random.below(8);
-      for (std::size_t k = 0; k < partners; ++k) {
-        // Vectors sort pairs of elements that are numbered nearby.
-        pairs.push_back({first, static_cast<ElementIndex>(first + random.below(20))});
-      }
+/// Of `count` elements, each with up to 7 partners or none, some of them equal; but every so many
+/// with `longest` of them.
+PairVector rows_of_pairs(Random& random, ElementIndex count, ElementIndex between_long_rows,
+                         std::size_t longest) {
+  PairVector pairs;
+  for (ElementIndex first = 0; first < count; ++first) {
+    const bool is_long = first % between_long_rows == between_long_rows - 1;
+    const std::size_t partners = is_long ? longest : random.below(8);
+    const std::uint64_t furthest = first % 2 == 0 ? 20 : count;
+    for (std::size_t k = 0; k < partners; ++k) {
+      pairs.push_back({first, static_cast<ElementIndex>(first + random.below(furthest))});
     }
-    std::shuffle(pairs.begin(), pairs.end(), random);
-    PairVector expected = pairs;
-    std::sort(expected.begin(), expected.end());
-    const std::span<const ContactPair> piece(pairs);
-    for (const Simd level : simd_levels()) {
-      if (!available(level)) continue;
-      base::MemoryMeter memory;
-      PairVector ordered(pairs.size());
-      lists::PairOrder order(memory);
-      order.use(kernels::order_kernels(level));
-      order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
-      EXPECT_EQ(ordered, expected) << name_of(level);
+  }
+  std::shuffle(pairs.begin(), pairs.end(), random);
+  return pairs;
+}
+
+/// Rows as short as those of contacts, which vectors sort; few and many that are as long as they
+/// take, longer by one, and much longer.
+TEST(OrderPairs, RowsOfEachLengthOnEveryLevel) {
+  constexpr ElementIndex count = 10000;
+  Random random(9);
+  for (const std::size_t longest : {64U, 65U, 500U}) {
+    for (const ElementIndex between : {5U, 100U, 5000U}) {
+      const PairVector pairs = rows_of_pairs(random, count, between, longest);
+      PairVector expected = pairs;
+      std::sort(expected.begin(), expected.end());
+      const std::span<const ContactPair> piece(pairs);
+      for (const Simd level : simd_levels()) {
+        if (!available(level)) continue;
+        base::MemoryMeter memory;
+        PairVector ordered(pairs.size());
+        lists::PairOrder order(memory);
+        order.use(kernels::order_kernels(level));
+        order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
+        EXPECT_TRUE(ordered == expected) << name_of(level) << ' ' << longest << ' ' << between;
+      }
     }
   }
 }

@@ -62,8 +62,37 @@ struct BySecond : Digits {
 /// Tells whether vectors sort such entries.
 template <RangeEntry Entry>
 bool has_vectors(const kernels::OrderKernels& kernels) {
-  return std::same_as<Entry, ContactPair> && kernels.sort_rows != nullptr;
+  if constexpr (std::same_as<Entry, ContactPair>) return kernels.sort_pairs != nullptr;
+  if constexpr (std::same_as<Entry, PackedEntry>) return kernels.sort_words != nullptr;
+  return false;
 }
+
+/// Tells whether rows have entries enough on average, since an empty one costs as much as some
+/// entries, and not so many that a good part of them would be too long.
+bool suits_vectors(std::size_t entries, std::size_t rows) {
+  constexpr std::size_t most_on_average = 48;
+  return 2 * entries >= 3 * rows && entries <= most_on_average * rows;
+}
+
+/// Sorts rows in vectors, but for those that are too long.
+void sort_in_vectors(std::span<const ContactPair> from, std::span<const std::uint32_t> ends,
+                     std::size_t first_element, const kernels::OrderKernels& kernels,
+                     std::span<ContactPair> target) {
+  kernels.sort_pairs(
+      {{from.data(), target.size(), ends.data(), static_cast<std::uint32_t>(ends.size())},
+       static_cast<ElementIndex>(first_element)},
+      target.data());
+}
+void sort_in_vectors(std::span<const PackedEntry> from, std::span<const std::uint32_t> ends,
+                     std::size_t, const kernels::OrderKernels& kernels,
+                     std::span<PackedEntry> target) {
+  static_assert(sizeof(PackedEntry) == sizeof(std::uint64_t));
+  kernels.sort_words(
+      {&from.data()->key, target.size(), ends.data(), static_cast<std::uint32_t>(ends.size())},
+      &target.data()->key);
+}
+void sort_in_vectors(std::span<const ImagePair>, std::span<const std::uint32_t>, std::size_t,
+                     const kernels::OrderKernels&, std::span<ImagePair>) {}
 
 /// Tells whether most partners, judged by a few of them, are elements of the range themselves.
 template <RangeEntry Entry>
@@ -225,23 +254,18 @@ template <RangeEntry Entry>
 bool BucketSort<Entry>::sort_rows(std::span<Entry> entries, std::span<const std::uint32_t> ends,
                                   std::size_t first_element, const kernels::OrderKernels& kernels,
                                   base::WorkCounter& work) const {
-  if constexpr (std::same_as<Entry, ContactPair>) {
-    constexpr std::size_t one_in = 8;
-    std::size_t in_long_rows = 0;
-    for_each_long_row(ends,
-                      [&](std::uint32_t begin, std::uint32_t end) { in_long_rows += end - begin; });
-    if (in_long_rows * one_in > entries.size()) return false;
-    kernels.sort_rows({moved_.data(), entries.size(), static_cast<ElementIndex>(first_element),
-                       ends.data(), static_cast<std::uint32_t>(ends.size())},
-                      entries.data());
-    work.did(entries.size());
-    for_each_long_row(ends, [&](std::uint32_t begin, std::uint32_t end) {
-      base::sort_asking(entries.begin() + begin, entries.begin() + end, work,
-                        [](const Entry& a, const Entry& b) { return comes_before(a, b); });
-    });
-    return true;
-  }
-  return false;
+  constexpr std::size_t one_in = 8;
+  std::size_t in_long_rows = 0;
+  for_each_long_row(ends,
+                    [&](std::uint32_t begin, std::uint32_t end) { in_long_rows += end - begin; });
+  if (in_long_rows * one_in > entries.size()) return false;
+  sort_in_vectors(std::span<const Entry>(moved_), ends, first_element, kernels, entries);
+  work.did(entries.size());
+  for_each_long_row(ends, [&](std::uint32_t begin, std::uint32_t end) {
+    base::sort_asking(entries.begin() + begin, entries.begin() + end, work,
+                      [](const Entry& a, const Entry& b) { return comes_before(a, b); });
+  });
+  return true;
 }
 
 template <RangeEntry Entry>
@@ -257,9 +281,8 @@ void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element
   // If most elements have no pair, several share a digit: an empty digit costs as much as a pair.
   const ByFirst by_first(first, first + static_cast<ElementIndex>(width - 1), 2 * entries.size());
   const bool digits_are_rows = by_first.count() == width;
-  // An empty row costs as much as one of some pairs.
   const bool fits_vectors =
-      digits_are_rows && 2 * entries.size() >= 3 * width && has_vectors<Entry>(kernels);
+      digits_are_rows && has_vectors<Entry>(kernels) && suits_vectors(entries.size(), width);
   // Few pairs, and those of rows whose partners lie in the same cache lines, are sorted by
   // insertion without a pass over second elements.
   if (fits_vectors || entries.size() < width / 2 ||

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace abut::testing {
@@ -45,29 +46,61 @@ std::vector<ContactPair> sorted_by_std(const Rows& rows) {
   return sorted;
 }
 
+/// Both elements of a pair: words of one row have the same upper half.
+std::uint64_t word_of(const ContactPair& pair) {
+  return std::uint64_t{pair.first} << 32 | pair.second;
+}
+
+std::vector<std::uint64_t> words_of(const std::vector<ContactPair>& pairs) {
+  std::vector<std::uint64_t> words(pairs.size());
+  std::transform(pairs.begin(), pairs.end(), words.begin(), word_of);
+  return words;
+}
+
 std::vector<ContactPair> sorted_by(Simd level, const Rows& rows) {
   std::vector<ContactPair> readable = rows.pairs;
   readable.resize(readable.size() + longest);
   std::vector<ContactPair> sorted(readable.size(), of_others);
-  kernels::order_kernels(level).sort_rows(
-      {readable.data(), rows.pairs.size(), rows.first_element, rows.ends.data(),
-       static_cast<std::uint32_t>(rows.ends.size())},
-      sorted.data());
+  kernels::order_kernels(level).sort_pairs({{readable.data(), rows.pairs.size(), rows.ends.data(),
+                                             static_cast<std::uint32_t>(rows.ends.size())},
+                                            rows.first_element},
+                                           sorted.data());
+  return sorted;
+}
+
+std::vector<std::uint64_t> sorted_words_by(Simd level, const Rows& rows) {
+  std::vector<std::uint64_t> readable = words_of(rows.pairs);
+  readable.resize(readable.size() + longest);
+  std::vector<std::uint64_t> sorted(readable.size(), word_of(of_others));
+  kernels::order_kernels(level).sort_words({readable.data(), rows.pairs.size(), rows.ends.data(),
+                                            static_cast<std::uint32_t>(rows.ends.size())},
+                                           sorted.data());
   return sorted;
 }
 
 void expect_sorted(const Rows& rows) {
   const std::vector<ContactPair> expected = sorted_by_std(rows);
   for (const Simd level : simd_levels_here()) {
-    if (kernels::order_kernels(level).sort_rows == nullptr) continue;
-    EXPECT_EQ(sorted_by(level, rows), expected)
-        << name_of(level) << ", " << rows.ends.size() << " rows of " << rows.pairs.size();
+    const kernels::OrderKernels kernels = kernels::order_kernels(level);
+    const auto which = [&] {
+      return std::string(name_of(level)) + ", " + std::to_string(rows.ends.size()) + " rows of " +
+             std::to_string(rows.pairs.size());
+    };
+    if (kernels.sort_pairs != nullptr) {
+      EXPECT_TRUE(sorted_by(level, rows) == expected) << which();
+    }
+    if (kernels.sort_words != nullptr) {
+      EXPECT_TRUE(sorted_words_by(level, rows) == words_of(expected)) << which();
+    }
   }
 }
 
-TEST(OrderKernels, AllLevelsButPlainCppSortRows) {
+TEST(OrderKernels, LevelsThatSort) {
   for (const Simd level : simd_levels_here()) {
-    EXPECT_EQ(kernels::order_kernels(level).sort_rows != nullptr, level != Simd::scalar);
+    const kernels::OrderKernels kernels = kernels::order_kernels(level);
+    EXPECT_EQ(kernels.sort_pairs != nullptr, level != Simd::scalar) << name_of(level);
+    const bool is_wide = level == Simd::avx2 || level == Simd::avx512;
+    EXPECT_EQ(kernels.sort_words != nullptr, is_wide) << name_of(level);
   }
 }
 

@@ -61,8 +61,8 @@ std::string bar_text(std::string_view phase, double fraction, double phase_time,
 
 }  // namespace
 
-ProgressDisplay::ProgressDisplay(ProgressMode mode)
-    : mode_(mode), start_(Clock::now()), phase_start_(start_) {
+ProgressDisplay::ProgressDisplay(ProgressMode mode, Clock::time_point start)
+    : mode_(mode), start_(start), phase_start_(start) {
   if (mode_ == ProgressMode::automatic) {
     mode_ = bar_is_welcome() ? ProgressMode::bar : ProgressMode::log;
   }
@@ -78,8 +78,7 @@ ProgressHook ProgressDisplay::hook() {
   };
 }
 
-void ProgressDisplay::show(const Progress& progress) {
-  const Clock::time_point now = Clock::now();
+void ProgressDisplay::show(const Progress& progress, Clock::time_point now) {
   const std::string_view phase = name_of_phase(progress.phase);
   if (phase != phase_) {
     phase_ = phase;

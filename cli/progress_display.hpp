@@ -18,7 +18,9 @@ enum class ProgressMode {
 /// Shows on standard error how far long work is, and asks it to stop after an interrupt.
 class ProgressDisplay {
  public:
-  explicit ProgressDisplay(ProgressMode mode);
+  using Clock = std::chrono::steady_clock;
+
+  explicit ProgressDisplay(ProgressMode mode, Clock::time_point start = Clock::now());
   ~ProgressDisplay() { clear(); }
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
@@ -29,14 +31,12 @@ class ProgressDisplay {
   [[nodiscard]] bool is_shown() const noexcept { return mode_ != ProgressMode::none; }
 
   /// Shows how far the work is, unless it was shown a short while ago.
-  void show(const Progress& progress);
+  void show(const Progress& progress, Clock::time_point now = Clock::now());
 
   /// Removes the bar; called before anything else is written to the terminal.
   void clear();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void draw(const std::string& line);
 
   ProgressMode mode_;

@@ -20,13 +20,8 @@
 namespace abut::cli {
 namespace {
 
+/// Of boxes there are none here: their columns are refused where a radius is given.
 ElementView centers_of(const io::Snapshot& snapshot) {
-  if (snapshot.holds_boxes()) {
-    throw Error(ErrorCode::wrong_usage,
-                fmt::format("{}: neighbors are those of points, and the file holds boxes; take "
-                            "abut contacts with --margin",
-                            snapshot.name()));
-  }
   return snapshot.dimensions == 2 ? points(snapshot.x, snapshot.y)
                                   : points(snapshot.x, snapshot.y, snapshot.z);
 }

@@ -377,9 +377,8 @@ Command parse(int argc, const char* const* argv) {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     // Who asks for help need not know the options.
-    if (app.remaining().empty()) return HelpText{app.help()};
-    reject_unknown_words(app);
-    throw;
+    if (!app.remaining().empty()) reject_unknown_words(app);
+    return HelpText{app.help()};
   } catch (const CLI::ParseError& error) {
     reject_unknown_words(app);
     throw Error(

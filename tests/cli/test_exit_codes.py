@@ -46,6 +46,12 @@ def test_0_an_input_without_a_line_is_warned_of(abut, tmp_path):
         assert (done.returncode, done.stdout, done.stderr) == (0, "0\n", "")
 
 
+def test_0_the_next_command_reads_the_file_as_this_one_did(abut, tmp_path):
+    (tmp_path / "discs.txt").write_text("0\n\n")
+    told = abut("info", "discs.txt", "--format", "xyz", cwd=tmp_path).stdout
+    assert told.splitlines()[-1].endswith("abut contacts discs.txt --format xyz")
+
+
 @pytest.mark.parametrize("count", ["20", "2e1", "2E+1", "0.2e2", "200e-1", "20.", "020"])
 def test_0_counts_are_whole_numbers_in_any_form(abut, count):
     assert len(abut("generate", "gas", "--count", count).stdout.splitlines()) == 21
@@ -83,6 +89,11 @@ def test_0_info_describes_what_a_detection_refuses(abut, fails):
 def test_0_next_command_names_the_columns(abut):
     done = abut("contacts", "-", "--columns", "x,y,radius", stdin="0 0 1\n1 1 1\n")
     assert "next             abut contacts - --columns x,y,radius -o contacts.vtp" in done.stdout
+
+
+def test_3_boxes_have_no_neighbors(fails):
+    told = fails(3, "neighbors", "-", "--cutoff", "1", stdin="xmin,xmax,ymin,ymax\n0,1,0,1\n")
+    assert told.endswith("; leave it out, or ask for contacts within a margin")
 
 
 def test_3_unreadable(fails, tmp_path):

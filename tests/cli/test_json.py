@@ -32,7 +32,7 @@ def test_file_of_contacts(abut, tmp_path):
 
 
 def test_hostile_file_name(abut, tmp_path):
-    name = 'a "quoted" \\ \n\x01 \udcff name.csv'
+    name = 'a "quoted" \\ \n\x01 \udcff \U000e0001 name.csv'
     path = str(tmp_path / name)
     with open(path, "w") as file:
         file.write(DISCS)
@@ -116,3 +116,12 @@ def test_compare(abut):
     assert found["equal"] is True and found["elements"] == 500
     assert [run["algorithm"] for run in found["runs"]] == ALGORITHMS
     assert len({run["digest"] for run in found["runs"]}) == 1
+
+
+def test_compare_says_why_an_algorithm_did_not_run(abut):
+    """Two discs a billion cells apart, of which arrays of all cells would have to know."""
+    found = json.loads(abut("compare", "-", "--json", stdin="x,y,radius\n0,0,1\n0,2e9,1\n").stdout)
+    refused = {run["algorithm"]: run["not_run"] for run in found["runs"] if "not_run" in run}
+    assert set(refused) == {"screening_array", "munjiza_nbs"} and found["equal"] is True
+    for name, sentence in refused.items():
+        assert sentence.startswith(f"{name} would need ") and "memory bound" in sentence

@@ -76,6 +76,7 @@ def test_the_same_domain_in_other_words(abut, arguments):
 
 def test_commands_for_open_space_refuse_a_periodic_box(fails, abut):
     assert "--periodic none" in fails(2, "explain", "munjiza_nbs", LAMMPS)
+    assert "at most 1,000" in fails(4, "explain", "munjiza_nbs", LAMMPS, "--periodic", "none")
     assert "munjiza_nbs" in fails(2, "bench", LAMMPS, "--algorithms", "munjiza_nbs")
     done = abut("compare", LAMMPS)
     assert done.returncode == 0 and "munjiza_nbs: does not support periodic domains" in done.stdout

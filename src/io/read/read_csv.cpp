@@ -32,7 +32,8 @@ TableColumns find_roles(LineReader& reader, const std::optional<TableHeader>& he
   if (names_boxes(header->names)) {
     if (wanted.radius == RadiusColumn::ignored) {
       reader.fail_at_line(
-          "has columns of boxes, to which neither a radius nor a cutoff applies; leave it out");
+          "has columns of boxes, to which neither a radius nor a cutoff applies; leave it out, or "
+          "ask for contacts within a margin");
     }
     return find_box_columns(reader, header->names, wanted);
   }

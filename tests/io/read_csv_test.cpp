@@ -36,6 +36,15 @@ TEST(ReadCsv, ColumnsInAnyOrderOthersIgnored) {
   EXPECT_EQ(snapshot.periodic, (std::array{false, false, false}));
 }
 
+/// In columns that nobody reads; a quote within quotes is written twice.
+TEST(ReadCsv, QuotedFieldsHoldSeparatorsAndQuotes) {
+  const Snapshot snapshot = read_text(
+      "a.csv", "x,note,y,radius\n1,\"a, \"\"b\"\", c\",2,3\n4,\"\"\"\",5,6\n7,\"\",8,9\n");
+  EXPECT_EQ(snapshot.x, (Numbers{1, 4, 7}));
+  EXPECT_EQ(snapshot.y, (Numbers{2, 5, 8}));
+  EXPECT_EQ(snapshot.radius, (Numbers{3, 6, 9}));
+}
+
 ReadOptions with_columns(std::vector<std::string> names) {
   ReadOptions options;
   options.columns = std::move(names);

@@ -21,6 +21,23 @@ namespace {
 
 using scenes::Scene;
 
+/// The book's lists number elements in 31 bits. Said before a single element is looked at: all of
+/// these lie in one place, one behind the other without a distance.
+TEST(MostElements, OfTheBooksAlgorithms) {
+  const double zero = 0.0;
+  const Column<double> many{&zero, std::size_t{2147483647}, 0};
+  for (const Algorithm algorithm : algorithms_for(2)) {
+    if (algorithm == Algorithm::rows || algorithm == Algorithm::automatic) continue;
+    SCOPED_TRACE(std::string(name_of(algorithm)));
+    const std::string name(name_of(algorithm));
+    expect_error(ErrorCode::limit_exceeded, {"2147483647 elements; ", name, "at most 2147483646"},
+                 [&] {
+                   static_cast<void>(count_contact_pairs(discs(many, many, 1.0), Domain::open(),
+                                                         {.algorithm = algorithm}));
+                 });
+  }
+}
+
 TEST(MaxPairs, OneMoreIsAnError) {
   const Scene scene = scenes::scene_named("touching_cubic").make(1000, 1);
   constexpr PairCount pairs = 2700;

@@ -4,6 +4,7 @@
 
 #include "detect/public_calls.hpp"
 #include "support/allocation_faults.hpp"
+#include "support/error_expectations.hpp"
 #include "support/same_pairs.hpp"
 #include "support/scene_view.hpp"
 
@@ -17,6 +18,7 @@
 #include <functional>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -209,6 +211,24 @@ TEST(MemoryFaultsOfTheCaller, PassThrough) {
   const std::vector<std::array<int, 3>> faces{{0, 1, 2}};
   const TriangleMesh mesh(corners, faces);
   EXPECT_THROW((void)find_mesh_contacts(g.elements, mesh, options), std::bad_alloc);
+}
+
+/// Also what the library itself would take for lack of memory or for an error of its own.
+TEST(ExceptionsOfTheCaller, PassThrough) {
+  const Detectors g;
+  const auto too_long = [](ContactPair) { throw std::length_error("the caller's"); };
+  EXPECT_THROW(for_each_contact_pair(g.elements, Domain::open(), {}, too_long), std::length_error);
+  const auto refuse = [](ContactPair) { throw Error(ErrorCode::output_failed, "the caller's"); };
+  expect_error(ErrorCode::output_failed, {"the caller's"},
+               [&] { for_each_contact_pair(g.elements, Domain::open(), {}, refuse); });
+  Options options;
+  options.progress = [](const Progress&) -> ProgressAction {
+    throw Error(ErrorCode::limit_exceeded, "the caller's");
+  };
+  Detector detector(options);
+  detector.set_skin(Skin::fixed(0.1));
+  expect_error(ErrorCode::limit_exceeded, {"the caller's"},
+               [&] { detector.find_contact_pairs(g.elements, g.domain); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Refusals, MemoryFaults,

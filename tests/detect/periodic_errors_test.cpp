@@ -71,6 +71,23 @@ TEST(PeriodicErrors, ShiftsBeyond32BitsBetweenTwoElementsAreAnError) {
   }
 }
 
+/// Along a vector 2^-92 as long as the other no number tells where an element lies, as soon as it
+/// is away from the origin.
+TEST(PeriodicErrors, VectorsOfVeryUnequalLengths) {
+  constexpr double length = 0x1p-92;
+  const std::vector<double> x{0.25, 0.5}, y{-0.25, -0.5}, z{0.0, 0.0};
+  const Options rows{.algorithm = Algorithm::rows};
+  expect_error(ErrorCode::invalid_input, {"differ so much in length"}, [&] {
+    static_cast<void>(
+        count_contact_pairs(discs(x, y, length), Domain::lattice({1, -1}, {length, length}), rows));
+  });
+  expect_error(ErrorCode::invalid_input, {"differ so much in length"}, [&] {
+    static_cast<void>(
+        count_contact_pairs(spheres(x, y, z, length),
+                            Domain::lattice({1, -1, 0}, {length, length, 0}, {0, 0, 1}), rows));
+  });
+}
+
 /// The two algorithms refuse by one rule, in one sentence: at the border of what they carry, and
 /// where all elements are far out together.
 TEST(PeriodicErrors, FarElementsAreRefusedByOneRule) {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -119,6 +120,25 @@ TEST(Trace, ShowsTheSameCandidates) {
     }
     EXPECT_GT(counts.front(), 0U);
     EXPECT_EQ(counts, std::vector<std::uint64_t>(counts.size(), counts.front())) << name;
+  }
+}
+
+/// Stops the walk at the first candidate pair.
+class StoppingSink final : public trace::Sink {
+ public:
+  void stage(std::string_view, std::array<std::int32_t, 3>) override {}
+  void array(const trace::Array&) override {}
+  void search_step(const trace::SearchStep&) override {}
+  void candidate_pair(ElementIndex, ElementIndex) override { throw std::bad_alloc(); }
+};
+
+/// Lack of memory in the caller's sink stays what it is.
+TEST(Trace, LetsExceptionsOfTheSinkThrough) {
+  const CellSystem system = system_of(2, {5, 5, 1}, {{0, 0, 0}, {1, 0, 0}});
+  for (const AlgorithmInfo& row : traceable_algorithms()) {
+    SCOPED_TRACE(std::string(row.name));
+    StoppingSink sink;
+    EXPECT_THROW(trace::run(row.algorithm, system, sink), std::bad_alloc);
   }
 }
 

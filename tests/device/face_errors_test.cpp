@@ -54,6 +54,17 @@ TEST(FaceErrors, BadElementsAreNamed) {
   }
 }
 
+TEST(FaceErrors, BadElementsOfSinglePrecisionAreNamed) {
+  Scene scene = dense(200);
+  scene.y[37] = std::numeric_limits<double>::infinity();
+  const Float32Scene floats(scene);
+  expect_refused(ErrorCode::invalid_input, {"element 37", "y = inf"},
+                 [&](device::Detector& detector) {
+                   const device::ElementCopy copy(floats.view());
+                   detector.find_contact_pairs(copy.elements());
+                 });
+}
+
 TEST(FaceErrors, LimitsAreKept) {
   const Scene scene = dense(2000);
   const PairCount pairs = list_by_face(view_of(scene)).size();

@@ -3,6 +3,7 @@
 #include "device/kept_memory.hpp"
 
 #include "device/block_places.hpp"
+#include "device/host_executor.hpp"
 
 #include "scenes/random.hpp"
 #include "support/error_expectations.hpp"
@@ -14,6 +15,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <new>
 #include <stdexcept>
 #include <vector>
 
@@ -177,6 +179,13 @@ TEST(DeviceKeptMemory, AnAllocatorMayThrow) {
   throws = false;
   call(memory);
   EXPECT_EQ(source.blocks, 0);
+}
+
+TEST(DeviceHostExecutor, GivesBackWhatItCouldNotHave) {
+  base::MemoryMeter memory;
+  device::HostExecutor executor(memory, device::ItemOrder::ascending, 1);
+  EXPECT_THROW(static_cast<void>(executor.allocate(std::uint64_t{1} << 60)), std::bad_alloc);
+  EXPECT_EQ(memory.held(), 0U);
 }
 
 }  // namespace

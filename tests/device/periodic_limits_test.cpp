@@ -78,6 +78,7 @@ TEST(DeviceFarShifts, OfElementsFarOut) {
     return expect_same_outcome(scene_of(2, {{cells, 0.0, 0, 0.2}, {-cells, y, 0, 0.2}}), strip);
   };
   EXPECT_EQ(outcome(1073741823.0, 0.1), "1 pairs");
+  EXPECT_EQ(outcome(1073741824.0, std::nextafter(0.4, 1.0)), "0 pairs");
   EXPECT_EQ(outcome(1073741824.0, 1.0), "0 pairs");
   EXPECT_TRUE(tells(outcome(1073741824.0, 0.1), "elements 0 and 1 pair across more"));
 }

@@ -118,6 +118,18 @@ TEST(Measure, HasTheGapsOfOnePair) {
   }
 }
 
+TEST(Measure, GoesOnWhereItsMeasurerIsMovedTo) {
+  const std::vector<double> x{0.0, 3.0}, y{0.0, 4.0}, apart{0.0, 9.0};
+  PairMeasurer measurer(discs(x, y, 1.0));
+  PairMeasurer moved(std::move(measurer));
+  PairMeasurer assigned(discs(apart, y, 1.0));
+  assigned = std::move(moved);
+  const std::vector<ContactPair> pairs{{0, 1}};
+  std::vector<double> distances(1);
+  assigned.measure(std::span<const ContactPair>(pairs), {.distances = distances});
+  EXPECT_EQ(distances[0], 5.0);
+}
+
 TEST(Measure, OfTwoSets) {
   const System first = some_system(60, 1522);
   const System second = some_system(300, 1523);

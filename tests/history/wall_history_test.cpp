@@ -82,6 +82,14 @@ TEST(WallHistory, GoesOverAFloorAsIfItWereOnePiece) {
   }
 }
 
+TEST(WallHistory, GoesOnWhereItIsMovedTo) {
+  Followed rolling(flat_grid(4).mesh(), {{{0.125, 0.25, 0.9}, 1.0}});
+  rolling.step();
+  MeshContactHistory<int> moved(std::move(rolling.history));
+  rolling.history = std::move(moved);
+  EXPECT_EQ(rolling.step(), Ages{2});
+}
+
 TEST(WallHistory, GoesAroundAnOuterEdge) {
   const Point top{0.5, 0, 1.9}, over_the_edge{1.5, 0, 1.5}, side{1.9, 0, 0.5};
   Followed slow(cube().mesh(), {{top, 1.0}});

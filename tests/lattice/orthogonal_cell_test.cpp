@@ -2,6 +2,7 @@
 
 #include "lattice/lattices.hpp"
 #include "support/dimensions.hpp"
+#include "support/error_expectations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -105,6 +106,17 @@ TEST(OrthogonalCell, OfLeesEdwardsShearIsTheBlock) {
   EXPECT_TRUE(cell.is_aligned());
   const double corner[3] = {10.0, 8.0, 9.0};
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(cell.coordinate(k, corner), 1.0, 1e-15);
+}
+
+/// No reduced basis is so: of vectors that are nearly one line rounding leaves no side.
+TEST(OrthogonalCell, IsRefusedWhereItIsNoCell) {
+  exact::Lattice lattice;
+  lattice.vectors = {{{1.0, 1.0, 0.0}, {-1.0, 1.0, 0.0}}};
+  lattice.periodic = {true, true, false};
+  lattice::ReducedLattice<2> reduced(lattice);
+  reduced.vectors = {{{1.0, 1.0}, {1.0, 1.0 + 0x1p-50}}};
+  expect_error(ErrorCode::invalid_input, {"so unequal in length"},
+               [&] { const lattice::OrthogonalCell<2> cell(reduced, 1.0); });
 }
 
 TEST(OrthogonalCell, OfRotatedVectorsIsNotAligned) {

@@ -19,6 +19,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace abut::testing {
@@ -239,6 +240,16 @@ TEST(CandidateList, BadSkinsAndBoxesAreRefused) {
   CandidateList candidates(0.1);
   expect_error(ErrorCode::wrong_usage, {"boxes", "Detector"},
                [&] { candidates.rebuild(rectangles(x, x, x, x)); });
+}
+
+TEST(CandidateList, GoesOnWhereItIsMovedTo) {
+  const std::vector<double> x{0.0, 1.0};
+  CandidateList candidates(0.1);
+  candidates.rebuild(discs(x, x, 0.75));
+  CandidateList assigned(0.2);
+  assigned = std::move(candidates);
+  EXPECT_EQ(assigned.rows().neighbors().size(), 1U);
+  EXPECT_FALSE(assigned.needs_rebuild(discs(x, x, 0.75)));
 }
 
 TEST(CandidateList, AsksTheHook) {

@@ -2,6 +2,7 @@
 // periodic cell: against one open mesh of many cells.
 
 #include "support/error_expectations.hpp"
+#include "walls/joined_vertices.hpp"
 #include "walls/mesh_scenes.hpp"
 
 #include <abut/abut.hpp>
@@ -292,6 +293,20 @@ TEST(JoinedMesh, BelongsToItsDomain) {
     static_cast<void>(
         TriangleMesh::joined(square.vertices, square.triangles, Domain::periodic({3.0, 3.0})));
   });
+}
+
+TEST(JoinedVertices, ShiftsBeyond32BitsAreRefused) {
+  constexpr std::int32_t most = 2147483647;
+  EXPECT_EQ(walls::sum({most - 1, 0, -most}, {1, 2, 0}), (ImageShift{most, 2, -most}));
+  EXPECT_EQ(walls::difference({-most + 1, 0, most}, {1, 2, 0}), (ImageShift{-most, -2, most}));
+  for (const ImageShift& one : {ImageShift{1, 0, 0}, ImageShift{0, 1, 0}, ImageShift{0, 0, 1}}) {
+    expect_error(ErrorCode::invalid_input, {"more than 2147483647 cells"}, [&] {
+      static_cast<void>(walls::sum({most, most, most}, one));
+    });
+    expect_error(ErrorCode::invalid_input, {"more than 2147483647 cells"}, [&] {
+      static_cast<void>(walls::difference({-most, -most, -most}, one));
+    });
+  }
 }
 
 TEST(JoinedMesh, OfNothing) {

@@ -57,6 +57,31 @@ TEST_P(DeviceScenes, Float32) {
   check(scene.view(), 0.0);
 }
 
+/// Small spheres around (0, 0, 0) and (2^35, 0, 0), whose cells lie in two stretches with a gap
+/// between them, and large ones, which begin or end in the one or the other.
+TEST(DeviceScene, LargeSpheresReachSmallOnesOnBothSidesOfAGap) {
+  constexpr double apart = 0x1p35;
+  const scenes::Scene cluster = scenes::scene_named("dense").make(500, 3);
+  scenes::Scene scene = cluster;
+  for (std::size_t k = 0; k < cluster.size(); ++k) {
+    scene.x.push_back(cluster.x[k] + apart);
+    scene.y.push_back(cluster.y[k]);
+    scene.z.push_back(cluster.z[k]);
+    scene.radius.push_back(cluster.radius[k]);
+  }
+  for (const double radius : {0.5 * apart, 0.5 * apart + 1.0, 0.25 * apart, 0.25 * apart + 2.0}) {
+    for (const double x : {radius, apart + 3.0 + radius, apart + 3.0 - radius}) {
+      scene.x.push_back(x);
+      scene.y.push_back(1.0);
+      scene.z.push_back(0.5);
+      scene.radius.push_back(radius);
+    }
+  }
+  EXPECT_GT(pairs_of_rows(view_of(scene), 0.0).size(), 3500U);
+  check(view_of(scene), 0.0);
+  check(view_of(scene), 0.5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, DeviceScenes,
                          ::testing::ValuesIn(scenes::scenes().begin(), scenes::scenes().end()),
                          [](const auto& parameter) { return std::string(parameter.param.name); });

@@ -46,6 +46,12 @@ class ABUT_API ExclusionList {
     return {partners_.data() + begin, static_cast<std::size_t>(begins_[first + 1] - begin)};
   }
 
+  /// Partners of all elements, one after the other: those of element k begin at offsets()[k].
+  [[nodiscard]] std::span<const ElementIndex> partners() const noexcept { return partners_; }
+  /// Offsets of the elements in partners(), and behind the last one its length; none in a list that
+  /// was made for no elements at all.
+  [[nodiscard]] std::span<const std::uint64_t> offsets() const noexcept { return begins_; }
+
   /// True if the pair is excluded. In a list for one set either index may be first.
   [[nodiscard]] bool contains(ContactPair pair) const noexcept;
 

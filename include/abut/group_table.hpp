@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace abut {
@@ -31,6 +32,10 @@ class ABUT_API GroupTable {
 
   /// Denies all pairs; a start for tables that allow few.
   GroupTable& deny_all() noexcept;
+
+  /// The bits of the table, those of 64 places in a word: that of groups a and b is bit p % 64 of
+  /// word p / 64, for p = a * size() + b.
+  [[nodiscard]] std::span<const std::uint64_t> words() const noexcept { return bits_; }
 
   /// True if elements of these groups may pair. Both numbers must be < size().
   [[nodiscard]] bool allows(std::uint32_t a, std::uint32_t b) const noexcept {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace abut::elements {
@@ -31,13 +32,10 @@ void require_lengths(const SetOfRule& set, bool groups, bool categories) {
   require_length(set, "accepts", set.traits.accepts.size());
 }
 
-void require_groups_in_table(const SetOfRule& set, const GroupTable& table) {
-  for (std::size_t k = 0; k < set.elements; ++k) {
-    if (set.traits.groups[k] < table.size()) continue;
-    throw Error(ErrorCode::invalid_input,
-                set.name + ".groups says that element " + std::to_string(k) + " is of group " +
-                    std::to_string(set.traits.groups[k]) + "; the table has " +
-                    std::to_string(table.size()) + " groups, numbered from 0");
+void require_groups_in_table(const std::string& set, std::span<const std::uint32_t> groups,
+                             const GroupTable& table) {
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    if (groups[k] >= table.size()) refuse_group(set, k, groups[k], table);
   }
 }
 
@@ -70,22 +68,34 @@ void require_fit(const ExclusionList& exclusions, const ElementView& first,
 
 }  // namespace
 
-void validate_rule(const PairRule& rule, const ElementView& first, const ElementView* second) {
+void refuse_group(const std::string& set, std::size_t element, std::uint32_t group,
+                  const GroupTable& table) {
+  throw Error(ErrorCode::invalid_input,
+              set + ".groups says that element " + std::to_string(element) + " is of group " +
+                  std::to_string(group) + "; the table has " + std::to_string(table.size()) +
+                  " groups, numbered from 0");
+}
+
+void validate_sizes_of_rule(const PairRule& rule, const ElementView& first,
+                            const ElementView* second) {
   if (rule.is_empty()) return;
   const auto any = [&](const auto& member) {
     return !(rule.elements.*member).empty() || !(rule.others.*member).empty();
   };
   const bool groups = any(&PairTraits::groups) || rule.table != nullptr;
   const bool categories = any(&PairTraits::categories) || any(&PairTraits::accepts);
-  const SetOfRule elements{"rule.elements", rule.elements, first.size()};
-  const SetOfRule others{"rule.others", rule.others, second == nullptr ? 0 : second->size()};
+  const SetOfRule elements{first_set_of_rule, rule.elements, first.size()};
+  const SetOfRule others{second_set_of_rule, rule.others, second == nullptr ? 0 : second->size()};
   require_lengths(elements, groups, categories);
   require_lengths(others, groups, categories);
-  if (rule.table != nullptr) {
-    require_groups_in_table(elements, *rule.table);
-    require_groups_in_table(others, *rule.table);
-  }
   if (rule.exclusions != nullptr) require_fit(*rule.exclusions, first, second);
+}
+
+void validate_rule(const PairRule& rule, const ElementView& first, const ElementView* second) {
+  validate_sizes_of_rule(rule, first, second);
+  if (rule.table == nullptr) return;
+  require_groups_in_table(first_set_of_rule, rule.elements.groups, *rule.table);
+  require_groups_in_table(second_set_of_rule, rule.others.groups, *rule.table);
 }
 
 }  // namespace abut::elements

@@ -40,6 +40,7 @@ ROOMS_BELOW = {
     "simplices": "base exact exact/simplices lists detect walls",
     "device/bodies": "base exact/numbers exact lattice",
     "device": "base exact grid lattice elements device/bodies",
+    "device/copies": "base device",
     "device/cuda": "base exact device/bodies device",
 }
 CORE = {"include/abut": set()} | {

@@ -67,6 +67,7 @@ struct MemoryPlan {
   /// Bytes more where shifts are stored, or gaps are measured in a periodic domain.
   std::uint64_t shift_bytes = 0;
   std::uint64_t quantity_bytes = 0;  ///< bytes more where gaps are measured
+  std::uint64_t rule_bytes = 0;      ///< bytes more of the table and the exclusions of a rule
   /// Scratch memory of sorts and scans: a bound by what is known of them, as only a device can
   /// tell.
   std::uint64_t scratch_bytes = 0;
@@ -78,15 +79,17 @@ struct MemoryPlan {
 /// Plans the memory of a detection. `pairs` counts the contact pairs, for a full neighbor list each
 /// twice, and those that must be decided exactly, which on lattices that touch are all. `elements`
 /// counts those of both sets, and in a periodic domain the ghosts, too, the images of elements near
-/// its faces.
-[[nodiscard]] ABUT_API MemoryPlan plan(std::uint64_t elements, PairCount pairs);
+/// its faces. Of a rule nothing is asked but the sizes of its table and its exclusions.
+[[nodiscard]] ABUT_API MemoryPlan plan(std::uint64_t elements, PairCount pairs,
+                                       const PairRule& rule = {});
 
 /// Detects the contacts of elements in the memory of one device.
 ///
 /// Options mean what they mean for abut::Detector, except that pairs always come in canonical order
-/// and that `threads` and `simd` mean nothing. What a device does not do yet throws
-/// Error{wrong_usage} and says what to take instead: boxes, rules, quantities other than gaps, and
-/// algorithms other than `rows` and `automatic`.
+/// and that `threads` and `simd` mean nothing. The arrays of a rule lie in the memory of the device
+/// (RuleCopy brings them there), its table and its exclusions on the host, from where each call
+/// copies them. What a device does not do yet throws Error{wrong_usage} and says what to take
+/// instead: boxes, quantities other than gaps, and algorithms other than `rows` and `automatic`.
 class ABUT_API Detector {
  public:
   /// Makes a detector on a device, with memory of its own or of an allocator. Throws

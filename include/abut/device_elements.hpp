@@ -3,6 +3,7 @@
 #include <abut/device.hpp>
 #include <abut/element_view.hpp>
 #include <abut/export.hpp>
+#include <abut/pair_rule.hpp>
 
 #include <memory>
 
@@ -27,6 +28,30 @@ class ABUT_API ElementCopy {
 
   /// The elements on the device, what a Detector there takes.
   [[nodiscard]] const ElementView& elements() const noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// A copy of the arrays of a rule in the memory of a device, for arrays that lie on the host. Table
+/// and exclusions stay where they are: a detection copies them.
+class ABUT_API RuleCopy {
+ public:
+  /// Copies the arrays and waits until they are there. Throws what ElementCopy throws.
+  explicit RuleCopy(const PairRule& on_host, Device device = on(0));
+  /// Releases the memory of the device.
+  ~RuleCopy();
+
+  /// Takes over another copy.
+  RuleCopy(RuleCopy&&) noexcept;
+  /// Takes over another copy.
+  RuleCopy& operator=(RuleCopy&&) noexcept;
+  RuleCopy(const RuleCopy&) = delete;
+  RuleCopy& operator=(const RuleCopy&) = delete;
+
+  /// The rule with its arrays on the device, what the options of a Detector there take.
+  [[nodiscard]] const PairRule& rule() const noexcept;
 
  private:
   struct State;

@@ -74,7 +74,8 @@ struct Detector::State {
                                 .shifts = options.shifts,
                                 .form = form,
                                 .quantities = options.quantities,
-                                .lattice = elements::lattice_of(domain)},
+                                .lattice = elements::lattice_of(domain),
+                                .rule = options.rule},
                   max_bytes, progress);
     });
   }

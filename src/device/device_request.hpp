@@ -3,6 +3,7 @@
 #include "exact/lattice.hpp"
 
 #include <abut/options.hpp>
+#include <abut/pair_rule.hpp>
 #include <abut/quantity.hpp>
 
 #include <cstddef>
@@ -27,6 +28,7 @@ struct DeviceRequest {
   ListForm form = ListForm::pairs;
   Quantities quantities = {};  ///< of lists
   exact::Lattice lattice = {};
+  PairRule rule = {};  ///< its arrays lie on the device, its table and exclusions on the host
 
   /// Whether gaps are measured.
   [[nodiscard]] bool wants_gaps() const noexcept { return quantities.has(Quantity::gap); }
@@ -34,6 +36,12 @@ struct DeviceRequest {
   /// Whether shifts are told of what is found in a domain that may be periodic.
   [[nodiscard]] bool finds_shifts(int dimensions) const noexcept {
     return shifts == Shifts::stored || (wants_gaps() && is_periodic(dimensions));
+  }
+
+  /// Whether Pipeline serves, for one set of elements of so many dimensions; all else is for
+  /// PeriodicPipeline.
+  [[nodiscard]] bool is_plain(int dimensions) const noexcept {
+    return !is_periodic(dimensions) && rule.is_empty();
   }
 
   /// Whether elements of so many dimensions have images.

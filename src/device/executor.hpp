@@ -19,6 +19,7 @@ namespace abut::device {
 ///   select(from, to, count, predicate)   those that the predicate takes, in order; how many; waits
 ///   histogram(bins, bin_count, count, body)     how many items have each value of body(k)
 ///   copy_to_host(target, source, count)  waits for it
+///   copy_to_device(target, source, count)   the source stays as it is until the next wait
 ///   allocate(bytes), release(block, bytes)      memory of the device, counted
 
 /// An array in the memory of an executor, which must outlive it. Its elements have no value until

@@ -89,6 +89,11 @@ class HostExecutor {
     for (std::uint64_t k = 0; k < count; ++k) target[k] = source[k];
   }
 
+  template <class T>
+  void copy_to_device(T* target, const T* source, std::uint64_t count) {
+    for (std::uint64_t k = 0; k < count; ++k) target[k] = source[k];
+  }
+
   /// How often the host would have waited for a device: what cannot be seen by time here.
   [[nodiscard]] std::uint64_t waits() const noexcept { return waits_; }
 

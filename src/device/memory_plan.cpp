@@ -31,9 +31,18 @@ static_assert(sizeof(lattice::Ghost) >= sizeof(lattice::CellsMoved));
 /// Histogram, ends of arrays, heads of few elements.
 constexpr std::uint64_t fixed_bytes = 4096;
 
+std::uint64_t bytes_of(const PairRule& rule) {
+  std::uint64_t bytes = 0;
+  if (rule.table != nullptr) bytes += rule.table->words().size_bytes();
+  if (rule.exclusions != nullptr && rule.exclusions->size() > 0) {
+    bytes += rule.exclusions->offsets().size_bytes() + rule.exclusions->partners().size_bytes();
+  }
+  return bytes;
+}
+
 }  // namespace
 
-MemoryPlan plan(std::uint64_t elements, PairCount pairs) {
+MemoryPlan plan(std::uint64_t elements, PairCount pairs, const PairRule& rule) {
   MemoryPlan plan;
   if (elements == 0) return plan;
   plan.search_bytes =
@@ -43,6 +52,7 @@ MemoryPlan plan(std::uint64_t elements, PairCount pairs) {
   plan.scratch_bytes = (elements + pairs) / keys_of_scratch_byte + fixed_scratch_bytes;
   plan.image_bytes = elements * sizeof(lattice::Ghost);
   plan.quantity_bytes = pairs * sizeof(double);
+  plan.rule_bytes = bytes_of(rule);
   plan.shift_bytes = pairs * bytes_with_shift - plan.pair_bytes;
   return plan;
 }

@@ -9,6 +9,7 @@
 #include "device/finish_list.hpp"
 #include "device/found_list.hpp"
 #include "device/image_search.hpp"
+#include "device/rule_arrays.hpp"
 
 #include <abut/error.hpp>
 #include <abut/image_shift.hpp>
@@ -18,10 +19,10 @@
 
 namespace abut::device {
 
-/// One detection of spheres in a periodic domain, or of two sets in any: the stages of Pipeline
-/// among locals and ghosts, whose pairs are named by elements and shifts then. Two waits more in a
-/// periodic domain: for the extent in the cell, and for the number of ghosts. It is compiled for
-/// `float` and `double` together.
+/// One detection of spheres in a periodic domain, or of two sets or by a rule in any: the stages of
+/// Pipeline among locals and ghosts, whose pairs are named by elements and shifts then. Two waits
+/// more in a periodic domain: for the extent in the cell, and for the number of ghosts; one more
+/// with a table of groups. It is compiled for `float` and `double` together.
 template <int Dim, class E>
 class PeriodicPipeline {
  public:
@@ -58,9 +59,10 @@ class PeriodicPipeline {
   void detect(Use&& use) {
     progress_.begin("gather", elements_.count);
     if (elements_.count == 0) return require_lattice();
+    const RuleArrays<E> rule(executor_, request_.rule, elements_);
     const Extent<Dim> as_given = checked_extent(executor_, elements_);
     try {
-      search(as_given, use);
+      search(as_given, rule.view(), use);
     } catch (const Error& error) {
       if (!elements_.is_of_two_sets || error.code() != ErrorCode::invalid_input) throw;
       throw Error(error.code(),
@@ -70,9 +72,10 @@ class PeriodicPipeline {
   }
 
   template <class Use>
-  void search(const Extent<Dim>& as_given, Use&& use) {
+  void search(const Extent<Dim>& as_given, const RuleView& rule, Use&& use) {
     Images images(executor_, elements_, as_given, request_.lattice, request_.margin);
-    const Spheres& spheres = images.spheres();
+    Spheres spheres = images.spheres();
+    spheres.rule = rule;
     progress_.begin("search", spheres.count);
     const Extent<Dim> extent = executor_.reduce(spheres.count, Extent<Dim>::of_none(),
                                                 ElementExtent<Spheres>{spheres}, JoinExtents{});

@@ -2,6 +2,7 @@
 
 #include "base/shortest_text.hpp"
 #include "elements/require_dimensions.hpp"
+#include "elements/validate_rule.hpp"
 
 #include <abut/error.hpp>
 
@@ -38,7 +39,6 @@ void require_countable(const SphereSets& spheres) {
 void validate_request(const Options& options, const SphereSets& spheres, const Domain& domain) {
   if (spheres.second != nullptr) elements::require_alike(spheres.first, *spheres.second);
   refuse(spheres.first.shape() != Shape::sphere, "boxes");
-  refuse(!options.rule.is_empty(), "rules");
   refuse(!options.quantities.empty() && options.quantities != Quantity::gap,
          "quantities other than gaps");
   if (options.algorithm != Algorithm::automatic && options.algorithm != Algorithm::rows) {
@@ -51,6 +51,7 @@ void validate_request(const Options& options, const SphereSets& spheres, const D
   }
   elements::require_dimensions(spheres.first, domain);
   require_countable(spheres);
+  elements::validate_sizes_of_rule(options.rule, spheres.first, spheres.second);
 }
 
 }  // namespace abut::device

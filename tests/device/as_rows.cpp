@@ -24,6 +24,7 @@ std::size_t expect_pairs(const PairList& expected, const ElementView& elements, 
   for (HostRun run : all_runs(elements.size())) {
     run.domain = with.domain;
     run.second = with.second;
+    run.rule = with.rule;
     SCOPED_TRACE(::testing::Message()
                  << "order " << static_cast<int>(run.order) << ", " << run.workers << " threads, "
                  << run.items_at_a_time << " items at a time");
@@ -43,21 +44,26 @@ std::size_t expect_pairs(const PairList& expected, const ElementView& elements, 
   return expected.size();
 }
 
-Options options_of(double margin) {
-  return {.algorithm = Algorithm::rows, .shifts = Shifts::stored, .margin = margin, .threads = 1};
+Options options_of(double margin, const PairRule& rule) {
+  return {.algorithm = Algorithm::rows,
+          .shifts = Shifts::stored,
+          .margin = margin,
+          .rule = rule,
+          .threads = 1};
 }
 
 }  // namespace
 
-std::size_t expect_as_rows(const ElementView& elements, const Domain& domain, double margin) {
-  const PairList expected = find_contact_pairs(elements, domain, options_of(margin));
-  return expect_pairs(expected, elements, margin, {.domain = domain});
+std::size_t expect_as_rows(const ElementView& elements, const Domain& domain, double margin,
+                           const PairRule& rule) {
+  const PairList expected = find_contact_pairs(elements, domain, options_of(margin, rule));
+  return expect_pairs(expected, elements, margin, {.domain = domain, .rule = rule});
 }
 
 std::size_t expect_as_rows(const ElementView& first, const ElementView& second,
-                           const Domain& domain, double margin) {
-  const PairList expected = find_contact_pairs(first, second, domain, options_of(margin));
-  return expect_pairs(expected, first, margin, {.domain = domain, .second = &second});
+                           const Domain& domain, double margin, const PairRule& rule) {
+  const PairList expected = find_contact_pairs(first, second, domain, options_of(margin, rule));
+  return expect_pairs(expected, first, margin, {.domain = domain, .second = &second, .rule = rule});
 }
 
 }  // namespace abut::testing

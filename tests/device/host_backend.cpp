@@ -72,6 +72,21 @@ void require_on_device(const ElementView& elements) {
   if (!elements.has_common_radius()) require(elements.radii());
 }
 
+void require_on_device(const PairRule& rule) {
+  const auto require = [](const auto& numbers) {
+    if (numbers.empty() || blocks().hold(reinterpret_cast<const std::byte*>(numbers.data()))) {
+      return;
+    }
+    throw Error(ErrorCode::wrong_usage,
+                "an array of the rule lies in the memory of the host; copy it to the device");
+  };
+  for (const PairTraits& traits : {rule.elements, rule.others}) {
+    require(traits.groups);
+    require(traits.categories);
+    require(traits.accepts);
+  }
+}
+
 Allocator allocator_of_blocks() {
   return {[](std::uint64_t bytes, Stream) { return blocks().add(bytes); },
           [](void* block, std::uint64_t, Stream) { blocks().remove(block); }};
@@ -113,6 +128,7 @@ class HostBackend final : public Backend {
     found_ = {};
     require_on_device(spheres.first);
     if (spheres.second != nullptr) require_on_device(*spheres.second);
+    require_on_device(request.rule);
     memory_.begin(max_bytes, stream);
     executor_.emplace(memory_, ItemOrder::shuffled, 2);
     found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, progress, call)
@@ -124,7 +140,7 @@ class HostBackend final : public Backend {
   FoundList<HostExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
                                 base::ProgressReporter& progress, const Call& call) {
     const ElementView& first = spheres.first;
-    if (spheres.second != nullptr || request.is_periodic(Dim)) {
+    if (spheres.second != nullptr || !request.is_plain(Dim)) {
       return call(PeriodicPipeline<Dim, HostExecutor>(
           *executor_, joined_columns_of<Dim>(first, spheres.second), request, progress));
     }

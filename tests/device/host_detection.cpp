@@ -35,7 +35,8 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
                                                .shifts = run.shifts,
                                                .form = run.form,
                                                .quantities = run.quantities,
-                                               .lattice = elements::lattice_of(run.domain)},
+                                               .lattice = elements::lattice_of(run.domain),
+                                               .rule = run.rule},
                          progress);
     const auto found = wanted == Wanted::list ? pipeline.list() : pipeline.count();
     result.count = found.contact_pairs();
@@ -70,8 +71,8 @@ HostAnswer open_answer(const ElementView& spheres, double margin, const HostRun&
 template <int Dim>
 HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
   const bool is_double = spheres.precision() == Precision::float64;
-  if (run.second == nullptr &&
-      !device::DeviceRequest{.lattice = elements::lattice_of(run.domain)}.is_periodic(Dim)) {
+  const device::DeviceRequest asked{.lattice = elements::lattice_of(run.domain), .rule = run.rule};
+  if (run.second == nullptr && asked.is_plain(Dim)) {
     return is_double ? open_answer<Dim, double>(spheres, margin, run, wanted)
                      : open_answer<Dim, float>(spheres, margin, run, wanted);
   }

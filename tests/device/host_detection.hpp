@@ -8,6 +8,7 @@
 #include <abut/element_view.hpp>
 #include <abut/image_shift.hpp>
 #include <abut/options.hpp>
+#include <abut/pair_rule.hpp>
 #include <abut/progress.hpp>
 
 #include <cstddef>
@@ -29,6 +30,7 @@ struct HostRun {
   device::ListForm form = device::ListForm::pairs;
   Quantities quantities = {};
   const ElementView* second = nullptr;  ///< the second of two sets
+  PairRule rule = {};
 };
 
 struct HostAnswer {

@@ -7,11 +7,14 @@
 #include "support/scene_view.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <iostream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace abut::testing {
 namespace {
@@ -44,6 +47,26 @@ void compare(std::string_view name, std::size_t count, const Domain& domain = Do
   }
 }
 
+/// Elements of a few groups, of which some may not pair, and exclusions.
+void compare_with_rule(std::string_view name, std::size_t count, const Domain& domain) {
+  const scenes::Scene scene = scenes::scene_named(name).make(count, 1);
+  std::vector<std::uint32_t> groups;
+  for (std::uint32_t k = 0; k < scene.size(); ++k) groups.push_back(k % 3);
+  GroupTable table(3);
+  table.deny(0, 1);
+  HostRun run{.domain = domain, .shifts = Shifts::stored};
+  const PairVector pairs = list_on_host(view_of(scene), 0.0, run).pairs;
+  const std::span<const ContactPair> half(pairs.data(), pairs.size() / 2);
+  const ExclusionList exclusions(half, scene.size());
+  run.rule = {.elements = {.groups = groups}, .table = &table, .exclusions = &exclusions};
+  const HostAnswer one = list_on_host(view_of(scene), 0.0, run);
+  run.workers = 4;
+  const HostAnswer four = list_on_host(view_of(scene), 0.0, run);
+  if (one.pairs != four.pairs || one.shifts != four.shifts || one.count * 2 >= pairs.size()) {
+    throw std::logic_error("four threads keep another rule in the scene " + std::string(name));
+  }
+}
+
 void run_all() {
   // One level, several, rows that are long, and wide gaps; many pairs in doubt.
   compare("dense", 3000);
@@ -58,6 +81,8 @@ void run_all() {
   compare("dense", 1000, Domain::periodic({14.0, 14.0, 14.0}));
   compare("graded", 1000, Domain::lattice({40.0, 0.0, 0.0}, {8.0, 40.0, 0.0}, {0.0, 9.0, 40.0}));
   compare("dense", 4, Domain::periodic({0.7, 0.7, 0.7}));
+  compare_with_rule("dense", 3000, Domain::open());
+  compare_with_rule("graded", 1000, Domain::periodic({40.0, 40.0, 40.0}));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace abut::device {
 
 /// All stages of the predicate with a lattice. Nothing for a pair within reach whose shift exceeds
-/// 2^31 - 1: it must be refused.
+/// 2^31 - 1: it must be refused, also where its elements may not pair.
 template <int Dim>
 [[nodiscard]] ABUT_HD std::optional<bool> decide_at_last(const PeriodicSpheres<Dim>& spheres,
                                                          const ContactPair& pair,
@@ -27,6 +27,7 @@ template <int Dim>
     fits = fits && far[axis] <= largest && far[axis] >= -largest;
   }
   if (fits) {
+    if (!spheres.may_pair(pair)) return false;
     const exact::LatticeSteps<Dim> steps(spheres.shift_of(pair), spheres.map.given);
     return exact::within_reach_exactly(a, b, steps, margin);
   }

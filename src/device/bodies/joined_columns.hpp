@@ -48,6 +48,13 @@ struct JoinedColumns {
     return is_of_two_sets ? second[pair.second] : first[pair.second];
   }
 
+  /// A pair of elements as it is reported: of one set the smaller number first, of two each number
+  /// in its set.
+  [[nodiscard]] ABUT_HD ContactPair named(std::uint32_t a, std::uint32_t b) const noexcept {
+    if (!is_of_two_sets) return a <= b ? ContactPair{a, b} : ContactPair{b, a};
+    return is_in_first(a) ? ContactPair{a, b - first.count} : ContactPair{b, a - first.count};
+  }
+
   /// Whether two elements may be a pair.
   [[nodiscard]] ABUT_HD bool may_pair(std::uint32_t a, std::uint32_t b) const noexcept {
     return !is_of_two_sets || is_in_first(a) != is_in_first(b);

@@ -30,10 +30,9 @@ struct NamePair {
     const ContactPair pair = pairs[k];
     const std::uint32_t first = pair.first;
     const std::uint32_t second = elements.element_of(pair.second);
-    const auto& given = elements.given();
-    const bool turned = given.is_of_two_sets ? !given.is_in_first(first) : second < first;
-    const std::uint32_t before = given.is_of_two_sets ? given.first.count : 0;
-    pairs[k] = turned ? ContactPair{second, first - before} : ContactPair{first, second - before};
+    const ContactPair named = elements.given().named(first, second);
+    const bool turned = named.first != first;
+    pairs[k] = named;
     if (shifts == nullptr) return;
     const ImageShift shift = elements.shift_of(pair);
     const bool is_own = first == second && !is_positive(shift);

@@ -4,6 +4,7 @@
 #include "base/opposite_shift.hpp"
 #include "device/bodies/filter_verdict.hpp"
 #include "device/bodies/joined_columns.hpp"
+#include "device/bodies/pair_rule.hpp"
 #include "exact/far_image.hpp"
 #include "exact/lattice.hpp"
 #include "lattice/ghost_windows.hpp"
@@ -49,6 +50,7 @@ struct PeriodicSpheres {
   const lattice::CellsMoved* cells_moved;  ///< of each element; null where none was moved
   const lattice::Ghost* ghosts;
   std::uint32_t count;  ///< locals and ghosts
+  RuleView rule = {};   ///< of one set's or of two sets' elements
 
   [[nodiscard]] ABUT_HD const Given& given() const noexcept { return elements; }
   [[nodiscard]] ABUT_HD bool has_common_radius() const noexcept {
@@ -97,19 +99,26 @@ struct PeriodicSpheres {
 
   [[nodiscard]] ABUT_HD bool decides_all() const noexcept { return map.shifts_always_fit; }
 
-  /// Elements of one of two sets are no pair. Two ghosts, and a local element with a ghost that
-  /// does not count for it, are found elsewhere, too. Where shifts may be too large, all pairs are
-  /// decided one by one.
+  /// Whether the elements that a pair stands for may be one: none of one of two sets, and none that
+  /// the rule denies.
+  [[nodiscard]] ABUT_HD bool may_pair(const ContactPair& pair) const noexcept {
+    const std::uint32_t second = element_of(pair.second);
+    return elements.may_pair(pair.first, second) && rule.allows(elements.named(pair.first, second));
+  }
+
+  /// Two ghosts, and a local element with a ghost that does not count for it, are found elsewhere,
+  /// too. Where shifts may be too large, all pairs are decided one by one, and only then asked
+  /// whether they may be one: a shift that is too large is refused in any case.
   [[nodiscard]] ABUT_HD FilterVerdict counted(std::uint32_t one, std::uint32_t other,
                                               FilterVerdict verdict) const noexcept {
-    const std::uint32_t local = one < other ? one : other;
-    const std::uint32_t second = one < other ? other : one;
-    if (local >= elements.count) return FilterVerdict::apart;
-    if (!elements.may_pair(local, element_of(second))) return FilterVerdict::apart;
-    if (map.has_large && second >= elements.count &&
-        !counts(local, ghosts[second - elements.count])) {
+    const ContactPair pair = one < other ? ContactPair{one, other} : ContactPair{other, one};
+    if (pair.first >= elements.count) return FilterVerdict::apart;
+    if (map.has_large && pair.second >= elements.count &&
+        !counts(pair.first, ghosts[pair.second - elements.count])) {
       return FilterVerdict::apart;
     }
+    if (!map.shifts_always_fit && !is_as_given(pair)) return FilterVerdict::doubtful;
+    if (!may_pair(pair)) return FilterVerdict::apart;
     return map.shifts_always_fit ? verdict : FilterVerdict::doubtful;
   }
 

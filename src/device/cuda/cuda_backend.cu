@@ -121,6 +121,7 @@ class CudaBackend final : public Backend {
     require_no_earlier_error(handle);
     require_device_columns(spheres.first, device_);
     if (spheres.second != nullptr) require_device_columns(*spheres.second, device_);
+    require_device_arrays(request.rule, device_);
     memory_.begin(max_bytes, stream);
     executor_.emplace(memory_, handle);
     found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, call)
@@ -132,7 +133,7 @@ class CudaBackend final : public Backend {
   static FoundList<CudaExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
                                        const Call& call) {
     const ElementView& first = spheres.first;
-    if (spheres.second != nullptr || request.is_periodic(Dim)) {
+    if (spheres.second != nullptr || !request.is_plain(Dim)) {
       return call(joined_columns_of<Dim>(first, spheres.second));
     }
     return first.precision() == Precision::float64 ? call(columns_of<Dim, double>(first))

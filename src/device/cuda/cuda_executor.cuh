@@ -169,6 +169,12 @@ class CudaExecutor {
     wait();
   }
 
+  template <class T>
+  void copy_to_device(T* target, const T* source, std::uint64_t count) {
+    require(cudaMemcpyAsync(target, source, count * sizeof(T), cudaMemcpyHostToDevice, stream_),
+            "copy from the host");
+  }
+
   /// Waits until all that was put into the stream is done.
   void wait() { require(cudaStreamSynchronize(stream_), "finish its work"); }
 

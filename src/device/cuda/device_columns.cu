@@ -12,13 +12,12 @@
 namespace abut::device {
 namespace {
 
-[[noreturn]] void refuse(const char* column, const std::string& fault, const char* advice) {
-  throw Error(ErrorCode::wrong_usage,
-              std::string("the column ") + column + " " + fault + "; " + advice);
+[[noreturn]] void refuse(const std::string& name, const std::string& fault, const char* advice) {
+  throw Error(ErrorCode::wrong_usage, "the " + name + " " + fault + "; " + advice);
 }
 
-void require_column(const ElementView::Numbers& numbers, const char* name, std::ptrdiff_t size,
-                    int device) {
+void require_array(const ElementView::Numbers& numbers, const std::string& name,
+                   std::ptrdiff_t size, int device) {
   if (numbers.first == nullptr) refuse(name, "is null", "pass an address of the device");
   if (reinterpret_cast<std::uintptr_t>(numbers.first) % static_cast<std::uintptr_t>(size) != 0 ||
       numbers.stride_bytes % size != 0) {
@@ -43,9 +42,25 @@ void require_device_columns(const ElementView& spheres, int device) {
   const std::ptrdiff_t size =
       spheres.precision() == Precision::float64 ? sizeof(double) : sizeof(float);
   for (int axis = 0; axis < spheres.dimensions(); ++axis) {
-    require_column(spheres.center(axis), axis_name[axis], size, device);
+    require_array(spheres.center(axis), std::string("column ") + axis_name[axis], size, device);
   }
-  if (!spheres.has_common_radius()) require_column(spheres.radii(), "radius", size, device);
+  if (!spheres.has_common_radius()) require_array(spheres.radii(), "column radius", size, device);
+}
+
+void require_device_arrays(const PairRule& rule, int device) {
+  const auto require_numbers = [&](const std::string& name, const auto& numbers) {
+    if (numbers.empty()) return;
+    constexpr std::ptrdiff_t size = sizeof(numbers[0]);
+    require_array({reinterpret_cast<const std::byte*>(numbers.data()), size}, "array " + name, size,
+                  device);
+  };
+  const auto require_traits = [&](const std::string& set, const PairTraits& traits) {
+    require_numbers(set + ".groups", traits.groups);
+    require_numbers(set + ".categories", traits.categories);
+    require_numbers(set + ".accepts", traits.accepts);
+  };
+  require_traits("rule.elements", rule.elements);
+  require_traits("rule.others", rule.others);
 }
 
 }  // namespace abut::device

@@ -1,49 +1,15 @@
 #include "base/lack_of_memory.hpp"
-#include "device/backend.hpp"
+#include "device/copies/device_blocks.hpp"
 
 #include <abut/column.hpp>
 #include <abut/device_elements.hpp>
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <memory>
-#include <vector>
 
 namespace abut::device {
 namespace {
-
-/// Blocks in the memory of a device, released together.
-class DeviceBlocks {
- public:
-  explicit DeviceBlocks(int device) : backend_(open_backend(device)) {}
-  ~DeviceBlocks() {
-    for (void* block : blocks_) backend_->release(block);
-  }
-  DeviceBlocks(const DeviceBlocks&) = delete;
-  DeviceBlocks& operator=(const DeviceBlocks&) = delete;
-
-  /// Copies numbers of the host, however far apart, into a block of their own without gaps.
-  template <class T>
-  Column<T> copied(const ElementView::Numbers& numbers, std::size_t count) {
-    if (count == 0) return {};
-    std::vector<T> packed(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto offset = static_cast<std::ptrdiff_t>(k) * numbers.stride_bytes;
-      std::memcpy(&packed[k], numbers.first + offset, sizeof(T));
-    }
-    blocks_.reserve(blocks_.size() + 1);
-    void* const block = backend_->allocate(count * sizeof(T));
-    blocks_.push_back(block);
-    backend_->copy_to_device(block, packed.data(), count * sizeof(T));
-    return {static_cast<const T*>(block), count};
-  }
-
- private:
-  std::unique_ptr<Backend> backend_;
-  std::vector<void*> blocks_;
-};
 
 template <class T, std::size_t Dim>
 ElementView copy_of(const ElementView& elements, DeviceBlocks& blocks) {

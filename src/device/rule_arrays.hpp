@@ -1,0 +1,82 @@
+#pragma once
+
+#include "device/bodies/check.hpp"
+#include "device/bodies/joined_columns.hpp"
+#include "device/bodies/larger.hpp"
+#include "device/bodies/pair_rule.hpp"
+#include "device/executor.hpp"
+#include "elements/validate_rule.hpp"
+
+#include <abut/pair.hpp>
+#include <abut/pair_rule.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace abut::device {
+
+/// A rule in the memory of an executor. Its arrays of one number for each element lie there
+/// already; the table and the exclusions, which the host has, are copied.
+template <class E>
+class RuleArrays {
+ public:
+  /// Throws Error{invalid_input} that names the first element whose group the table does not have.
+  template <int Dim>
+  RuleArrays(E& executor, const PairRule& rule, const JoinedColumns<Dim>& elements)
+      : executor_(executor) {
+    view_.first = traits_of(rule.elements);
+    view_.second = traits_of(elements.is_of_two_sets ? rule.others : rule.elements);
+    if (rule.table != nullptr) take(*rule.table, elements.first.count, elements.count);
+    if (rule.exclusions != nullptr && rule.exclusions->size() > 0) take(*rule.exclusions);
+  }
+
+  [[nodiscard]] const RuleView& view() const noexcept { return view_; }
+
+ private:
+  static RuleOfSet traits_of(const PairTraits& traits) {
+    const auto array = [](const auto& numbers) {
+      return numbers.empty() ? nullptr : numbers.data();
+    };
+    return {array(traits.groups), array(traits.categories), array(traits.accepts)};
+  }
+
+  template <class T>
+  [[nodiscard]] Buffer<T, E> copied(std::span<const T> on_host) {
+    Buffer<T, E> array(executor_, on_host.size());
+    executor_.copy_to_device(array.data(), on_host.data(), on_host.size());
+    return array;
+  }
+
+  void take(const GroupTable& table, std::uint32_t first_count, std::uint32_t count) {
+    table_ = copied(table.words());
+    view_.table = table_.data();
+    view_.table_groups = table.size();
+    // Waits: a group that is not there must not be looked up.
+    const std::uint32_t bad = executor_.reduce(
+        count, no_element, MissingGroup{view_, first_count, no_element}, Smaller{});
+    if (bad == no_element) return;
+    const bool is_in_first = bad < first_count;
+    const std::uint32_t number = is_in_first ? bad : bad - first_count;
+    const RuleOfSet& traits = is_in_first ? view_.first : view_.second;
+    std::uint32_t group = 0;
+    executor_.copy_to_host(&group, traits.groups + number, 1);
+    elements::refuse_group(is_in_first ? elements::first_set_of_rule : elements::second_set_of_rule,
+                           number, group, table);
+  }
+
+  void take(const ExclusionList& exclusions) {
+    offsets_ = copied(exclusions.offsets());
+    partners_ = copied(exclusions.partners());
+    view_.offsets = offsets_.data();
+    view_.partners = partners_.data();
+    view_.excluding_elements = exclusions.first_elements();
+  }
+
+  E& executor_;
+  RuleView view_{};
+  Buffer<std::uint64_t, E> table_;
+  Buffer<std::uint64_t, E> offsets_;
+  Buffer<ElementIndex, E> partners_;
+};
+
+}  // namespace abut::device

@@ -20,6 +20,7 @@ PROGRAMS = {
     "box_contacts": ["--counts", "500", "--repetitions", "1"],
     "periodic_cost": ["--count", "500", "--repetitions", "1"],
     "cross_contacts": ["--count", "500", "--repetitions", "1"],
+    "skin_reuse": ["--counts", "500,50000", "--repetitions", "1"],
     "stepping": ["--count", "500", "--steps", "10"],
     "pair_geometry": ["--count", "500", "--atoms", "300", "--repetitions", "1"],
     "liquid_loop": ["--cells", "5", "--steps", "3"],

@@ -60,6 +60,17 @@ def stepping(rows):
                          r["reuses"]] for r in rows])
 
 
+def skin_reuse(rows):
+    head = ["numbers", "elements", "candidates, contacts an element", "a reuse, ns",
+            "needs_rebuild and a loop by hand, ns", "of that"]
+    lines = []
+    for r in rows:
+        by_hand = r["check_ns"] + r["loop_ns"]
+        lines.append([r["order"], f"{r['elements']:,}", f"{r['candidates']:.1f}, {r['contacts']:.1f}",
+                      plain(r["reuse_ns"]), plain(by_hand), plain(r["reuse_ns"] / by_hand, 2)])
+    return table(head, lines)
+
+
 def neighbor_lists(rows):
     tasks = [t for (t,) in distinct(rows, "task")]
     head = ["skin", "neighbors of the half list", *[f"{t}, ns" for t in tasks]]
@@ -93,6 +104,7 @@ SECTIONS = {
     "periodic_cost": periodic,
     "cross_contacts": cross_contacts,
     "stepping": stepping,
+    "skin_reuse": skin_reuse,
     "pair_geometry": pair_geometry,
     "liquid_loop": liquid_loop,
     "neighbor_lists": neighbor_lists,

@@ -28,6 +28,7 @@ struct CandidateWords {
   const QuantumSphere* images;
   const std::uint16_t* image_of;  ///< of each candidate; null where all are of the first image
   std::size_t count;              ///< of words
+  bool partners_far;              ///< whether slots are more than a cache holds
 };
 
 /// Answers of the filter for a word of candidates, one bit for each.
@@ -45,7 +46,7 @@ inline constexpr float square_band = 0x1p-20f;
 /// `per_length`, no farther from 0 than `most`, rounded towards it.
 struct QuantumFilling {
   const double* spheres;
-  const std::uint32_t* numbers;  ///< of the spheres that come one after the other
+  const std::uint32_t* numbers;  ///< of the spheres of the slots; null for one after the other
   std::size_t count;
   QuantumSphere* slots;
   double middle[4];  ///< of radii 0

@@ -103,6 +103,13 @@ HWY_INLINE CandidateVerdict sift_word(Difference&& difference) {
   return verdict;
 }
 
+constexpr std::size_t words_ahead = 2;
+
+/// Asks for the second elements of a word in time: some lie far off in any order.
+HWY_INLINE void fetch_partners(const SlotPair* pairs, const QuantumSphere* slots) {
+  for (std::size_t k = 0; k < 64; ++k) __builtin_prefetch(slots + pairs[k].second);
+}
+
 std::size_t sift(const CandidateWords& words, CandidateVerdict* verdicts) {
   // -(r + 1) in the place of the radius, so that a difference there is a sum.
   static constexpr QuantumSphere radius_only{{0, 0, 0}, -1};
@@ -119,6 +126,9 @@ std::size_t sift(const CandidateWords& words, CandidateVerdict* verdicts) {
     return hn::Sub(first, hn::Xor(second, turned));
   };
   for (std::size_t word = 0; word < words.count; ++word, pairs += 64) {
+    if (words.partners_far && word + words_ahead < words.count) {
+      fetch_partners(pairs + 64 * words_ahead, words.slots);
+    }
     if (image_of == nullptr) {
       verdicts[word] = sift_word([&](std::size_t k) { return hn::Sub(difference(k), image); });
     } else {
@@ -149,14 +159,21 @@ std::size_t fill(const QuantumFilling& filling) {
     const auto quanta = hn::Mul(length, per_length);
     return hn::DemoteTo(two_wholes, hn::Min(hn::Max(quanta, least), most));
   };
-  for (std::size_t k = 0; k < filling.count; ++k) {
-    const std::size_t next = HWY_MIN(k + ahead, filling.count - 1);
-    __builtin_prefetch(filling.spheres + 4 * std::size_t{filling.numbers[next]});
-    const double* const sphere = filling.spheres + 4 * std::size_t{filling.numbers[k]};
+  const auto fill_slot = [&](std::size_t k, std::size_t number) {
+    const double* const sphere = filling.spheres + 4 * number;
     const auto lower = hn::Sub(hn::LoadU(twos, sphere), middle);
     const auto upper = hn::Sub(hn::LoadU(twos, sphere + 2), middle_upper);
     hn::StoreU(whole(lower), two_wholes, filling.slots[k].center);
     hn::StoreU(whole(upper), two_wholes, filling.slots[k].center + 2);
+  };
+  if (filling.numbers == nullptr) {
+    for (std::size_t k = 0; k < filling.count; ++k) fill_slot(k, k);
+    return filling.count;
+  }
+  for (std::size_t k = 0; k < filling.count; ++k) {
+    const std::size_t next = HWY_MIN(k + ahead, filling.count - 1);
+    __builtin_prefetch(filling.spheres + 4 * std::size_t{filling.numbers[next]});
+    fill_slot(k, filling.numbers[k]);
   }
   return filling.count;
 }

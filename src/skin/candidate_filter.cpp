@@ -17,6 +17,9 @@ using kernels::CandidateVerdict;
 using kernels::CandidateWords;
 using kernels::QuantumSphere;
 
+/// Slots, 4 MiB in all, that a cache holds: their partners are not asked for in time.
+constexpr std::size_t slots_in_cache = std::size_t{1} << 18;
+
 /// Returns a - b modulo 2^32, without overflow.
 std::int32_t difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
@@ -98,20 +101,20 @@ Quanta<Dim>::Quanta(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>&
 }
 
 template <int Dim>
-void Quanta<Dim>::fill(const exact::Sphere<Dim>* spheres, std::span<const ElementIndex> numbers,
-                       kernels::QuantumSphere* slots) const {
-  if (numbers.empty()) return;
+void Quanta<Dim>::fill(const exact::Sphere<Dim>* spheres, const ElementIndex* numbers,
+                       std::span<kernels::QuantumSphere> slots) const {
+  if (slots.empty()) return;
   std::size_t k = 0;
   if constexpr (Dim == 3) {
     k = kernels_.fill({spheres->center,
-                       numbers.data(),
-                       numbers.size(),
-                       slots,
+                       numbers,
+                       slots.size(),
+                       slots.data(),
                        {middle_[0], middle_[1], middle_[2], 0.0},
                        per_length_,
                        most});
   }
-  for (; k < numbers.size(); ++k) slots[k] = of(spheres[numbers[k]]);
+  for (; k < slots.size(); ++k) slots[k] = of(spheres[numbers == nullptr ? k : numbers[k]]);
 }
 
 template <int Dim>
@@ -145,12 +148,16 @@ void CandidateFilter<Dim>::fill_images() {
 template <int Dim>
 void CandidateFilter<Dim>::run(std::size_t first_word, std::span<std::uint64_t> survivors,
                                const QuantumSphere* slots, std::uint64_t& exact_decisions) const {
+  const std::span<const SlotPair> pairs = candidates_.layout.candidates();
   const std::size_t first = 64 * first_word;
-  const std::size_t count = std::min(candidates_.pairs.size() - first, 64 * survivors.size());
+  const std::size_t count = std::min(pairs.size() - first, 64 * survivors.size());
   const auto words_from = [&](std::size_t k, std::size_t words) {
-    return CandidateWords{candidates_.pairs.data() + k, slots, images_.data(),
+    return CandidateWords{pairs.data() + k,
+                          slots,
+                          images_.data(),
                           candidates_.shift_of == nullptr ? nullptr : candidates_.shift_of + k,
-                          words};
+                          words,
+                          candidates_.layout.slot_count() > slots_in_cache};
   };
   std::array<CandidateVerdict, words_of_run> verdicts;
   std::size_t done = quanta_.fit() ? kernels_.sift(words_from(first, count / 64), verdicts.data())
@@ -173,8 +180,7 @@ std::uint64_t CandidateFilter<Dim>::confirm(std::size_t first, const CandidateVe
   std::uint64_t survivors = verdict.together;
   for (std::uint64_t rest = verdict.left_undecided; rest != 0; rest &= rest - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(rest));
-    const kernels::SlotPair slots = candidates_.pairs[first + k];
-    const ContactPair pair{candidates_.elements[slots.first], candidates_.elements[slots.second]};
+    const ContactPair pair = candidates_.layout.pair_of(candidates_.layout.candidates()[first + k]);
     const exact::Sphere<Dim>& a = now_.spheres[pair.first];
     const exact::Sphere<Dim>& b = now_.spheres[pair.second];
     const bool touch =

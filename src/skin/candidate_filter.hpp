@@ -2,6 +2,7 @@
 
 #include "exact/lattice.hpp"
 #include "kernels/candidate_kernels.hpp"
+#include "skin/candidate_layout.hpp"
 #include "skin/displacement_tracker.hpp"
 #include "skin/elements_now.hpp"
 
@@ -30,9 +31,9 @@ class Quanta {
   /// True if there are such quanta; there are none if numbers are extreme.
   [[nodiscard]] bool fit() const noexcept { return per_length_ > 0.0; }
 
-  /// slots[k] = the sphere of number numbers[k].
-  void fill(const exact::Sphere<Dim>* spheres, std::span<const ElementIndex> numbers,
-            kernels::QuantumSphere* slots) const;
+  /// slots[k] = the sphere of number numbers[k], or sphere k where `numbers` is null.
+  void fill(const exact::Sphere<Dim>* spheres, const ElementIndex* numbers,
+            std::span<kernels::QuantumSphere> slots) const;
 
   [[nodiscard]] kernels::QuantumSphere of(const exact::Sphere<Dim>& sphere) const noexcept {
     kernels::QuantumSphere result{};
@@ -64,10 +65,9 @@ class CandidateFilter {
  public:
   /// The candidates as they are kept from call to call.
   struct CandidateColumns {
-    std::span<const kernels::SlotPair> pairs;
-    std::span<const ElementIndex> elements;  ///< of the slots
-    std::span<const ImageShift> shifts;      ///< those that occur between placed elements
-    const std::uint16_t* shift_of;           ///< of each candidate; null in open space
+    const CandidateLayout& layout;
+    std::span<const ImageShift> shifts;  ///< those that occur between placed elements
+    const ShiftNumber* shift_of;         ///< of each candidate; null in open space
   };
   using Images = std::vector<kernels::QuantumSphere>;
 

@@ -22,7 +22,8 @@ using ShiftNumber = std::uint16_t;
 /// Candidates in two orders. They are tested in that of space, in which partners are at hand,
 /// though numbers need not follow space: elements that have candidates stand in *slots*, in the
 /// order in which the search came across them, and the candidates of which an element is the first
-/// lie together where it does. They are delivered in canonical order.
+/// lie together where it does. They are delivered in canonical order. Where numbers do follow space
+/// the two orders are one: each element is its own slot.
 class CandidateLayout {
  public:
   explicit CandidateLayout(base::MemoryMeter& memory);
@@ -32,9 +33,17 @@ class CandidateLayout {
   void arrange(lists::PairPieces found, std::span<const ShiftNumber> shifts,
                std::size_t element_count, std::size_t workers, base::WorkCounter& work);
 
-  /// The elements in the slots.
-  [[nodiscard]] std::span<const ElementIndex> elements() const noexcept {
-    return {elements_.data(), slot_count_};
+  /// True if candidates() are in canonical order, and slots are elements.
+  [[nodiscard]] bool follows_space() const noexcept { return follows_space_; }
+
+  [[nodiscard]] std::size_t slot_count() const noexcept { return slot_count_; }
+  /// The elements in the slots; null where slots are elements.
+  [[nodiscard]] const ElementIndex* elements() const noexcept {
+    return follows_space_ ? nullptr : elements_.data();
+  }
+  [[nodiscard]] ContactPair pair_of(const SlotPair& slots) const noexcept {
+    if (follows_space_) return {slots.first, slots.second};
+    return {elements_[slots.first], elements_[slots.second]};
   }
   /// The candidates in the order of space; shifts() has the numbers of their shifts.
   [[nodiscard]] std::span<const SlotPair> candidates() const noexcept {
@@ -42,7 +51,8 @@ class CandidateLayout {
   }
   [[nodiscard]] const ShiftNumber* shifts() const noexcept { return shifts_.data(); }
 
-  /// Candidates in canonical order, their places in the order of space, and their shifts.
+  /// Candidates in canonical order, their places in the order of space, and their shifts; only
+  /// where the two orders differ.
   struct Canonical {
     const ContactPair* pairs;
     const std::uint32_t* places;
@@ -53,6 +63,8 @@ class CandidateLayout {
   }
 
  private:
+  void take_elements_as_slots(lists::PairPieces found, std::size_t element_count,
+                              base::WorkCounter& work);
   void give_slots(lists::PairPieces found, std::size_t element_count, base::WorkCounter& work);
   void collect_runs(lists::PairPieces found, std::span<const ShiftNumber> shifts,
                     base::WorkCounter& work);
@@ -63,6 +75,11 @@ class CandidateLayout {
   [[nodiscard]] std::size_t candidates_of(std::size_t first, std::size_t last,
                                           base::WorkCounter& work) const;
 
+  [[nodiscard]] std::uint32_t slot_of(ElementIndex element) const noexcept {
+    return follows_space_ ? element : slot_of_[element];
+  }
+
+  bool follows_space_ = false;
   bool with_shifts_ = false;
   std::size_t slot_count_ = 0;
   std::size_t size_ = 0;

@@ -19,6 +19,7 @@ namespace {
 /// Words of candidates, and candidates in canonical order, that a worker takes at a time.
 constexpr std::size_t candidates_of_word = 64;
 constexpr std::size_t words_of_unit = 128;
+constexpr std::size_t candidates_of_run = candidates_of_word * words_of_unit;
 constexpr std::uint64_t steps_of_exact_decision = 64;
 constexpr std::size_t candidates_of_unit = 64 * CandidateWriter::most;
 
@@ -111,8 +112,8 @@ base::PairSink& CandidatePairs<Dim>::carry_over(std::span<const std::uint32_t> n
   const auto candidates = layout_.candidates();
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     work.did(2);
-    ContactPair pair{numbers[layout_.elements()[candidates[k].first]],
-                     numbers[layout_.elements()[candidates[k].second]]};
+    const ContactPair before = layout_.pair_of(candidates[k]);
+    ContactPair pair{numbers[before.first], numbers[before.second]};
     if (pair.first == elements::ElementIds::none || pair.second == elements::ElementIds::none)
       continue;
     ImageShift shift = periodic_ ? shift_list_[layout_.shifts()[k]] : ImageShift{};
@@ -177,15 +178,47 @@ template <int Dim>
 void CandidatePairs<Dim>::fill_slots(const DisplacementTracker<Dim>& placing,
                                      const Quanta<Dim>& quanta, std::size_t workers,
                                      base::WorkCounter& work) {
-  const auto elements = layout_.elements();
-  base::make_room(slots_, elements.size());
+  const ElementIndex* const elements = layout_.elements();
+  base::make_room(slots_, layout_.slot_count());
   base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
-    const auto [first, last] = base::share_of(share, workers, elements.size());
+    const auto [first, last] = base::share_of(share, workers, layout_.slot_count());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      quanta.fill(placing.placed().data(), elements.subspan(begin, end - begin),
-                  slots_.data() + begin);
+      const bool in_slots = elements != nullptr;
+      quanta.fill(placing.placed().data() + (in_slots ? 0 : begin),
+                  in_slots ? elements + begin : nullptr,
+                  std::span(slots_).subspan(begin, end - begin));
     });
   });
+}
+
+/// Tests candidates whose order is canonical, and writes those that are contact pairs at once.
+/// shift_at(k) is the image shift of candidate k.
+template <int Dim>
+template <class ShiftAt>
+void CandidatePairs<Dim>::sift(const CandidateFilter<Dim>& test, std::size_t workers,
+                               base::PairSink& sink, base::DetectionContext& context,
+                               const ShiftAt& shift_at) {
+  sink.expect_canonical_order();
+  sink.expect_workers(workers);
+  const std::size_t units = (size_ + candidates_of_run - 1) / candidates_of_run;
+  std::atomic<std::uint64_t> exact_decisions = 0;
+  const auto sift_unit = [&](std::size_t worker, std::size_t unit, base::WorkCounter& work) {
+    std::uint64_t exact = 0;
+    const std::size_t first = unit * candidates_of_run;
+    const std::size_t count = std::min<std::size_t>(candidates_of_run, size_ - first);
+    std::array<std::uint64_t, words_of_unit> survivors;
+    const std::size_t words = (count + candidates_of_word - 1) / candidates_of_word;
+    test.run(first / candidates_of_word, std::span(survivors).first(words), slots_.data(), exact);
+    CandidateWriter writer(sink, {worker, unit}, survivors.data());
+    writer.write_in_order(layout_.candidates().subspan(first, count),
+                          [&](std::size_t k) { return shift_at(first + k); });
+    writer.finish();
+    exact_decisions += exact;
+    work.did(2 * count + steps_of_exact_decision * exact);
+  };
+  base::for_each_index(workers, units, context.work, sift_unit);
+  context.candidate_tests += size_;
+  context.exact_decisions += exact_decisions;
 }
 
 template <int Dim>
@@ -232,11 +265,17 @@ template <int Dim>
 void CandidatePairs<Dim>::deliver_contacts(const ElementsNow<Dim>& now,
                                            const DisplacementTracker<Dim>& placing,
                                            base::PairSink& sink, base::DetectionContext& context) {
-  const CandidateFilter<Dim> decide(now, placing,
-                                    {layout_.candidates(), layout_.elements(), shift_list_,
-                                     periodic_ ? layout_.shifts() : nullptr},
-                                    images_);
+  const CandidateFilter<Dim> decide(
+      now, placing, {layout_, shift_list_, periodic_ ? layout_.shifts() : nullptr}, images_);
   fill_slots(placing, decide.quanta(), now.workers, now.work);
+  if (layout_.follows_space()) {
+    const SlotPair* const pairs = layout_.candidates().data();
+    return sift(decide, now.workers, sink, context, [&](std::size_t k) {
+      return periodic_ ? placing.shift_as_given(layout_.pair_of(pairs[k]),
+                                                shift_list_[layout_.shifts()[k]])
+                       : ImageShift{};
+    });
+  }
   test(decide, now.workers, context);
   const CandidateLayout::Canonical canonical = layout_.canonical();
   write(now.workers, sink, context, [&](std::size_t k) {

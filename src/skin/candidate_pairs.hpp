@@ -62,6 +62,9 @@ class CandidatePairs {
                                    base::WorkCounter& work);
   void fill_slots(const DisplacementTracker<Dim>& placing, const Quanta<Dim>& quanta,
                   std::size_t workers, base::WorkCounter& work);
+  template <class ShiftAt>
+  void sift(const CandidateFilter<Dim>& test, std::size_t workers, base::PairSink& sink,
+            base::DetectionContext& context, const ShiftAt& shift_at);
   void test(const CandidateFilter<Dim>& test, std::size_t workers, base::DetectionContext& context);
   template <class ShiftAt>
   void write(std::size_t workers, base::PairSink& sink, base::DetectionContext& context,
@@ -73,7 +76,7 @@ class CandidatePairs {
   CandidateLayout layout_;
   base::Array<ShiftNumber> found_shifts_;      ///< only while candidates are put in order
   base::Array<kernels::QuantumSphere> slots_;  ///< elements as they are placed now
-  base::Array<std::uint64_t> survivors_;       ///< a bit for each candidate, in the order of space
+  base::Array<std::uint64_t> survivors_;  ///< a bit for each candidate, where the two orders differ
   std::vector<ImageShift> shift_list_;
   typename CandidateFilter<Dim>::Images images_;
 };

@@ -7,6 +7,7 @@
 #include <abut/pair.hpp>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -50,6 +51,22 @@ class CandidateWriter {
       }
     }
     filled_ += kept;
+  }
+
+  /// Writes the survivors among candidates whose order is canonical, and whose slots are elements;
+  /// shift_at(k) is the image shift of the k-th of them. They begin with a word of `survivors`.
+  template <class ShiftAt>
+  void write_in_order(std::span<const SlotPair> candidates, ShiftAt&& shift_at) {
+    constexpr std::size_t bits = 64;
+    for (std::size_t first = 0; first < candidates.size(); first += bits) {
+      if (room_.size() - filled_ < bits) take_room();
+      for (std::uint64_t rest = survivors_[first / bits]; rest != 0; rest &= rest - 1) {
+        const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(rest));
+        room_[filled_] = {candidates[k].first, candidates[k].second};
+        if (!shifts_.empty()) shifts_[filled_] = shift_at(k);
+        ++filled_;
+      }
+    }
   }
 
   void finish() {

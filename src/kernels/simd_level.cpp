@@ -4,6 +4,7 @@
 #include "kernels/candidate_kernels.hpp"
 #include "kernels/displacement_kernels.hpp"
 #include "kernels/element_kernels.hpp"
+#include "kernels/feature_kernels.hpp"
 #include "kernels/image_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 #include "kernels/measure_kernels.hpp"
@@ -212,6 +213,14 @@ MeasureKernels measure_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return {[](const MeasureJob&, int, std::uint32_t*, std::size_t&) { return std::size_t{0}; }};
+}
+
+FeatureKernels feature_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_feature_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const FeatureJob&, int, std::uint32_t*, std::size_t&) { return std::size_t{0}; }};
 }
 
 DisplacementKernels displacement_kernels(Simd level) {

@@ -21,11 +21,15 @@ class FeatureMeasurer {
   FeatureMeasurer(const TriangleMesh& mesh, const Domain& domain)
       : mesh_(mesh), lattice_(elements::lattice_of(domain)) {}
 
+  [[nodiscard]] exact::Feature feature(const MeshContact& contact) const {
+    return corners_of(mesh_, contact.feature);
+  }
+
   [[nodiscard]] exact::FeatureGeometry operator()(const exact::Sphere<3>& sphere,
                                                   const MeshContact& contact,
                                                   const ImageShift& shift,
                                                   Quantities wanted) const {
-    return exact::geometry_of(sphere, corners_of(mesh_, contact.feature), shift, lattice_, wanted);
+    return exact::geometry_of(sphere, feature(contact), shift, lattice_, wanted);
   }
 
  private:

@@ -9,9 +9,11 @@
 #include "base/stopwatch.hpp"
 #include "exact/box.hpp"
 #include "exact/sphere.hpp"
+#include "kernels/simd_level.hpp"
 #include "lists/found_pairs.hpp"
 #include "lists/result_buffer.hpp"
 #include "walls/measure_contacts.hpp"
+#include "walls/measure_features.hpp"
 
 #include <abut/contact_list.hpp>
 #include <abut/domain.hpp>
@@ -26,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -192,10 +195,18 @@ class FeatureSearch {
     base::Stopwatch stopwatch;
     const lists::SizedGeometry sized(geometry, options_.quantities, contacts.size(), memory_);
     context_.progress.begin("measure", contacts.size());
-    measure_contacts(contacts.size(), geometry.spans(), workers_, context_.work,
-                     [&](std::size_t k, Quantities wanted) {
-                       return measure(spheres_[contacts[k].sphere], contacts[k], shifts[k], wanted);
-                     });
+    const auto sphere_of = [&](ElementIndex number) { return spheres_[number]; };
+    if constexpr (std::is_same_v<Contact, MeshContact>) {
+      const FeatureContacts given{measure, contacts, shifts, workers_,
+                                  kernels::level_to_run(options_.simd)};
+      measure_features(given, geometry.spans(), context_.work, sphere_of);
+    } else {
+      measure_contacts(contacts.size(), geometry.spans(), workers_, context_.work,
+                       [&](std::size_t k, Quantities wanted) {
+                         const Contact& contact = contacts[k];
+                         return measure(sphere_of(contact.sphere), contact, shifts[k], wanted);
+                       });
+    }
     statistics.measure_seconds = stopwatch.lap();
   }
 

@@ -12,6 +12,7 @@
 #include "kernels/simd_level.hpp"
 #include "walls/feature_measurer.hpp"
 #include "walls/measure_contacts.hpp"
+#include "walls/measure_features.hpp"
 #include "walls/require_walls.hpp"
 
 #include <abut/box_contacts.hpp>
@@ -70,9 +71,9 @@ class WallMeasurer {
     elements::gather<Dim>(elements, {workers_, simd_}, gathered, context_);
   }
 
-  /// Fills the arrays with what measure(sphere, contact, shift, wanted) returns.
+  /// Fills the arrays with what measure_one(sphere, contact, shift, wanted) returns.
   template <class Measure>
-  void measure(const PairGeometrySpans& geometry, Measure&& measure_one) {
+  void measure_each(const PairGeometrySpans& geometry, Measure&& measure_one) {
     context_.progress.begin("measure", contacts_.contacts.size());
     walls::measure_contacts(
         contacts_.contacts.size(), geometry, workers_, context_.work,
@@ -81,6 +82,15 @@ class WallMeasurer {
           const ImageShift shift = contacts_.shifts.empty() ? ImageShift{} : contacts_.shifts[k];
           return measure_one(spheres_.spheres[contact.sphere], contact, shift, wanted);
         });
+  }
+
+  /// Fills the arrays with the geometry of contacts with a mesh.
+  void measure(const PairGeometrySpans& geometry, const walls::FeatureMeasurer& measurer) {
+    context_.progress.begin("measure", contacts_.contacts.size());
+    const walls::FeatureContacts given{measurer, contacts_.contacts, contacts_.shifts, workers_,
+                                       simd_};
+    walls::measure_features(given, geometry, context_.work,
+                            [&](ElementIndex number) { return spheres_.spheres[number]; });
   }
 
   [[nodiscard]] base::MemoryMeter& memory() noexcept { return memory_; }
@@ -102,8 +112,8 @@ void measure_boxes(const ElementView& spheres, const ElementView& boxes,
   elements::GatheredElements<Dim> gathered(measurer.memory());
   measurer.gather(boxes, gathered);
   const exact::Lattice lattice = elements::lattice_of(domain);
-  measurer.measure(geometry, [&](const exact::Sphere<Dim>& sphere, const BoxContact& contact,
-                                 const ImageShift& shift, Quantities wanted) {
+  measurer.measure_each(geometry, [&](const exact::Sphere<Dim>& sphere, const BoxContact& contact,
+                                      const ImageShift& shift, Quantities wanted) {
     return exact::geometry_of(sphere, gathered.boxes[contact.box], shift, lattice, wanted);
   });
 }

@@ -50,6 +50,11 @@ void for_each_feature(const TriangleMesh& mesh, ElementIndex triangle, Act&& act
   }
 }
 
+/// How many corners a feature of a mesh has.
+[[nodiscard]] constexpr int corner_count(FeatureKind kind) noexcept {
+  return kind == FeatureKind::vertex ? 1 : kind == FeatureKind::edge ? 2 : 3;
+}
+
 /// Returns the corners of a feature, where its shift 0 has it.
 [[nodiscard]] inline exact::Feature corners_of(const TriangleMesh& mesh, MeshFeature feature) {
   exact::Feature corners{};

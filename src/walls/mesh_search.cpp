@@ -12,7 +12,7 @@
 #include "kernels/simd_level.hpp"
 #include "lists/result_buffer.hpp"
 #include "walls/feature_measurer.hpp"
-#include "walls/measure_contacts.hpp"
+#include "walls/measure_features.hpp"
 #include "walls/near_wall.hpp"
 
 #include <algorithm>
@@ -296,12 +296,10 @@ void MeshSearch::measure(const Call& call, const MeshContactArrays& arrays,
   if (wanted.empty()) return;
   call.context.progress.begin("measure", arrays.contacts.size());
   const FeatureMeasurer measurer(call.mesh, Domain::open());
-  measure_contacts(arrays.contacts.size(), arrays.geometry.spans(), call.workers, call.context.work,
-                   [&](std::size_t k, Quantities quantities) {
-                     const MeshContact& contact = arrays.contacts[k];
-                     return measurer(elements::sphere_at<3>(call.spheres, contact.sphere), contact,
-                                     {}, quantities);
-                   });
+  const FeatureContacts contacts{measurer, arrays.contacts, {}, call.workers, statistics.simd};
+  measure_features(contacts, arrays.geometry.spans(), call.context.work, [&](ElementIndex number) {
+    return elements::sphere_at<3>(call.spheres, number);
+  });
   statistics.measure_seconds = stopwatch.lap();
 }
 

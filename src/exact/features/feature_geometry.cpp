@@ -5,6 +5,7 @@
 #include "exact/center_vector.hpp"
 #include "exact/direction.hpp"
 #include "exact/features/exact_nearest.hpp"
+#include "exact/features/feature_bounds.hpp"
 #include "exact/features/nearest_part.hpp"
 #include "exact/numbers/double_double_arithmetic.hpp"
 
@@ -16,28 +17,6 @@
 
 namespace abut::exact {
 namespace {
-
-/// The largest input and the shortest vector that is multiplied for which no product or quotient in
-/// doubled precision leaves the range.
-constexpr double largest_input = 0x1p64;
-constexpr double smallest_length = 0x1p-100;
-
-/// The cancellation of a length that doubled precision still bears.
-constexpr double most_cancellation_of_line = 0x1p-40;
-constexpr double most_cancellation_of_plane = 0x1p-38;
-
-/// Bounds of the errors of vectors, relative to their length.
-constexpr double error_of_corner = 0x1p-95;
-constexpr double error_of_line = 0x1p-94;
-constexpr double error_of_plane = 0x1p-92;
-
-/// The bound of the error of a sum in doubled precision, relative to what is added.
-constexpr double error_of_sum = 0x1p-100;
-
-/// Errors that, beside rounding once, stay below one unit in the last place: of a direction, and of
-/// a number relative to itself.
-constexpr double largest_error_of_direction = 0x1p-57;
-constexpr double largest_error_of_number = 0x1p-55;
 
 /// A triangle and the part of it that is meant.
 struct PartOfTriangle {
@@ -152,7 +131,7 @@ TrianglePart part_of_segment(const Sphere<3>& sphere, const Triangle& segment,
   if (size < smallest_length) return decide_exactly();
   const DoubleDouble along = dot(from, edge);
   const double behind = sum(along, dot(edge, edge)).high;
-  const double error = 4.0 * error_of_sum * ((largest_of(from) + size) * size);
+  const double error = 4.0 * error_of_pair_sum * ((largest_of(from) + size) * size);
   if (!(std::fabs(along.high) > error && std::fabs(behind) > error)) return decide_exactly();
   if (along.high > 0.0) return TrianglePart::corner_0;
   return behind < 0.0 ? TrianglePart::corner_1 : TrianglePart::side_01;
@@ -190,7 +169,7 @@ class PartMeasurer {
     const double distance = direction_.root;
     const DoubleDouble apart = two_sum(distance, -sphere_.radius);
     const double gap = apart.high + (apart.low + direction_.rest);
-    const double error = found_->error * distance + error_of_sum * (distance + sphere_.radius);
+    const double error = found_->error * distance + error_of_pair_sum * (distance + sphere_.radius);
     return std::fabs(gap) * largest_error_of_number > error ? gap : exactly().gap();
   }
 
@@ -228,7 +207,7 @@ class PartMeasurer {
       largest = std::max(largest, std::fabs(point[axis]));
       far = std::max(far, std::fabs(sphere_.center[axis]));
     }
-    const double error = found_->error * direction_.root + 2.0 * error_of_sum * far;
+    const double error = found_->error * direction_.root + 2.0 * error_of_pair_sum * far;
     return largest * largest_error_of_number > error ? point : exactly().point();
   }
 

@@ -1,0 +1,58 @@
+#include "walls/feature_block.hpp"
+
+#include <algorithm>
+
+namespace abut::walls {
+
+/// Repeats the last contact until the last vector is full. Returns how many there are then.
+std::size_t FeatureBlock::fill_last_vector(int corners) noexcept {
+  const std::size_t full = (count_ + most_lanes - 1) / most_lanes * most_lanes;
+  const auto fill = [&](double(&column)[size]) {
+    std::fill(column + count_, column + full, column[count_ - 1]);
+  };
+  fill(columns_.radius);
+  for (auto& column : columns_.center) fill(column);
+  for (int corner = 0; corner < corners; ++corner) {
+    for (auto& column : columns_.corner[corner]) fill(column);
+  }
+  return full;
+}
+
+void FeatureBlock::write(std::size_t count) const noexcept {
+  const auto write_each = [&](const double(&from)[size], std::span<double> to) {
+    for (std::size_t k = 0; k < count && !to.empty(); ++k) to[places_[k]] = from[k];
+  };
+  const auto write_vectors = [&](const double(&from)[size][3], std::span<Vector> to) {
+    for (std::size_t k = 0; k < count && !to.empty(); ++k) {
+      to[places_[k]] = {from[k][0], from[k][1], from[k][2]};
+    }
+  };
+  write_each(gaps_, geometry_.gaps);
+  write_each(distances_, geometry_.distances);
+  write_vectors(normals_, geometry_.normals);
+  write_vectors(points_, geometry_.points);
+  write_vectors(vectors_, geometry_.vectors);
+}
+
+std::span<const std::size_t> FeatureBlock::measure(int corners) noexcept {
+  if (count_ == 0) return {};
+  const kernels::FeatureJob job{&columns_,
+                                fill_last_vector(corners),
+                                geometry_.gaps.empty() ? nullptr : gaps_,
+                                geometry_.distances.empty() ? nullptr : distances_,
+                                geometry_.normals.empty() ? nullptr : normals_,
+                                geometry_.points.empty() ? nullptr : points_,
+                                geometry_.vectors.empty() ? nullptr : vectors_};
+  std::size_t open_count = 0;
+  const std::size_t treated =
+      std::min(count_, kernels_.measure(job, corners, open_.data(), open_count));
+  write(treated);
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < open_count && open_[k] < count_; ++k) {
+    open_places_[left++] = places_[open_[k]];
+  }
+  for (std::size_t k = treated; k < count_; ++k) open_places_[left++] = places_[k];
+  return std::span<const std::size_t>(open_places_).first(left);
+}
+
+}  // namespace abut::walls

@@ -103,7 +103,7 @@ HWY_INLINE CandidateVerdict sift_word(Difference&& difference) {
   return verdict;
 }
 
-constexpr std::size_t words_ahead = 2;
+constexpr std::size_t words_ahead = 5;
 
 /// Asks for the second elements of a word in time: some lie far off in any order.
 HWY_INLINE void fetch_partners(const SlotPair* pairs, const QuantumSphere* slots) {

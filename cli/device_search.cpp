@@ -5,6 +5,14 @@
 #include <utility>
 
 namespace abut::cli {
+namespace {
+
+Options with_rule(Options options, const PairRule& rule) {
+  options.rule = rule;
+  return options;
+}
+
+}  // namespace
 
 void require_device(int device) {
   in_words_of_tool([&] { return device::Detector({}, device::on(device)); });
@@ -27,7 +35,9 @@ Error in_words_of_tool(const Error& error) {
 }
 
 DeviceSearch::DeviceSearch(int device, const ElementView& elements, const Options& options)
-    : copy_(elements, device::on(device)), detector_(options, device::on(device)) {}
+    : copy_(elements, device::on(device)),
+      rule_(options.rule, device::on(device)),
+      detector_(with_rule(options, rule_.rule()), device::on(device)) {}
 
 void DeviceSearch::set_progress(ProgressHook hook) {
   Options options = detector_.options();

@@ -31,7 +31,8 @@ auto in_words_of_tool(const Work& work) {
   }
 }
 
-/// A copy of the elements on a device and a detector there, which is asked again and again.
+/// A copy of the elements and of who may pair on a device, and a detector there, which is asked
+/// again and again.
 class DeviceSearch {
  public:
   DeviceSearch(int device, const ElementView& elements, const Options& options);
@@ -44,6 +45,7 @@ class DeviceSearch {
 
  private:
   device::ElementCopy copy_;
+  device::RuleCopy rule_;
   device::Detector detector_;
 };
 

@@ -121,8 +121,7 @@ void add_contacts_output(CLI::App& sub, const std::shared_ptr<ContactsOptions>& 
 
 /// A search on a device takes no options that are the processor's, or not supported there yet.
 void require_contacts_of_device(const CLI::App& sub, const ContactsOptions& options) {
-  require_options_of_device(sub, options.device,
-                            {"--against", "--threads", "--simd", "--groups", "--exclude"});
+  require_options_of_device(sub, options.device, {"--against", "--threads", "--simd"});
   const Algorithm algorithm = options.detection.algorithm;
   if (options.device && algorithm != Algorithm::automatic && algorithm != Algorithm::rows) {
     reject_beside_device("--algorithm " + std::string(name_of(algorithm)));
@@ -278,10 +277,7 @@ void add_bench(CLI::App& app, Command& command) {
   add_rule(sub, options->source.input, options->rule);
   add_input(sub, options->source.input);
   add_console(sub, options->console);
-  sub.callback([&command, &sub, options] {
-    require_options_of_device(sub, options->device, {"--groups", "--exclude"});
-    command = *options;
-  });
+  sub.callback([&command, options] { command = *options; });
 }
 
 void add_explain(CLI::App& app, Command& command) {

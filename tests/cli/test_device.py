@@ -33,11 +33,9 @@ def test_2_wrong_usage(fails):
         told = fails(2, "contacts", YADE, "--device", name)
         assert "cpu, gpu or gpu:N" in told
     for option in (["--threads", "2"], ["--simd", "scalar"], ["--against", YADE],
-                   ["--groups", "mol"], ["--exclude", "pairs.csv"],
                    ["--algorithm", "sorting_array"]):
         told = fails(2, "contacts", YADE, "--device", "gpu", *option)
         assert f"{option[0]}" in told and "leave out" in told and "--device" in told
-    assert "--groups" in fails(2, "bench", YADE, "--device", "gpu", "--groups", "mol")
 
 
 def test_processor_is_the_default(abut):
@@ -109,6 +107,32 @@ def test_periodic_domains(abut, with_device, domain, report):
     expected = abut(*arguments)
     assert expected.returncode == 0, expected.stderr
     assert with_device(*arguments, "--device", "gpu:0").stdout == expected.stdout
+
+
+GRAINS = "x,y,radius,mol\n0,0,1,5\n2,0,1,5\n4,0,1,6\n6,0,1,7\n8,0,1,7\n"
+
+
+@pytest.mark.parametrize("rule, pairs", [
+    (["--groups", "mol"], 2), (["--groups", "mol", "--deny", "5,6", "--deny", "7,7"], 2),
+    (["--groups", "mol", "--deny", "5,5", "--exclude", "pairs.csv"], 2),
+    (["--exclude", "pairs.csv"], 3)])
+def test_rules(abut, with_device, tmp_path, rule, pairs):
+    grains, bonds = tmp_path / "grains.csv", tmp_path / "pairs.csv"
+    grains.write_text(GRAINS)
+    bonds.write_text("i,j\n3,2\n")
+    rule = [str(bonds) if word == "pairs.csv" else word for word in rule]
+    for report in (["--count"], ["--digest"], ["-o", "-", "-q"]):
+        for domain in ([], ["--box", "10,10", "--periodic", "xy"]):
+            arguments = ["contacts", str(grains), *rule, *domain, *report]
+            expected = abut(*arguments)
+            found = with_device(*arguments, "--device", "gpu")
+            assert (expected.returncode, found.returncode) == (0, 0), expected.stderr + found.stderr
+            assert found.stdout == expected.stdout
+    counted = with_device("contacts", str(grains), *rule, "--count", "--device", "gpu")
+    assert int(counted.stdout) == pairs
+    bench = json.loads(with_device("bench", str(grains), *rule, "--device", "gpu", "--threads", "1",
+                                   "--repetitions", "1", "--json").stdout)
+    assert bench["equal"] is True and all(run["contact_pairs"] == pairs for run in bench["runs"])
 
 
 def test_nothing_at_all(with_device):

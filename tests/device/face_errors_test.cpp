@@ -54,14 +54,16 @@ TEST(FaceErrors, BadElementsAreNamed) {
   }
 }
 
+/// Of two sets each may have numbers of its own precision.
 TEST(FaceErrors, BadElementsOfSinglePrecisionAreNamed) {
   Scene scene = dense(200);
   scene.y[37] = std::numeric_limits<double>::infinity();
   const Float32Scene floats(scene);
-  expect_refused(ErrorCode::invalid_input, {"element 37", "y = inf"},
+  expect_refused(ErrorCode::invalid_input, {"in the second set, element 37", "y = inf"},
                  [&](device::Detector& detector) {
-                   const device::ElementCopy copy(floats.view());
-                   detector.find_contact_pairs(copy.elements());
+                   const device::ElementCopy first(view_of(dense(50)));
+                   const device::ElementCopy second(floats.view());
+                   detector.find_contact_pairs(first.elements(), second.elements());
                  });
 }
 

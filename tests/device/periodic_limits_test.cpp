@@ -96,6 +96,13 @@ TEST(DevicePeriodicLimits, OfCells) {
   EXPECT_TRUE(tells(expect_same_outcome(at(0.0, 0.1), square, 3e9), "it reaches over more than"));
 }
 
+/// Along a vector 2^-92 as long as the other no number tells where an element lies.
+TEST(DevicePeriodicLimits, OfVectorsOfVeryUnequalLengths) {
+  const Scene scene = scene_of(2, {{0.25, -0.25, 0, 0x1p-92}, {0.5, -0.5, 0, 0x1p-92}});
+  const Domain domain = Domain::lattice({1.0, -1.0}, {0x1p-92, 0x1p-92});
+  EXPECT_TRUE(tells(expect_same_outcome(scene, domain), "differ so much in length"));
+}
+
 TEST(DevicePeriodicLimits, OfNumbers) {
   constexpr double largest = std::numeric_limits<double>::max();
   EXPECT_TRUE(

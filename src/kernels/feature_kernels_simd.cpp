@@ -10,7 +10,6 @@
 
 #include "exact/cancellation.hpp"
 #include "exact/center_line.hpp"
-#include "exact/features/feature_bounds.hpp"
 #include "kernels/feature_kernels.hpp"
 
 #include <cstddef>
@@ -23,8 +22,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "kernels/simd_spheres-inl.hpp"
 
 #include "kernels/simd_center_line-inl.hpp"
-
-#include "kernels/simd_double_double-inl.hpp"
 
 /// Components are 0 or at least so large: then no error of a product underflows, so that splitting
 /// and fusing give the same one. Of what is given and of the products of these.

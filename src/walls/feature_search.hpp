@@ -13,7 +13,6 @@
 #include "lists/found_pairs.hpp"
 #include "lists/result_buffer.hpp"
 #include "walls/measure_contacts.hpp"
-#include "walls/measure_features.hpp"
 
 #include <abut/contact_list.hpp>
 #include <abut/domain.hpp>

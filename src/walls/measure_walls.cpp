@@ -12,7 +12,6 @@
 #include "kernels/simd_level.hpp"
 #include "walls/feature_measurer.hpp"
 #include "walls/measure_contacts.hpp"
-#include "walls/measure_features.hpp"
 #include "walls/require_walls.hpp"
 
 #include <abut/box_contacts.hpp>

@@ -12,7 +12,7 @@
 #include "kernels/simd_level.hpp"
 #include "lists/result_buffer.hpp"
 #include "walls/feature_measurer.hpp"
-#include "walls/measure_features.hpp"
+#include "walls/measure_contacts.hpp"
 #include "walls/near_wall.hpp"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 
 #include "exact/features/feature_geometry.hpp"
 
+#include "exact/cancellation.hpp"
 #include "exact/center_vector.hpp"
 #include "exact/direction.hpp"
 #include "exact/features/exact_nearest.hpp"
-#include "exact/features/feature_bounds.hpp"
 #include "exact/features/nearest_part.hpp"
 #include "exact/numbers/double_double_arithmetic.hpp"
 

@@ -120,11 +120,7 @@ void FeatureSearch<Dim>::order_candidates(lists::FoundPairs& found) {
   const lists::OutputBuffer target{candidates_, shifts_};
   const auto workers = static_cast<std::size_t>(statistics_.threads);
   lists::PairOrder order(memory_);
-  if (found.must_be_sorted()) {
-    order.sort(pieces, near_.size(), target, workers, context_.work);
-  } else {
-    order.join(pieces, target, workers, context_.work);
-  }
+  order.sort(pieces, near_.size(), target, workers, context_.work);
   statistics_.order_seconds = stopwatch.lap();
 }
 

@@ -4,14 +4,14 @@
 #include "kernels/candidate_kernels.hpp"
 #include "kernels/displacement_kernels.hpp"
 #include "kernels/element_kernels.hpp"
-#include "kernels/feature_kernels.hpp"
 #include "kernels/image_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 #include "kernels/measure_kernels.hpp"
 #include "kernels/order_kernels.hpp"
 #include "kernels/tie_kernels.hpp"
 #include "kernels/tile_search.hpp"
-#include "kernels/wall_kernels.hpp"
+#include "kernels/walls/feature_kernels.hpp"
+#include "kernels/walls/wall_kernels.hpp"
 
 #include <abut/error.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "exact/features/feature_geometry.hpp"
 #include "exact/sphere.hpp"
-#include "kernels/feature_kernels.hpp"
+#include "kernels/walls/feature_kernels.hpp"
 
 #include <abut/pair_geometry.hpp>
 #include <abut/simd.hpp>

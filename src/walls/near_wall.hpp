@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/element_kernels.hpp"
-#include "kernels/wall_kernels.hpp"
+#include "kernels/walls/wall_kernels.hpp"
 #include "walls/rest_frame.hpp"
 #include "walls/wall_grid.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/wall_kernels.hpp"
+#include "kernels/walls/wall_kernels.hpp"
 
 #include <abut/triangle_mesh.hpp>
 

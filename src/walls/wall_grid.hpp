@@ -4,7 +4,7 @@
 #include "base/memory_meter.hpp"
 #include "base/progress_reporter.hpp"
 #include "exact/box.hpp"
-#include "kernels/wall_kernels.hpp"
+#include "kernels/walls/wall_kernels.hpp"
 
 #include <abut/pair.hpp>
 

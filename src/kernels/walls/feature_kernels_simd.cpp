@@ -4,13 +4,13 @@
 // for it. docs/derivations/contact_geometry.md, section 6.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "kernels/feature_kernels_simd.cpp"
+#define HWY_TARGET_INCLUDE "kernels/walls/feature_kernels_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "exact/cancellation.hpp"
 #include "exact/center_line.hpp"
-#include "kernels/feature_kernels.hpp"
+#include "kernels/walls/feature_kernels.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,11 +2,11 @@
 // set (Highway).
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "kernels/wall_kernels_simd.cpp"
+#define HWY_TARGET_INCLUDE "kernels/walls/wall_kernels_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "kernels/wall_kernels.hpp"
+#include "kernels/walls/wall_kernels.hpp"
 
 #include <bit>
 #include <cstddef>

@@ -16,6 +16,11 @@ from benchmarks.common.tables import ROOT, plain, read, table
 PAGE = os.path.join(ROOT, "docs", "benchmarks_systems.md")
 
 
+# Lengths of skins that the page leaves out, and what of a header tells when it was measured.
+SKINS_NOT_SHOWN = {0.02, 0.2}
+WHEN = ("date", "commit")
+
+
 def distinct(rows, *keys):
     return list(dict.fromkeys(tuple(row[k] for k in keys) for row in rows))
 
@@ -25,7 +30,10 @@ def boxes(rows):
     head = ["boxes", "contact pairs", "`abut`, ns"]
     head += [f"`{c}`, ns (× abut)" for c in contestants[1:]]
     lines = []
+    most = max(r["elements"] for r in rows)
     for scene, elements in distinct(rows, "scene", "elements"):
+        if elements < most:
+            continue
         of = {r["contestant"]: r for r in rows if (r["scene"], r["elements"]) == (scene, elements)}
         others = [f"{plain(of[c]['ns'], 0)} ({of[c]['times_abut']:.1f})" for c in contestants[1:]]
         lines.append([f"{scene}, {elements:,}", f"{of['abut']['contact_pairs']:,}",
@@ -57,7 +65,7 @@ def stepping(rows):
     head = ["skin", "length", "ns a step", "times faster", "history, ns", "detections", "reuses"]
     return table(head, [[r["skin"], r["length"], plain(r["ns_per_element_and_step"]),
                          plain(r["times_faster"], 2), plain(r["history_ns"]), r["detections"],
-                         r["reuses"]] for r in rows])
+                         r["reuses"]] for r in rows if r["length"] not in SKINS_NOT_SHOWN])
 
 
 def skin_reuse(rows):
@@ -126,17 +134,20 @@ def tables_of(results):
 
 
 def machines(headers, results, page):
-    """On what the tables were measured, each machine once, that of the folder first, with a link to
-    its tables. `headers` gives the header of each file of a table."""
-    names = {}
+    """On what the tables were measured, each machine once, that of the folder first, with dates and
+    commits and a link to its tables. `headers` gives the header of each file of a table."""
+    found = {}
     for path, header in sorted(headers.items(), key=lambda of: os.path.dirname(of[0]) != results):
-        words = "; ".join(f"{key} {value}" for key, value in header.items())
-        names.setdefault((words, os.path.dirname(path)), []).append(
-            os.path.basename(path).removesuffix(".csv"))
+        machine = "; ".join(f"{key} {value}" for key, value in header.items() if key not in WHEN)
+        when = ", ".join(f"{key} {header[key]}" for key in WHEN if key in header)
+        tables = found.setdefault((machine, os.path.dirname(path)), {}).setdefault(when, [])
+        tables.append(os.path.basename(path).removesuffix(".csv"))
     lines = []
-    for (words, folder), of in names.items():
-        which = f" ({', '.join(of)})" if len(names) > 1 else ""
-        lines += [wrapped(f"Measured on: {words}{which}."), link("The tables", folder, page) + "."]
+    for (machine, folder), times in found.items():
+        only = len(found) == 1 and len(times) == 1
+        words = [when + ("" if only else f" ({', '.join(of)})") for when, of in times.items()]
+        lines += [wrapped("; ".join(filter(None, ["Measured on: " + machine, *words])) + "."),
+                  link("The tables", folder, page) + "."]
     return "\n".join(lines)
 
 

@@ -137,7 +137,9 @@ MEMBERS_ELSEWHERE = {
     "has_common_radius": "radii",
     "is_empty": "a rule is left out",
     "normals": "normal",
+    "offsets": "what an ExclusionList was made of",
     "options": "each call may give others",
+    "partners": "what an ExclusionList was made of",
     "partners_of": "contains",
     "points": "point",
     "row": "list[i], and offsets for other arrays",
@@ -153,6 +155,7 @@ MEMBERS_ELSEWHERE = {
     "triangle_count": "np.bincount of edges_of_triangles or triangles",
     "vector": "vectors",
     "vectors": "vector",
+    "words": "for devices, which abut.Detector has not",
 }
 
 

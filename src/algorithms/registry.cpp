@@ -30,12 +30,14 @@ void direct_check_elements(const AlgorithmInput<Dim>& input, base::PairSink& sin
 }
 
 template <int Dim>
-void direct_check_all_images(const AlgorithmInput<Dim>& input, base::Array<exact::Sphere<Dim>>&,
+void direct_check_all_images(const AlgorithmInput<Dim>& input,
+                             base::Array<exact::Sphere<Dim>>& spheres,
                              const exact::Lattice& lattice, base::PairSink& sink,
                              base::DetectionContext& context) {
   sink.expect_workers(1);
   base::ImagePairWriter pairs(sink);
-  direct_check_images<Dim>(input.elements, lattice, input.settings.margin, pairs, context);
+  const exact::Elements<Dim> elements{spheres, input.elements.boxes};
+  direct_check_images<Dim>(elements, lattice, input.settings.margin, pairs, context);
   pairs.finish();
 }
 
@@ -80,9 +82,10 @@ template <int Dim>
 void periodic_rows(const AlgorithmInput<Dim>& input, base::Array<exact::Sphere<Dim>>& spheres,
                    const exact::Lattice& lattice, base::PairSink& sink,
                    base::DetectionContext& context) {
-  periodic::periodic_rows<Dim>(spheres,
-                               {input.elements.boxes, input.bounds, lattice, input.settings},
-                               input.workspace, input.periodic_workspace, sink, context);
+  const bool found = periodic::periodic_rows<Dim>(
+      spheres, {input.elements.boxes, input.bounds, lattice, input.settings}, input.workspace,
+      input.periodic_workspace, sink, context);
+  if (!found) direct_check_all_images<Dim>(input, spheres, lattice, sink, context);
 }
 
 template <int Dim>

@@ -102,7 +102,6 @@ void Images<Dim>::start_anew(std::span<const exact::Sphere<Dim>> elements,
   size_cut_ = settings.size_cut * unit_;
   slack_ = 0.0;
   reach_is_long_ = false;
-  windows_.reset();
   moved_any_ = false;
   cells_moved_at_most_ = {};
   shifts_always_fit_ = true;
@@ -203,7 +202,6 @@ void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& 
   note_shifts(plan.orthogonal_cell, plan.windows.of_large);
   reach_is_long_ = plan.to_move.empty() && is_long_reach<Dim>(home, plan.windows);
   if (reach_is_long_) {
-    windows_.emplace(plan.windows);
     locals_and_ghosts_ = home;
     return;
   }

@@ -75,26 +75,8 @@ class Images {
   [[nodiscard]] const grid::Bounds<Dim>& ghost_bounds() const noexcept { return places_.bounds; }
 
   /// True if the reach is so long that there are far more images than locals. Nothing is listed
-  /// then: images are told one after another.
+  /// then.
   [[nodiscard]] bool reach_is_long() const noexcept { return reach_is_long_; }
-
-  /// Calls visit(ghost) for each image of a local element that would be a ghost.
-  template <class Visit>
-  void for_each_ghost_of(std::uint32_t local, Visit&& visit) const {
-    const std::size_t last_side = windows_->of_large.sides() - 1;
-    windows_->for_each_row(locals_and_ghosts_[local], [&](std::int64_t first, std::int64_t last,
-                                                          const lattice::ImageNumbers& row) {
-      Ghost ghost{local, {}};
-      for (std::size_t side = 0; side < 3; ++side) {
-        ghost.image[side] = static_cast<std::int32_t>(row[side]);
-      }
-      for (std::int64_t m = first; m <= last; ++m) {
-        ghost.image[last_side] = static_cast<std::int32_t>(m);
-        visit(ghost);
-      }
-      return true;
-    });
-  }
 
   /// True if each ghost lies strictly outside of the locals' box; false where vectors are oblique
   /// to the axes, or locals lie on both of two opposite faces of the cell.
@@ -213,9 +195,8 @@ class Images {
   double slack_ = 0.0;
   lattice::CellExtent<Dim> extent_;  ///< of the locals, at least
   std::array<double, Dim> cells_moved_at_most_{};
-  grid::Bounds<Dim> bounds_;        ///< of the locals
-  GhostPlaces<Dim> places_;         ///< of the ghosts
-  std::optional<Windows> windows_;  ///< where the reach is long
+  grid::Bounds<Dim> bounds_;  ///< of the locals
+  GhostPlaces<Dim> places_;   ///< of the ghosts
   bool reach_is_long_ = false;
   bool moved_any_ = false;
   bool shifts_always_fit_ = false;

@@ -1,10 +1,8 @@
 #include "periodic/periodic_rows.hpp"
 
-#include "base/opposite_shift.hpp"
 #include "engine/set_search.hpp"
 #include "grid/scaling.hpp"
 #include "lattice/check_range.hpp"
-#include "lattice/image_decider.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "lattice/orthogonal_cell.hpp"
 #include "lattice/reduced_lattice.hpp"
@@ -53,54 +51,6 @@ void search(engine::SetSearch<Dim>& search, const exact::Elements<Dim>& moved,
   if (!images.ghosts_are_outside()) return search.search(all);
   if (!search.search_in_layers(all)) search.search(set_with_halo(moved, images));
 }
-
-/// Tests every local element against the locals behind it, and against every ghost, which is not
-/// stored: each decided on the caller's numbers. Pairs are handed on as they are found, so that
-/// limits of their number and of memory are met early.
-template <int Dim>
-class LongReach {
- public:
-  LongReach(const exact::Elements<Dim>& elements, const exact::Lattice& lattice, double margin,
-            const Images<Dim>& images, base::PairSink& sink, base::DetectionContext& context)
-      : elements_(elements),
-        images_(images),
-        decider_(elements, lattice, images.reduced_lattice(), images.given_unit(), margin),
-        pairs_(sink),
-        context_(context) {}
-
-  void search() {
-    const auto count = static_cast<std::uint32_t>(elements_.size());
-    for (std::uint32_t j = 0; j < count; ++j) {
-      context_.progress.at(j);
-      for (std::uint32_t i = 0; i < j; ++i) decide(i, {j, {}});
-      images_.for_each_ghost_of(j, [&](const Ghost& ghost) {
-        for (std::uint32_t i = 0; i < count; ++i) {
-          if (images_.counts(i, ghost)) decide(i, ghost);
-        }
-      });
-    }
-    pairs_.finish();
-  }
-
- private:
-  static constexpr std::uint64_t tests_between_polls = 1 << 18;
-
-  void decide(std::uint32_t i, const Ghost& image) {
-    if (++context_.candidate_tests % tests_between_polls == 0) context_.progress.poll();
-    const std::uint32_t j = image.element;
-    const std::optional<ImageShift> shift = decider_.shift_within_reach(
-        i, j, images_.numbers_between(i, j, image.image), context_.exact_decisions);
-    if (!shift) return;
-    const bool in_order = i < j || (i == j && ImageShift{} < *shift);
-    pairs_.push({std::min(i, j), std::max(i, j)}, in_order ? *shift : base::opposite(*shift));
-  }
-
-  exact::Elements<Dim> elements_;
-  const Images<Dim>& images_;
-  lattice::ImageDecider<Dim> decider_;
-  base::ImagePairWriter pairs_;
-  base::DetectionContext& context_;
-};
 
 /// Takes the ghosts away again that were appended to elements.
 template <int Dim>
@@ -180,7 +130,7 @@ void find_images(const Given<Dim>& given, const exact::Elements<Dim>& originals,
 }  // namespace
 
 template <int Dim>
-void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput<Dim>& asked,
+bool periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput<Dim>& asked,
                    engine::Workspace<Dim>& workspace, PeriodicWorkspace<Dim>& own,
                    base::PairSink& sink, base::DetectionContext& context) {
   const auto& [boxes, bounds, lattice, settings] = asked;
@@ -195,10 +145,7 @@ void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
 
   const Images<Dim>& images = own.images;
   const exact::Elements<Dim> originals{std::span(spheres).first(locals), boxes};
-  if (images.reach_is_long()) {
-    sink.expect_workers(settings.workers);
-    return LongReach<Dim>(originals, lattice, settings.margin, images, sink, context).search();
-  }
+  if (images.reach_is_long()) return false;
   own.image_sink.start_anew(sink, images, kernels);
   own.image_sink.expect_workers(settings.workers);
   const PeriodicDecider<Dim> decider(originals, lattice, images, settings.margin);
@@ -216,12 +163,13 @@ void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
                                        context.progress};
   engine::SetSearch<Dim> set_search(input, workspace, settings.workers, context);
   search(set_search, input.elements, images);
+  return true;
 }
 
-template void periodic_rows(base::Array<exact::Sphere<2>>&, const PeriodicInput<2>&,
+template bool periodic_rows(base::Array<exact::Sphere<2>>&, const PeriodicInput<2>&,
                             engine::Workspace<2>&, PeriodicWorkspace<2>&, base::PairSink&,
                             base::DetectionContext&);
-template void periodic_rows(base::Array<exact::Sphere<3>>&, const PeriodicInput<3>&,
+template bool periodic_rows(base::Array<exact::Sphere<3>>&, const PeriodicInput<3>&,
                             engine::Workspace<3>&, PeriodicWorkspace<3>&, base::PairSink&,
                             base::DetectionContext&);
 

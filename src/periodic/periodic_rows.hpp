@@ -19,12 +19,16 @@ struct PeriodicInput {
   const engine::RowsSettings& settings;
 };
 
-/// `rows` in a periodic domain: in open space among the elements, moved into one cell, and those of
-/// their images that lie around it (periodic/images.hpp). Image shifts go to the sink's
+/// Searches a periodic domain by `rows`: in open space among the elements, moved into one cell, and
+/// those of their images that lie around it (periodic/images.hpp). Image shifts go to the sink's
 /// shift_buffer. Ghosts stand behind the spheres for a while; in the end these are as they were.
+///
+/// Delivers nothing and returns false where the reach is about as long as the cell or longer: an
+/// element would have so many ghosts that no grid helps, and all images must be checked.
 template <int Dim>
-void periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput<Dim>& asked,
-                   engine::Workspace<Dim>& workspace, PeriodicWorkspace<Dim>& own,
-                   base::PairSink& sink, base::DetectionContext& context);
+[[nodiscard]] bool periodic_rows(base::Array<exact::Sphere<Dim>>& spheres,
+                                 const PeriodicInput<Dim>& asked, engine::Workspace<Dim>& workspace,
+                                 PeriodicWorkspace<Dim>& own, base::PairSink& sink,
+                                 base::DetectionContext& context);
 
 }  // namespace abut::periodic

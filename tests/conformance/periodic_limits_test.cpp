@@ -181,6 +181,23 @@ TEST(FarCells, AreRefusedByAllAlgorithmsAlike) {
 }
 
 /// One element in a cell far smaller than its reach: a hundred million pairs with itself.
+/// Two discs that touch and one far off, beside vectors one of which is far shorter than what is
+/// rounded along the other.
+TEST(UnequalVectors, AreNoReasonToLookAtEachImage) {
+  for (const int exponent : {-40, -60, -75, -80}) {
+    const double s = std::ldexp(1.0, exponent);
+    const Domain domain = Domain::lattice({1.0, -1.0}, {s, s});
+    const Scene scene =
+        scene_of(2, {{0, 0, 0, s / 4}, {s / 8, s / 8, 0, s / 4}, {0.5, -0.5, 0, s / 4}});
+    for (const Algorithm algorithm : {Algorithm::direct_check, Algorithm::rows}) {
+      const Statistics found =
+          count_contact_pairs(view_of(scene), domain, {.algorithm = algorithm, .threads = 1});
+      EXPECT_EQ(found.contact_pairs, 1U) << name_of(algorithm) << ", 2^" << exponent;
+      EXPECT_LT(found.candidate_tests, 1000U) << name_of(algorithm) << ", 2^" << exponent;
+    }
+  }
+}
+
 class LongReach : public ::testing::TestWithParam<Algorithm> {
  protected:
   Scene scene_ = scene_of(3, {{0, 0, 0, 0.5}});

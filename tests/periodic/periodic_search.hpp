@@ -125,8 +125,11 @@ void expect_right_bounds(const periodic::Images<Dim>& images) {
   EXPECT_EQ(images.ghosts_are_outside(), are_outside<Dim>(ghosts, bounds_of<Dim>(locals)));
 }
 
+template <int Dim>
+[[nodiscard]] std::vector<FoundPair> pairs_by_rationals(const PeriodicSystem<Dim>& system);
+
 /// All that a search over locals and ghosts finds, in canonical order; a pair found twice stands
-/// there twice.
+/// there twice. Of a long reach, which has no ghosts, it is what there is to find.
 template <int Dim>
 [[nodiscard]] std::vector<FoundPair> pairs_by_images(const PeriodicSystem<Dim>& system,
                                                      double size_cut = HUGE_VAL,
@@ -137,6 +140,7 @@ template <int Dim>
   periodic::Images<Dim> images(memory);
   images.find(elements, bounds_of<Dim>(system.spheres), reduced,
               {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
+  if (images.reach_is_long()) return pairs_by_rationals(system);
   const double margin = system.margin * images.unit();
   const auto locals = images.locals();
   const auto ghosts = images.locals_and_ghosts().subspan(locals.size());
@@ -152,11 +156,6 @@ template <int Dim>
     for (std::size_t j = i + 1; j < locals.size(); ++j) {
       if (!may_pair(locals[i], locals[j], margin, images.slack())) continue;
       decide(i, j, images.shift_between(i, j));
-    }
-    for (std::uint32_t j = 0; j < locals.size() && images.reach_is_long(); ++j) {
-      images.for_each_ghost_of(j, [&](const periodic::Ghost& ghost) {
-        if (images.counts(i, ghost)) decide(i, j, images.shift_between(i, ghost));
-      });
     }
     for (std::size_t g = 0; g < images.ghosts().size(); ++g) {
       if (!may_pair(locals[i], ghosts[g], margin, images.slack())) continue;

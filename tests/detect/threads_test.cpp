@@ -166,15 +166,17 @@ TEST(Threads, AVisitorMayDetect) {
 }
 
 /// A process may end anywhere, also in the middle of a detection: here in a visitor that the
-/// caller's thread calls, or in one of a helper, while those of all others go on.
+/// caller's thread calls, or in one of a helper, while those of all others go on. Only one thread
+/// may call exit.
 void end_in_a_visitor(bool of_caller) {
   ::alarm(60);
   std::atomic<bool> helped = false;
+  std::atomic<bool> ends = false;
   for_each_contact_pair(view_of(scene()), Domain::open(), {.threads = 4},
                         [&](ContactPair, WorkerNumber worker) {
                           if (worker != 0) helped = true;
                           while (!helped) ::sched_yield();
-                          if ((worker == 0) == of_caller) std::exit(3);
+                          if ((worker == 0) == of_caller && !ends.exchange(true)) std::exit(3);
                           while (true) ::pause();
                         });
 }

@@ -56,8 +56,9 @@ inline constexpr std::int32_t longest_packed_shift = 15;
 
 /// `row` is the entry's first element in its range; the shift must have room.
 [[nodiscard]] constexpr PackedEntry packed(std::uint16_t row, const ImagePair& entry) noexcept {
-  const auto digit = [](std::int32_t number) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(number) + longest_packed_shift);
+  const auto digit = [](std::int32_t number) -> std::uint64_t {
+    const std::uint32_t from_zero = static_cast<std::uint32_t>(number) + longest_packed_shift;
+    return from_zero;
   };
   const ImageShift& shift = entry.shift;
   return {std::uint64_t{row} << 48 | std::uint64_t{entry.pair.second} << 16 | digit(shift.x) << 10 |

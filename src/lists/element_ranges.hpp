@@ -39,8 +39,8 @@ class ElementRanges {
   std::size_t count_;
 };
 
-/// Places for entries sorted by range, in each in the order of the entries whatever the number of
-/// workers: first all count theirs, then all write. It keeps its arrays.
+/// Places for entries sorted by range: first all workers count theirs, then all write, in any
+/// order, since each range is sorted afterwards. It keeps its arrays.
 class RangePlaces {
  public:
   explicit RangePlaces(base::MemoryMeter& memory)

@@ -11,6 +11,7 @@
 #include <abut/pair_rule.hpp>
 #include <abut/progress.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,6 +33,15 @@ struct HostRun {
   const ElementView* second = nullptr;  ///< the second of two sets
   PairRule rule = {};
 };
+
+/// The same run with items in ascending, in descending and, on three threads, in shuffled order.
+[[nodiscard]] inline std::array<HostRun, 3> in_all_orders(const HostRun& run) {
+  std::array<HostRun, 3> runs{run, run, run};
+  runs[1].order = device::ItemOrder::descending;
+  runs[2].order = device::ItemOrder::shuffled;
+  runs[2].workers = 3;
+  return runs;
+}
 
 struct HostAnswer {
   PairVector pairs;                     ///< in the order of the answer

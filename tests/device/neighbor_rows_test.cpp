@@ -22,18 +22,12 @@
 namespace abut::testing {
 namespace {
 
-using device::ItemOrder;
 using device::ListForm;
 using scenes::Scene;
 
 std::size_t expect_rows(const NeighborList& expected, const ElementView& elements, double margin,
                         const HostRun& with) {
-  for (HostRun run : {HostRun{}, HostRun{.order = ItemOrder::descending},
-                      HostRun{.order = ItemOrder::shuffled, .workers = 3}}) {
-    run.domain = with.domain;
-    run.second = with.second;
-    run.form = with.form;
-    run.shifts = with.shifts;
+  for (const HostRun& run : in_all_orders(with)) {
     const HostAnswer found = list_on_host(elements, margin, run);
     EXPECT_TRUE(std::ranges::equal(expected.offsets(), found.offsets));
     EXPECT_TRUE(std::ranges::equal(expected.neighbors(), found.neighbors))

@@ -24,7 +24,6 @@
 namespace abut::testing {
 namespace {
 
-using device::ItemOrder;
 using device::ListForm;
 using scenes::Scene;
 
@@ -41,13 +40,7 @@ MadeRule rule_for(const ElementView& elements, const Domain& domain, double marg
 std::size_t expect_rows(const NeighborList& expected, const ElementView& elements, double margin,
                         const HostRun& with) {
   const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-  for (HostRun run : {HostRun{}, HostRun{.order = ItemOrder::descending},
-                      HostRun{.order = ItemOrder::shuffled, .workers = 3}}) {
-    run.domain = with.domain;
-    run.second = with.second;
-    run.form = with.form;
-    run.shifts = with.shifts;
-    run.rule = with.rule;
+  for (HostRun run : in_all_orders(with)) {
     run.quantities = Quantity::gap;
     const HostAnswer found = list_on_host(elements, margin, run);
     EXPECT_TRUE(std::ranges::equal(expected.offsets(), found.offsets));

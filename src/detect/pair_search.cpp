@@ -47,6 +47,11 @@ void PairSearch::search(const DetectionRequest& request, const SearchTask& task,
   own.search.search(own.elements, task, sink, context, statistics);
 }
 
+/// Quantities are measured on gathered elements.
+bool PairSearch::can_do_without_gathering(const DetectionRequest& request) const noexcept {
+  return skin_.applies_to(request) && request.options.quantities.empty();
+}
+
 template <int Dim>
 Statistics PairSearch::find_in(const DetectionRequest& request, PairSink& sink,
                                DetectionContext& context) {
@@ -58,6 +63,13 @@ Statistics PairSearch::find_in(const DetectionRequest& request, PairSink& sink,
 
   Stopwatch stopwatch;
   context.progress.begin("gather", request.size());
+  const UngatheredCall ungathered{request.elements, task, context, statistics};
+  if (can_do_without_gathering(request) && skin_.prepare<Dim>(ungathered)) {
+    statistics.gather_seconds = stopwatch.lap();
+    skin_.deliver<Dim>(ungathered, sink);
+    statistics.search_seconds = stopwatch.lap();
+    return statistics;
+  }
   if (request.others == nullptr) {
     elements::gather<Dim>(request.elements, {task.settings.workers, task.settings.simd},
                           own.elements, context);

@@ -62,6 +62,7 @@ class PairSearch {
   template <int Dim>
   Statistics find_in(const DetectionRequest& request, base::PairSink& sink,
                      base::DetectionContext& context);
+  [[nodiscard]] bool can_do_without_gathering(const DetectionRequest& request) const noexcept;
   template <int Dim>
   void give_back_memory_in(const DetectionRequest& request);
   template <int Dim>

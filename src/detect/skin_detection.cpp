@@ -38,12 +38,15 @@ ElementView view_of(std::span<const exact::Sphere<Dim>> spheres) {
   return ElementView(centers, radii);
 }
 
+skin::CallNow call_now(const SearchTask& task, base::DetectionContext& context) {
+  const engine::RowsSettings& settings = task.settings;
+  return {task.domain, settings.margin, settings.workers, settings.simd, context.work};
+}
+
 /// The elements where they lie now: a periodic search may have moved the array.
 template <int Dim>
 skin::ElementsNow<Dim> elements_now(const SkinCall<Dim>& call) {
-  const engine::RowsSettings& settings = call.task.settings;
-  return {call.elements.spheres, call.elements.bounds, call.task.domain, settings.margin,
-          settings.workers,      settings.simd,        call.context.work};
+  return {call_now(call.task, call.context), call.elements.spheres, call.elements.bounds};
 }
 
 }  // namespace
@@ -143,33 +146,65 @@ void SkinDetection::note(Source source, const Statistics& statistics) {
   }
 }
 
+/// Notes that candidates of an earlier call are tested.
+void SkinDetection::note_kept(Source source, std::size_t elements, base::DetectionContext& context,
+                              Statistics& statistics) {
+  statistics.algorithm = candidates_from_;
+  statistics.reason = "candidate pairs kept from an earlier call";
+  context.progress.begin("search", elements);
+  note(source, statistics);
+}
+
 template <int Dim>
 SkinDetection::Source SkinDetection::prepare(const SkinCall<Dim>& call) {
   const Source source = find_source(call);
-  Statistics& statistics = call.statistics;
   if (source == Source::earlier_call || source == Source::carried_over) {
-    statistics.algorithm = candidates_from_;
-    statistics.reason = "candidate pairs kept from an earlier call";
-    call.context.progress.begin("search", call.elements.spheres.size());
+    note_kept(source, call.elements.spheres.size(), call.context, call.statistics);
+  } else {
+    note(source, call.statistics);
   }
-  note(source, statistics);
   return source;
+}
+
+template <int Dim>
+bool SkinDetection::prepare(const UngatheredCall& call) {
+  const skin::NamedElements named = name_elements(call.elements.size());
+  const skin::CallNow now = call_now(call.task, call.context);
+  return arrays_.in<Dim>().candidates.covers(call.elements, now, named);
+}
+
+template <int Dim>
+void SkinDetection::note_candidates(const SearchTask& task, Source source, Statistics& statistics) {
+  const skin::SkinSearch<Dim>& candidates = arrays_.in<Dim>().candidates;
+  statistics.threads = static_cast<int>(task.settings.workers);
+  statistics_.candidates = candidates.candidates();
+  statistics_.skin = candidates.skin();
+  statistics_.approach = source == Source::this_call ? 0.0 : candidates.approach();
 }
 
 template <int Dim>
 void SkinDetection::deliver(const SkinCall<Dim>& call, Source source, base::PairSink& sink) {
   skin::SkinSearch<Dim>& candidates = arrays_.in<Dim>().candidates;
-  call.statistics.threads = static_cast<int>(call.task.settings.workers);
-  statistics_.candidates = candidates.candidates();
-  statistics_.skin = candidates.skin();
-  const bool found_now = source == Source::this_call;
-  statistics_.approach = found_now ? 0.0 : candidates.approach();
+  note_candidates<Dim>(call.task, source, call.statistics);
   candidates.deliver_contacts(elements_now(call), sink, call.context);
-  found_now ? choice_.detected(candidates.approach()) : choice_.reused();
+  source == Source::this_call ? choice_.detected(candidates.approach()) : choice_.reused();
+}
+
+template <int Dim>
+void SkinDetection::deliver(const UngatheredCall& call, base::PairSink& sink) {
+  note_kept(Source::earlier_call, call.elements.size(), call.context, call.statistics);
+  note_candidates<Dim>(call.task, Source::earlier_call, call.statistics);
+  arrays_.in<Dim>().candidates.deliver_contacts(call.elements, call_now(call.task, call.context),
+                                                sink, call.context);
+  choice_.reused();
 }
 
 template SkinDetection::Source SkinDetection::prepare<2>(const SkinCall<2>&);
 template SkinDetection::Source SkinDetection::prepare<3>(const SkinCall<3>&);
+template bool SkinDetection::prepare<2>(const UngatheredCall&);
+template bool SkinDetection::prepare<3>(const UngatheredCall&);
+template void SkinDetection::deliver<2>(const UngatheredCall&, base::PairSink&);
+template void SkinDetection::deliver<3>(const UngatheredCall&, base::PairSink&);
 template void SkinDetection::deliver<2>(const SkinCall<2>&, Source, base::PairSink&);
 template void SkinDetection::deliver<3>(const SkinCall<3>&, Source, base::PairSink&);
 

@@ -14,6 +14,7 @@
 #include "skin/skin_search.hpp"
 
 #include <abut/algorithm.hpp>
+#include <abut/element_view.hpp>
 #include <abut/skin.hpp>
 #include <abut/statistics.hpp>
 
@@ -29,6 +30,14 @@ struct SkinCall {
   elements::GatheredElements<Dim>& elements;
   ElementSearch<Dim>& search;
   TwoSetSearch<Dim>& two_set_search;
+  const SearchTask& task;
+  base::DetectionContext& context;
+  Statistics& statistics;
+};
+
+/// One call on elements as the caller gives them.
+struct UngatheredCall {
+  const ElementView& elements;
   const SearchTask& task;
   base::DetectionContext& context;
   Statistics& statistics;
@@ -58,6 +67,14 @@ class SkinDetection {
 
   /// Tells whether a skin was set and candidates are kept of such elements; of boxes none are.
   [[nodiscard]] bool applies_to(const DetectionRequest& request) const noexcept;
+
+  /// Reads the elements, and tells whether deliver() can do without gathering them: where kept
+  /// candidates serve as they are, and elements are in the order of space.
+  template <int Dim>
+  [[nodiscard]] bool prepare(const UngatheredCall& call);
+
+  template <int Dim>
+  void deliver(const UngatheredCall& call, base::PairSink& sink);
 
   /// Origin of the candidates that a call tests.
   enum class Source {
@@ -95,6 +112,10 @@ class SkinDetection {
                         const typename skin::SkinSearch<Dim>::Insertion& insertion);
   [[nodiscard]] skin::NamedElements name_elements(std::size_t count);
   void note(Source source, const Statistics& statistics);
+  void note_kept(Source source, std::size_t elements, base::DetectionContext& context,
+                 Statistics& statistics);
+  template <int Dim>
+  void note_candidates(const SearchTask& task, Source source, Statistics& statistics);
 
   skin::SkinChoice choice_;
   SkinStatistics statistics_;

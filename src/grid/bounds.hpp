@@ -35,6 +35,23 @@ struct Bounds {
   /// the two largest radii + margin are the largest reach of boxes too.
   void count_largest_twice() noexcept { second_largest_radius = largest_radius; }
 
+  [[nodiscard]] std::array<double, Dim> middle() const noexcept {
+    std::array<double, Dim> result{};
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      result[axis] = 0.5 * lower[axis] + 0.5 * upper[axis];
+    }
+    return result;
+  }
+
+  /// The farthest that a center is from the middle along an axis.
+  [[nodiscard]] double largest_half_width() const noexcept {
+    double half = 0.0;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      half = std::max(half, 0.5 * upper[axis] - 0.5 * lower[axis]);
+    }
+    return half;
+  }
+
   void include(const Bounds& others) noexcept {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       lower[axis] = std::min(lower[axis], others.lower[axis]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <abut/pair.hpp>
 #include <abut/simd.hpp>
 
 #include <cstddef>
@@ -26,9 +27,10 @@ struct CandidateWords {
   const SlotPair* pairs;
   const QuantumSphere* slots;
   const QuantumSphere* images;
-  const std::uint16_t* image_of;  ///< of each candidate; null where all are of the first image
+  const std::uint16_t* image_of;  ///< of each candidate; null in open space: the one image's
+                                  ///< lattice vector is 0
   std::size_t count;              ///< of words
-  bool partners_far;              ///< whether slots are more than a cache holds
+  std::size_t fetchable;          ///< words from here on, where a cache does not hold all slots
 };
 
 /// Answers of the filter for a word of candidates, one bit for each.
@@ -42,16 +44,27 @@ inline constexpr float quantum_slack = 16.0f;
 /// Relative band of the squares, for the roundings of floats: 16 of 2^-24.
 inline constexpr float square_band = 0x1p-20f;
 
-/// Spheres (four doubles each) to be seen in quanta: coordinates less `middle`, and radii, times
-/// `per_length`, no farther from 0 than `most`, rounded towards it.
+/// How lengths become whole quanta: coordinates less `middle`, and radii, times `per_length`, no
+/// farther from 0 than `most`, rounded towards it.
+struct QuantumScale {
+  double middle[4];  ///< of radii 0
+  double per_length;
+  double most;
+};
+
+/// Spheres (four doubles each) to be seen in quanta.
 struct QuantumFilling {
   const double* spheres;
   const std::uint32_t* numbers;  ///< of the spheres of the slots; null for one after the other
   std::size_t count;
   QuantumSphere* slots;
-  double middle[4];  ///< of radii 0
-  double per_length;
-  double most;
+  QuantumScale scale;
+};
+
+/// What was copied of some words of candidates.
+struct KeptCandidates {
+  std::size_t words;  ///< treated
+  std::size_t pairs;  ///< kept
 };
 
 struct CandidateKernels {
@@ -62,6 +75,11 @@ struct CandidateKernels {
 
   /// Returns how many slots were filled, likewise.
   std::size_t (*fill)(const QuantumFilling& filling);
+
+  /// Copies those pairs of `words` words of 64, all full, whose bits are set, in order. `kept` has
+  /// room for all of them; what is not kept there may be overwritten.
+  KeptCandidates (*keep)(const SlotPair* pairs, const std::uint64_t* bits, std::size_t words,
+                         ContactPair* kept);
 };
 
 /// `level` must be available.

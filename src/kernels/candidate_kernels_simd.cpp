@@ -7,8 +7,11 @@
 #include <hwy/highway.h>
 
 #include "kernels/candidate_kernels.hpp"
+#include "kernels/compress_table.hpp"
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -23,20 +26,22 @@ std::size_t sift(const CandidateWords&, CandidateVerdict*) {
 std::size_t fill(const QuantumFilling&) {
   return 0;
 }
+KeptCandidates keep(const SlotPair*, const std::uint64_t*, std::size_t, ContactPair*) {
+  return {0, 0};
+}
 
 #else
+
+#include "kernels/simd_lanes-inl.hpp"
 
 /// One sphere.
 using QuadTag = hn::FixedTag<std::int32_t, 4>;
 constexpr QuadTag quads{};
 
 /// One sphere in each block of four lanes, or one number of as many candidates as there are lanes.
-using WholeTag = hn::CappedTag<std::int32_t, 8>;
+using WholeTag = hn::RebindToSigned<FloatTag>;
 using Wholes = hn::Vec<WholeTag>;
-using Singles = hn::Vec<hn::RebindToFloat<WholeTag> >;
 constexpr WholeTag wholes{};
-constexpr hn::RebindToFloat<WholeTag> singles{};
-constexpr std::size_t lanes = hn::MaxLanes(WholeTag());
 static_assert(lanes == 4 || lanes == 8);
 
 /// sphere(k), and where there are two blocks sphere(k + 4).
@@ -50,22 +55,20 @@ HWY_INLINE Wholes load(std::size_t k, Sphere&& sphere) {
   }
 }
 
-/// Numbers one by one, of a candidate in each lane, as floats.
+/// Numbers one by one, of a candidate in each lane.
 struct CandidateLanes {
-  Singles x, y, z, reach;
+  Wholes x, y, z, reach;
 };
 
 HWY_INLINE CandidateLanes transposed(Wholes a, Wholes b, Wholes c, Wholes d) {
   const hn::RepartitionToWide<WholeTag> wide;
   const auto lower = [&](Wholes p, Wholes q) {
-    return hn::ConvertTo(
-        singles,
-        hn::BitCast(wholes, hn::InterleaveLower(wide, hn::BitCast(wide, p), hn::BitCast(wide, q))));
+    return hn::BitCast(wholes,
+                       hn::InterleaveLower(wide, hn::BitCast(wide, p), hn::BitCast(wide, q)));
   };
   const auto upper = [&](Wholes p, Wholes q) {
-    return hn::ConvertTo(
-        singles,
-        hn::BitCast(wholes, hn::InterleaveUpper(wide, hn::BitCast(wide, p), hn::BitCast(wide, q))));
+    return hn::BitCast(wholes,
+                       hn::InterleaveUpper(wide, hn::BitCast(wide, p), hn::BitCast(wide, q)));
   };
   const Wholes ab = hn::InterleaveLower(wholes, a, b);
   const Wholes cd = hn::InterleaveLower(wholes, c, d);
@@ -74,71 +77,103 @@ HWY_INLINE CandidateLanes transposed(Wholes a, Wholes b, Wholes c, Wholes d) {
   return {lower(ab, cd), upper(ab, cd), lower(ab_upper, cd_upper), upper(ab_upper, cd_upper)};
 }
 
-template <class Mask>
-HWY_INLINE std::uint64_t bits_of(Mask mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(singles, mask, bits);
-  return bits[0];
+/// The verdicts of as many candidates as there are lanes.
+HWY_INLINE CandidateVerdict verdict_of(const CandidateLanes& candidates) {
+  const Floats slack = hn::Set(floats, quantum_slack);
+  const Floats above = hn::Set(floats, 1.0f + square_band);
+  const Floats below = hn::Set(floats, 1.0f - square_band);
+  const Floats x = hn::ConvertTo(floats, candidates.x);
+  const Floats y = hn::ConvertTo(floats, candidates.y);
+  const Floats z = hn::ConvertTo(floats, candidates.z);
+  const Floats reach = hn::ConvertTo(floats, candidates.reach);
+  const Floats square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+  const Floats outer = hn::Add(reach, slack);
+  const Floats inner = hn::Max(hn::Sub(reach, slack), hn::Zero(floats));
+  const std::uint64_t together = bits_of(hn::Lt(square, hn::Mul(hn::Mul(inner, inner), below)));
+  const std::uint64_t near = bits_of(hn::Le(square, hn::Mul(hn::Mul(outer, outer), above)));
+  return {together, near & ~together};
 }
 
-/// `difference(k)` is that of the candidates k and k + 4 of the word.
-template <class Difference>
-HWY_INLINE CandidateVerdict sift_word(Difference&& difference) {
-  const Singles slack = hn::Set(singles, quantum_slack);
-  const Singles above = hn::Set(singles, 1.0f + square_band);
-  const Singles below = hn::Set(singles, 1.0f - square_band);
+/// Words between those that are decided and those whose partners are asked for, and candidates from
+/// there to those that are asked for themselves: streams end with their pages.
+constexpr std::size_t words_ahead = 5;
+constexpr std::size_t candidates_ahead = 1024;
+
+/// Asks in time for what candidate `k` and the next ones need, as many as there are lanes: some
+/// partners lie far off in any order.
+HWY_INLINE void fetch(const SlotPair* pairs, std::size_t k, const QuantumSphere* slots) {
+  const SlotPair* const next = pairs + k + 64 * words_ahead;
+  __builtin_prefetch(next + candidates_ahead);
+  for (std::size_t lane = 0; lane < lanes; ++lane) __builtin_prefetch(slots + next[lane].second);
+}
+
+/// -(r + 1) in the place of the radius, so that a difference there is a sum.
+constexpr QuantumSphere radius_only{{0, 0, 0}, -1};
+
+/// Decides the candidates of a word, which begin with candidate `first`: `fetch_for(k)` does what
+/// there is to do before `lanes_of(k)` are loaded.
+template <class Fetch, class LanesOf>
+HWY_INLINE CandidateVerdict sift_word(std::size_t first, const Fetch& fetch_for,
+                                      const LanesOf& lanes_of) {
   CandidateVerdict verdict{0, 0};
-  for (std::size_t k = 0; k < 64; k += lanes) {
-    const CandidateLanes d =
-        transposed(difference(k), difference(k + 1), difference(k + 2), difference(k + 3));
-    const Singles square =
-        hn::Add(hn::Add(hn::Mul(d.x, d.x), hn::Mul(d.y, d.y)), hn::Mul(d.z, d.z));
-    const Singles outer = hn::Add(d.reach, slack);
-    const Singles inner = hn::Max(hn::Sub(d.reach, slack), hn::Zero(singles));
-    const std::uint64_t together = bits_of(hn::Lt(square, hn::Mul(hn::Mul(inner, inner), below)));
-    const std::uint64_t near = bits_of(hn::Le(square, hn::Mul(hn::Mul(outer, outer), above)));
-    verdict.together |= together << k;
-    verdict.left_undecided |= (near & ~together) << k;
+  for (std::size_t bit = 0; bit < 64; bit += lanes) {
+    fetch_for(first + bit);
+    const CandidateVerdict part = verdict_of(lanes_of(first + bit));
+    verdict.together |= part.together << bit;
+    verdict.left_undecided |= part.left_undecided << bit;
   }
   return verdict;
 }
 
-constexpr std::size_t words_ahead = 5;
-
-/// Asks for the second elements of a word in time: some lie far off in any order.
-HWY_INLINE void fetch_partners(const SlotPair* pairs, const QuantumSphere* slots) {
-  for (std::size_t k = 0; k < 64; ++k) __builtin_prefetch(slots + pairs[k].second);
+/// Decides word after word. `less_image(k, difference)` takes the image of candidate k, and where
+/// there are two blocks of candidate k + 4, off the difference of its elements, and
+/// `less_margin(reach)` what is left of it.
+template <class LessImage, class LessMargin>
+HWY_INLINE void sift_words(const CandidateWords& words, CandidateVerdict* verdicts,
+                           const LessImage& less_image, const LessMargin& less_margin) {
+  const Wholes turned = load(0, [](std::size_t) { return radius_only; });
+  const SlotPair* const pairs = words.pairs;
+  const QuantumSphere* const slots = words.slots;
+  const auto difference = [&](std::size_t k) {
+    const Wholes first =
+        load(k, [&](std::size_t j) -> const QuantumSphere& { return slots[pairs[j].first]; });
+    const Wholes second =
+        load(k, [&](std::size_t j) -> const QuantumSphere& { return slots[pairs[j].second]; });
+    return less_image(k, hn::Sub(first, hn::Xor(second, turned)));
+  };
+  const auto lanes_of = [&](std::size_t k) {
+    CandidateLanes candidates =
+        transposed(difference(k), difference(k + 1), difference(k + 2), difference(k + 3));
+    candidates.reach = less_margin(candidates.reach);
+    return candidates;
+  };
+  const std::size_t fetching =
+      words.fetchable > words_ahead ? HWY_MIN(words.count, words.fetchable - words_ahead) : 0;
+  for (std::size_t word = 0; word < fetching; ++word) {
+    verdicts[word] = sift_word(
+        64 * word, [&](std::size_t k) { fetch(pairs, k, slots); }, lanes_of);
+  }
+  for (std::size_t word = fetching; word < words.count; ++word) {
+    verdicts[word] = sift_word(
+        64 * word, [](std::size_t) {}, lanes_of);
+  }
 }
 
 std::size_t sift(const CandidateWords& words, CandidateVerdict* verdicts) {
-  // -(r + 1) in the place of the radius, so that a difference there is a sum.
-  static constexpr QuantumSphere radius_only{{0, 0, 0}, -1};
-  const Wholes turned = load(0, [](std::size_t) { return radius_only; });
-  const Wholes image =
-      load(0, [&](std::size_t) -> const QuantumSphere& { return words.images[0]; });
-  const SlotPair* pairs = words.pairs;
-  const std::uint16_t* image_of = words.image_of;
-  const auto difference = [&](std::size_t k) {
-    const Wholes first =
-        load(k, [&](std::size_t j) -> const QuantumSphere& { return words.slots[pairs[j].first]; });
-    const Wholes second = load(
-        k, [&](std::size_t j) -> const QuantumSphere& { return words.slots[pairs[j].second]; });
-    return hn::Sub(first, hn::Xor(second, turned));
-  };
-  for (std::size_t word = 0; word < words.count; ++word, pairs += 64) {
-    if (words.partners_far && word + words_ahead < words.count) {
-      fetch_partners(pairs + 64 * words_ahead, words.slots);
-    }
-    if (image_of == nullptr) {
-      verdicts[word] = sift_word([&](std::size_t k) { return hn::Sub(difference(k), image); });
-    } else {
-      verdicts[word] = sift_word([&](std::size_t k) {
-        return hn::Sub(difference(k), load(k, [&](std::size_t j) -> const QuantumSphere& {
-                         return words.images[image_of[j]];
-                       }));
-      });
-      image_of += 64;
-    }
+  if (words.image_of == nullptr) {
+    const Wholes margin = hn::Set(wholes, words.images[0].radius);
+    sift_words(
+        words, verdicts, [](std::size_t, Wholes difference) { return difference; },
+        [&](Wholes reach) { return hn::Sub(reach, margin); });
+  } else {
+    sift_words(
+        words, verdicts,
+        [&](std::size_t k, Wholes difference) {
+          return hn::Sub(difference, load(k, [&](std::size_t j) -> const QuantumSphere& {
+                           return words.images[words.image_of[j]];
+                         }));
+        },
+        [](Wholes reach) { return reach; });
   }
   return words.count;
 }
@@ -150,11 +185,11 @@ std::size_t fill(const QuantumFilling& filling) {
   using TwoTag = hn::FixedTag<double, 2>;
   constexpr TwoTag twos{};
   constexpr hn::FixedTag<std::int32_t, 2> two_wholes{};
-  const auto per_length = hn::Set(twos, filling.per_length);
-  const auto most = hn::Set(twos, filling.most);
+  const auto per_length = hn::Set(twos, filling.scale.per_length);
+  const auto most = hn::Set(twos, filling.scale.most);
   const auto least = hn::Neg(most);
-  const auto middle = hn::LoadU(twos, filling.middle);
-  const auto middle_upper = hn::LoadU(twos, filling.middle + 2);
+  const auto middle = hn::LoadU(twos, filling.scale.middle);
+  const auto middle_upper = hn::LoadU(twos, filling.scale.middle + 2);
   const auto whole = [&](auto length) {
     const auto quanta = hn::Mul(length, per_length);
     return hn::DemoteTo(two_wholes, hn::Min(hn::Max(quanta, least), most));
@@ -178,6 +213,31 @@ std::size_t fill(const QuantumFilling& filling) {
   return filling.count;
 }
 
+static_assert(sizeof(SlotPair) == 2 * sizeof(std::uint32_t) &&
+              sizeof(ContactPair) == sizeof(SlotPair));
+
+/// So far ahead, 4 KiB, memory is asked for that is to be written.
+constexpr std::size_t numbers_ahead = 1024;
+
+/// What is stored, in whole vectors, ends where all pairs of the word would.
+KeptCandidates keep(const SlotPair* pairs, const std::uint64_t* bits, std::size_t words,
+                    ContactPair* kept) {
+  const auto* from = reinterpret_cast<const std::uint32_t*>(pairs);
+  auto* to = reinterpret_cast<std::uint32_t*>(kept);
+  for (std::size_t word = 0; word < words; ++word) {
+    for (std::size_t k = 0; k < 64; k += lanes, from += 2 * lanes) {
+      __builtin_prefetch(to + numbers_ahead, 1);
+      const Bits set = static_cast<Bits>(bits[word] >> k) & all_lanes;
+      Numbers first;
+      Numbers second;
+      hn::LoadInterleaved2(numbers, from, first, second);
+      hn::StoreInterleaved2(compress(first, set), compress(second, set), numbers, to);
+      to += 2 * std::popcount(set);
+    }
+  }
+  return {words, static_cast<std::size_t>(to - reinterpret_cast<std::uint32_t*>(kept)) / 2};
+}
+
 #endif
 
 }  // namespace abut::kernels::HWY_NAMESPACE
@@ -188,11 +248,13 @@ namespace abut::kernels {
 
 HWY_EXPORT(sift);
 HWY_EXPORT(fill);
+HWY_EXPORT(keep);
 
 CandidateKernels simd_candidate_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(sift)[chosen.GetIndex()], HWY_DISPATCH_TABLE(fill)[chosen.GetIndex()]};
+  return {HWY_DISPATCH_TABLE(sift)[chosen.GetIndex()], HWY_DISPATCH_TABLE(fill)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(keep)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

@@ -4,6 +4,7 @@
 #include "kernels/candidate_kernels.hpp"
 #include "kernels/displacement_kernels.hpp"
 #include "kernels/element_kernels.hpp"
+#include "kernels/follow_kernels.hpp"
 #include "kernels/image_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 #include "kernels/measure_kernels.hpp"
@@ -196,7 +197,10 @@ CandidateKernels candidate_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return {[](const CandidateWords&, CandidateVerdict*) { return std::size_t{0}; },
-          [](const QuantumFilling&) { return std::size_t{0}; }};
+          [](const QuantumFilling&) { return std::size_t{0}; },
+          [](const SlotPair*, const std::uint64_t*, std::size_t, ContactPair*) {
+            return KeptCandidates{0, 0};
+          }};
 }
 
 TieKernels tie_kernels(Simd level) {
@@ -229,6 +233,14 @@ DisplacementKernels displacement_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return {[](const DisplacementJob&, int, DisplacementBounds&) { return std::size_t{0}; }};
+}
+
+FollowKernels follow_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_follow_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const FollowedSpheres&, int, LongestTwo&) { return std::size_t{0}; }};
 }
 
 WallKernels wall_kernels(Simd level) {

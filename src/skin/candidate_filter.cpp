@@ -7,6 +7,7 @@
 #include "exact/sphere_predicate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -77,57 +78,34 @@ double farthest_of(const exact::Lattice& lattice, std::span<const ImageShift> sh
 template <int Dim>
 double largest_length(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing,
                       double farthest_image) {
-  double half = 0.0;
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    half = std::max(half, 0.5 * now.bounds.upper[axis] - 0.5 * now.bounds.lower[axis]);
-  }
-  if (now.domain.is_periodic()) half = placing.magnitude();
+  const double half =
+      now.domain.is_periodic() ? placing.magnitude() : now.bounds.largest_half_width();
   return half + farthest_image + now.largest_reach();
 }
 
 }  // namespace
 
 template <int Dim>
-Quanta<Dim>::Quanta(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing,
-                    double farthest_image)
-    : kernels_(kernels::candidate_kernels(now.simd)) {
-  const double largest = largest_length(now, placing, farthest_image);
-  if (!(largest > 0x1p-900 && largest < 0x1p900)) return;
-  per_length_ = most * std::ldexp(0.5, -std::ilogb(largest));
-  if (now.domain.is_periodic()) return;
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    middle_[axis] = 0.5 * now.bounds.lower[axis] + 0.5 * now.bounds.upper[axis];
-  }
+Quanta<Dim> quanta_of_placed(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing,
+                             std::span<const ImageShift> shifts) {
+  const double farthest = farthest_of<Dim>(elements::lattice_of(now.domain), shifts);
+  return Quanta<Dim>(largest_length(now, placing, farthest),
+                     now.domain.is_periodic() ? std::array<double, Dim>{} : now.bounds.middle());
 }
 
 template <int Dim>
-void Quanta<Dim>::fill(const exact::Sphere<Dim>* spheres, const ElementIndex* numbers,
-                       std::span<kernels::QuantumSphere> slots) const {
-  if (slots.empty()) return;
-  std::size_t k = 0;
-  if constexpr (Dim == 3) {
-    k = kernels_.fill({spheres->center,
-                       numbers,
-                       slots.size(),
-                       slots.data(),
-                       {middle_[0], middle_[1], middle_[2], 0.0},
-                       per_length_,
-                       most});
-  }
-  for (; k < slots.size(); ++k) slots[k] = of(spheres[numbers == nullptr ? k : numbers[k]]);
-}
-
-template <int Dim>
-CandidateFilter<Dim>::CandidateFilter(const ElementsNow<Dim>& now,
+CandidateFilter<Dim>::CandidateFilter(const CallNow& now, const GivenSpheres<Dim>& spheres,
                                       const DisplacementTracker<Dim>& placing,
-                                      const CandidateColumns& candidates, Images& images)
+                                      const CandidateColumns& candidates, const Quanta<Dim>& quanta,
+                                      Images& images)
     : now_(now),
+      spheres_(spheres),
       placing_(placing),
       candidates_(candidates),
       lattice_(elements::lattice_of(now.domain)),
+      quanta_(quanta),
       images_(images),
-      kernels_(kernels::candidate_kernels(now.simd)),
-      quanta_(now, placing, farthest_of<Dim>(lattice_, candidates.shifts)) {
+      kernels_(kernels::candidate_kernels(now.simd)) {
   fill_images();
 }
 
@@ -151,13 +129,14 @@ void CandidateFilter<Dim>::run(std::size_t first_word, std::span<std::uint64_t> 
   const std::span<const SlotPair> pairs = candidates_.layout.candidates();
   const std::size_t first = 64 * first_word;
   const std::size_t count = std::min(pairs.size() - first, 64 * survivors.size());
+  const bool partners_far = candidates_.layout.slot_count() > slots_in_cache;
   const auto words_from = [&](std::size_t k, std::size_t words) {
     return CandidateWords{pairs.data() + k,
                           slots,
                           images_.data(),
                           candidates_.shift_of == nullptr ? nullptr : candidates_.shift_of + k,
                           words,
-                          candidates_.layout.slot_count() > slots_in_cache};
+                          partners_far ? (pairs.size() - k) / 64 : 0};
   };
   std::array<CandidateVerdict, words_of_run> verdicts;
   std::size_t done = quanta_.fit() ? kernels_.sift(words_from(first, count / 64), verdicts.data())
@@ -181,8 +160,8 @@ std::uint64_t CandidateFilter<Dim>::confirm(std::size_t first, const CandidateVe
   for (std::uint64_t rest = verdict.left_undecided; rest != 0; rest &= rest - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(rest));
     const ContactPair pair = candidates_.layout.pair_of(candidates_.layout.candidates()[first + k]);
-    const exact::Sphere<Dim>& a = now_.spheres[pair.first];
-    const exact::Sphere<Dim>& b = now_.spheres[pair.second];
+    const exact::Sphere<Dim> a = spheres_[pair.first];
+    const exact::Sphere<Dim> b = spheres_[pair.second];
     const bool touch =
         candidates_.shift_of == nullptr
             ? exact::within_reach(a, b, now_.margin, exact_decisions)
@@ -195,8 +174,10 @@ std::uint64_t CandidateFilter<Dim>::confirm(std::size_t first, const CandidateVe
   return survivors;
 }
 
-template class Quanta<2>;
-template class Quanta<3>;
+template Quanta<2> quanta_of_placed(const ElementsNow<2>&, const DisplacementTracker<2>&,
+                                    std::span<const ImageShift>);
+template Quanta<3> quanta_of_placed(const ElementsNow<3>&, const DisplacementTracker<3>&,
+                                    std::span<const ImageShift>);
 template class CandidateFilter<2>;
 template class CandidateFilter<3>;
 

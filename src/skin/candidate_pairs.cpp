@@ -4,6 +4,7 @@
 #include "base/opposite_shift.hpp"
 #include "skin/candidate_insertion.hpp"
 #include "skin/candidate_writer.hpp"
+#include "skin/following_pass.hpp"
 
 #include <algorithm>
 #include <array>
@@ -175,20 +176,37 @@ bool CandidatePairs<Dim>::number_shifts(const DisplacementTracker<Dim>& placing,
 }
 
 template <int Dim>
-void CandidatePairs<Dim>::fill_slots(const DisplacementTracker<Dim>& placing,
-                                     const Quanta<Dim>& quanta, std::size_t workers,
-                                     base::WorkCounter& work) {
+void CandidatePairs<Dim>::fill_slots(const ElementsNow<Dim>& now,
+                                     const DisplacementTracker<Dim>& placing) {
+  quanta_ = quanta_of_placed(now, placing, shift_list_);
   const ElementIndex* const elements = layout_.elements();
   base::make_room(slots_, layout_.slot_count());
-  base::for_each_share(workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
-    const auto [first, last] = base::share_of(share, workers, layout_.slot_count());
+  base::for_each_share(now.workers, now.work, [&](std::size_t share, base::WorkCounter& its_work) {
+    const auto [first, last] = base::share_of(share, now.workers, layout_.slot_count());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
       const bool in_slots = elements != nullptr;
-      quanta.fill(placing.placed().data() + (in_slots ? 0 : begin),
-                  in_slots ? elements + begin : nullptr,
-                  std::span(slots_).subspan(begin, end - begin));
+      quanta_.fill(placing.placed().data() + (in_slots ? 0 : begin),
+                   in_slots ? elements + begin : nullptr,
+                   std::span(slots_).subspan(begin, end - begin), now.simd);
     });
   });
+}
+
+/// Quanta must be known before the elements are. Where the skin covers them, each is at most
+/// `allowed` and the largest radius from its anchor, and has grown by no more than `allowed`.
+template <int Dim>
+double CandidatePairs<Dim>::fill_slots_with(const ElementView& given, const CallNow& now,
+                                            const DisplacementTracker<Dim>& then, double allowed) {
+  if (!layout_.follows_space() || !then.anchored_in_open_space(given.size(), now.domain)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const grid::Bounds<Dim>& anchors = then.anchor_bounds();
+  const double radius_and_more = anchors.largest_radius + allowed;
+  quanta_ = Quanta<Dim>(anchors.largest_half_width() + 3.0 * radius_and_more + now.margin,
+                        anchors.middle());
+  base::make_room(slots_, layout_.slot_count());
+  return follow<Dim>({given, then.anchors(), quanta_, {slots_.data(), layout_.slot_count()}}, now,
+                     allowed);
 }
 
 /// Tests candidates whose order is canonical, and writes those that are contact pairs at once.
@@ -210,7 +228,7 @@ void CandidatePairs<Dim>::sift(const CandidateFilter<Dim>& test, std::size_t wor
     const std::size_t words = (count + candidates_of_word - 1) / candidates_of_word;
     test.run(first / candidates_of_word, std::span(survivors).first(words), slots_.data(), exact);
     CandidateWriter writer(sink, {worker, unit}, survivors.data());
-    writer.write_in_order(layout_.candidates().subspan(first, count),
+    writer.write_in_order(layout_.candidates().subspan(first, count), test.kernels(),
                           [&](std::size_t k) { return shift_at(first + k); });
     writer.finish();
     exact_decisions += exact;
@@ -262,12 +280,12 @@ void CandidatePairs<Dim>::write(std::size_t workers, base::PairSink& sink,
 }
 
 template <int Dim>
-void CandidatePairs<Dim>::deliver_contacts(const ElementsNow<Dim>& now,
+void CandidatePairs<Dim>::deliver_contacts(const CallNow& now, const GivenSpheres<Dim>& spheres,
                                            const DisplacementTracker<Dim>& placing,
                                            base::PairSink& sink, base::DetectionContext& context) {
-  const CandidateFilter<Dim> decide(
-      now, placing, {layout_, shift_list_, periodic_ ? layout_.shifts() : nullptr}, images_);
-  fill_slots(placing, decide.quanta(), now.workers, now.work);
+  const CandidateFilter<Dim> decide(now, spheres, placing,
+                                    {layout_, shift_list_, periodic_ ? layout_.shifts() : nullptr},
+                                    quanta_, images_);
   if (layout_.follows_space()) {
     const SlotPair* const pairs = layout_.candidates().data();
     return sift(decide, now.workers, sink, context, [&](std::size_t k) {

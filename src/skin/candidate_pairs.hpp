@@ -9,6 +9,10 @@
 #include "skin/candidate_layout.hpp"
 #include "skin/displacement_tracker.hpp"
 #include "skin/elements_now.hpp"
+#include "skin/given_spheres.hpp"
+#include "skin/quanta.hpp"
+
+#include <abut/element_view.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -53,15 +57,24 @@ class CandidatePairs {
 
   [[nodiscard]] PairCount size() const noexcept { return size_; }
 
+  /// Brings the elements as they are placed into slots.
+  void fill_slots(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing);
+
+  /// Brings elements into slots as they are read, and tells how much closer two of them may have
+  /// come; infinity, and no slots, where that exceeds `allowed`, an element is invalid, or slots
+  /// cannot be filled so: only where numbers follow open space.
+  [[nodiscard]] double fill_slots_with(const ElementView& given, const CallNow& now,
+                                       const DisplacementTracker<Dim>& then, double allowed);
+
   /// Delivers those that are contact pairs now, in canonical order, whatever the number of workers.
-  void deliver_contacts(const ElementsNow<Dim>& now, const DisplacementTracker<Dim>& placing,
-                        base::PairSink& sink, base::DetectionContext& context);
+  /// The elements must be in their slots; `spheres` are the same.
+  void deliver_contacts(const CallNow& now, const GivenSpheres<Dim>& spheres,
+                        const DisplacementTracker<Dim>& placing, base::PairSink& sink,
+                        base::DetectionContext& context);
 
  private:
   [[nodiscard]] bool number_shifts(const DisplacementTracker<Dim>& placing,
                                    base::WorkCounter& work);
-  void fill_slots(const DisplacementTracker<Dim>& placing, const Quanta<Dim>& quanta,
-                  std::size_t workers, base::WorkCounter& work);
   template <class ShiftAt>
   void sift(const CandidateFilter<Dim>& test, std::size_t workers, base::PairSink& sink,
             base::DetectionContext& context, const ShiftAt& shift_at);
@@ -76,6 +89,7 @@ class CandidatePairs {
   CandidateLayout layout_;
   base::Array<ShiftNumber> found_shifts_;      ///< only while candidates are put in order
   base::Array<kernels::QuantumSphere> slots_;  ///< elements as they are placed now
+  Quanta<Dim> quanta_;                         ///< of the slots
   base::Array<std::uint64_t> survivors_;  ///< a bit for each candidate, where the two orders differ
   std::vector<ImageShift> shift_list_;
   typename CandidateFilter<Dim>::Images images_;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "base/pair_sink.hpp"
+#include "kernels/candidate_kernels.hpp"
 #include "skin/candidate_layout.hpp"
 
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -56,16 +58,21 @@ class CandidateWriter {
   /// Writes the survivors among candidates whose order is canonical, and whose slots are elements;
   /// shift_at(k) is the image shift of the k-th of them. They begin with a word of `survivors`.
   template <class ShiftAt>
-  void write_in_order(std::span<const SlotPair> candidates, ShiftAt&& shift_at) {
-    constexpr std::size_t bits = 64;
-    for (std::size_t first = 0; first < candidates.size(); first += bits) {
+  void write_in_order(std::span<const SlotPair> candidates,
+                      const kernels::CandidateKernels& kernels, ShiftAt&& shift_at) {
+    for (std::size_t word = 0; bits * word < candidates.size();) {
       if (room_.size() - filled_ < bits) take_room();
-      for (std::uint64_t rest = survivors_[first / bits]; rest != 0; rest &= rest - 1) {
-        const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(rest));
-        room_[filled_] = {candidates[k].first, candidates[k].second};
-        if (!shifts_.empty()) shifts_[filled_] = shift_at(k);
-        ++filled_;
-      }
+      const SlotPair* const pairs = candidates.data() + bits * word;
+      const std::size_t words = shifts_.empty() ? std::min((candidates.size() - bits * word) / bits,
+                                                           (room_.size() - filled_) / bits)
+                                                : 0;
+      const kernels::KeptCandidates kept =
+          kernels.keep(pairs, survivors_ + word, words, room_.data() + filled_);
+      filled_ += kept.pairs;
+      word += kept.words;
+      if (kept.words > 0) continue;
+      write_word(pairs, survivors_[word], bits * word, shift_at);
+      ++word;
     }
   }
 
@@ -77,6 +84,20 @@ class CandidateWriter {
   }
 
  private:
+  static constexpr std::size_t bits = 64;  ///< of a word of survivors
+
+  /// Writes the survivors of one word, whose first candidate has number `first`.
+  template <class ShiftAt>
+  void write_word(const SlotPair* candidates, std::uint64_t survivors, std::size_t first,
+                  ShiftAt&& shift_at) {
+    for (; survivors != 0; survivors &= survivors - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(survivors));
+      room_[filled_] = {candidates[k].first, candidates[k].second};
+      if (!shifts_.empty()) shifts_[filled_] = shift_at(first + k);
+      ++filled_;
+    }
+  }
+
   [[nodiscard]] bool survives(std::uint32_t place) const noexcept {
     return (survivors_[place / 64] >> (place % 64) & 1) != 0;
   }

@@ -13,13 +13,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Relative error of the sum of a displacement and a growth, computed with half a dozen roundings:
-/// at most 16 u.
-constexpr double displacement_band = 0x1p-49;
-
-/// Upper bound of what a displacement loses if squares of its components underflow.
-constexpr double underflow = 0x1p-500;
-
 /// Relative error of a placed element, to the magnitude of the numbers it is computed from: 8 u.
 constexpr double placing_error = 0x1p-50;
 
@@ -50,16 +43,6 @@ exact::Sphere<Dim> place(const exact::Sphere<Dim>& sphere, const lattice::CellNu
   return placed;
 }
 
-template <int Dim>
-double squared_distance(const exact::Sphere<Dim>& a, const exact::Sphere<Dim>& b) {
-  double sum = 0.0;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const double difference = a.center[axis] - b.center[axis];
-    sum += difference * difference;
-  }
-  return sum;
-}
-
 /// False where numbers would become too large.
 bool add(const lattice::CellNumbers& more, lattice::CellNumbers& cells) {
   constexpr std::int32_t most = 1 << 29;
@@ -83,32 +66,11 @@ double magnitude_of(const grid::Bounds<Dim>& bounds) {
 }  // namespace
 
 template <int Dim>
-void DisplacementTracker<Dim>::Part::include(double displacement, double growth_of_one) noexcept {
-  const double sum = displacement + growth_of_one;
-  const double shift = sum + displacement_band * (displacement + std::fabs(growth_of_one));
-  known = known && shift < infinite;  // NaN is not
-  second = std::max(second, std::min(shift, farthest));
-  farthest = std::max(farthest, shift);
-  growth = std::max(growth, growth_of_one);
-}
-
-/// Of most elements the square tells that they change nothing, without a root. `include` makes a
-/// displacement longer by less than 2^-48 of it.
-template <int Dim>
-void DisplacementTracker<Dim>::Part::include_square(double square, double growth_of_one) noexcept {
-  if (square < negligible && growth_of_one == 0.0) return;
-  include(std::sqrt(square), growth_of_one);
-  negligible = second * second * (1.0 - 0x1p-40);
-}
-
-template <int Dim>
 void DisplacementTracker<Dim>::Part::include(const Part& others) noexcept {
-  second = std::max({second, others.second, std::min(farthest, others.farthest)});
-  farthest = std::max(farthest, others.farthest);
+  ways.include(others.ways);
   growth = std::max(growth, others.growth);
   magnitude = std::max(magnitude, others.magnitude);
   radii += others.radii;
-  known = known && others.known;
   moved = moved || others.moved;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     lower[axis] = std::min(lower[axis], others.lower[axis]);
@@ -130,6 +92,7 @@ bool DisplacementTracker<Dim>::start(const ElementsNow<Dim>& now) {
   stop();
   size_ = now.spheres.size();
   domain_then_ = domain_now_ = now.domain;
+  anchor_bounds_ = now.bounds;
   base::make_room(anchor_, size_);
   if (now.domain.is_periodic()) {
     then_ = Frame(elements::lattice_of(now.domain));
@@ -232,6 +195,7 @@ void DisplacementTracker<Dim>::renumber(const ElementsNow<Dim>& now,
     magnitude_then_ = std::max(magnitude_then_, magnitude_of(now.bounds));
   }
   size_ = now.spheres.size();
+  anchor_bounds_.include(now.bounds);
   base::make_room(next_anchor_, size_);
   if (periodic) base::make_room(next_cells_, size_);
   for (std::size_t i = 0; i < size_; ++i) {
@@ -278,16 +242,15 @@ double DisplacementTracker<Dim>::approach(const ElementsNow<Dim>& now, double al
   if (!(allowed >= 0.0)) return infinite;
   const Part all = measure(now, allowed);
   any_moved_ = all.moved;
-  if (!all.known) return infinite;
-  double sum = all.farthest + all.second + underflow;
-  if (!periodic) return sum * (1.0 + displacement_band);
+  double sum = all.ways.sum_of_two();
+  if (!periodic || !all.ways.known()) return sum * (1.0 + kernels::displacement_band);
   magnitude_ = std::max(all.magnitude, magnitude_of(now.bounds));
   // Two elements, placed then and now; of an element and its own image only the radius counts.
   sum = std::max(sum, 2.0 * all.growth) + 2.0 * placing_error * (magnitude_then_ + magnitude_);
-  sum *= 1.0 + displacement_band;
+  sum *= 1.0 + kernels::displacement_band;
   if (!(sum <= allowed)) return sum;
   sum += lattice::image_motion(*then_, *now_, spread_, now.largest_reach() + sum);
-  return sum * (1.0 + displacement_band);
+  return sum * (1.0 + kernels::displacement_band);
 }
 
 template <int Dim>
@@ -312,9 +275,11 @@ typename DisplacementTracker<Dim>::Part DisplacementTracker<Dim>::measure(
 template <int Dim>
 void DisplacementTracker<Dim>::measure_open(const ElementsNow<Dim>& now, std::size_t first,
                                             std::size_t last, Part& part) const {
+  const exact::Sphere<Dim>* const spheres = now.spheres.data();
+  const exact::Sphere<Dim>* const anchors = anchor_.data();
   for (std::size_t i = first; i < last; ++i) {
-    const exact::Sphere<Dim>& sphere = now.spheres[i];
-    part.include_square(squared_distance(sphere, anchor_[i]), sphere.radius - anchor_[i].radius);
+    part.ways.include_square(squared_displacement(spheres[i], anchors[i]),
+                             spheres[i].radius - anchors[i].radius);
   }
 }
 
@@ -326,21 +291,25 @@ void DisplacementTracker<Dim>::measure_periodic(const ElementsNow<Dim>& now, dou
   const double far = allowed * allowed;
   for (std::size_t i = first; i < last; ++i) {
     exact::Sphere<Dim> placed = place(now.spheres[i], cells_[i], lattice, part.magnitude);
-    double square = squared_distance(placed, anchor_[i]);
+    double square = squared_displacement(placed, anchor_[i]);
     if (!(square <= far)) {
       std::array<double, Dim> difference{};
       for (std::size_t k = 0; k < Dim; ++k) {
         difference[k] = placed.center[k] - anchor_[i].center[k];
       }
       lattice::CellNumbers more{};
-      part.known = part.known && now_->nearest(difference.data(), more) && add(more, cells_[i]);
+      if (!now_->nearest(difference.data(), more) || !add(more, cells_[i])) {
+        part.ways.include_unknown();
+      }
       placed = place(now.spheres[i], cells_[i], lattice, part.magnitude);
-      square = squared_distance(placed, anchor_[i]);
+      square = squared_displacement(placed, anchor_[i]);
     }
     own_placed_[i] = placed;
     moved_[i] = is_moved(cells_[i]) ? 1 : 0;
     part.moved = part.moved || moved(i);
-    part.include_square(square, placed.radius - anchor_[i].radius);
+    const double growth = placed.radius - anchor_[i].radius;
+    part.growth = std::max(part.growth, growth);
+    part.ways.include_square(square, growth);
   }
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "grid/bounds.hpp"
 #include "lattice/lattice_frame.hpp"
 #include "skin/elements_now.hpp"
+#include "skin/longest_ways.hpp"
 
 #include <abut/domain.hpp>
 #include <abut/image_shift.hpp>
@@ -49,6 +51,14 @@ class DisplacementTracker {
   }
   [[nodiscard]] const Domain& domain_then() const noexcept { return domain_then_; }
 
+  /// True if there are anchors of so many elements, now and then in open space.
+  [[nodiscard]] bool anchored_in_open_space(std::size_t elements,
+                                            const Domain& domain) const noexcept {
+    return started_ && elements == size_ && !domain.is_periodic() && !domain_then_.is_periodic();
+  }
+  /// A box around all anchors in open space, and bounds of their radii.
+  [[nodiscard]] const grid::Bounds<Dim>& anchor_bounds() const noexcept { return anchor_bounds_; }
+
   /// The elements as placed in the last call; without a periodic domain those of the caller.
   [[nodiscard]] std::span<const exact::Sphere<Dim>> placed() const noexcept { return placed_; }
 
@@ -78,22 +88,16 @@ class DisplacementTracker {
   [[nodiscard]] double mean_radius() const noexcept { return mean_radius_; }
 
  private:
-  /// Largest displacements and numbers among the elements of one worker.
+  /// Longest ways and largest numbers among the elements of one worker.
   struct alignas(128) Part {
-    double farthest = 0.0;  ///< the two largest displacements, growth included
-    double second = 0.0;
+    LongestWays ways;
     double growth = 0.0;     ///< largest
     double magnitude = 0.0;  ///< of moved elements
     double radii = 0.0;
-    bool known = true;
     bool moved = false;  ///< whether any is moved
     std::array<double, Dim> lower{};
     std::array<double, Dim> upper{};
 
-    double negligible = 0.0;  ///< squares below are of displacements shorter than `second`
-
-    void include(double displacement, double growth_of_one) noexcept;
-    void include_square(double square, double growth_of_one) noexcept;
     void include(const Part& others) noexcept;
   };
 
@@ -122,6 +126,7 @@ class DisplacementTracker {
   bool started_ = false;
   bool any_moved_ = false;
   std::size_t size_ = 0;
+  grid::Bounds<Dim> anchor_bounds_;
   Domain domain_then_ = Domain::open();
   Domain domain_now_ = Domain::open();
   std::optional<Frame> then_;

@@ -12,16 +12,20 @@
 
 namespace abut::skin {
 
-/// The elements of one call, checked, and what is asked about them.
-template <int Dim>
-struct ElementsNow {
-  std::span<const exact::Sphere<Dim>> spheres;
-  const grid::Bounds<Dim>& bounds;
+/// What one call asks about its elements, and how it works.
+struct CallNow {
   const Domain& domain;
   double margin;
   std::size_t workers;
   Simd simd;                ///< an available level
   base::WorkCounter& work;  ///< of the caller's thread
+};
+
+/// The elements of one call, checked and gathered.
+template <int Dim>
+struct ElementsNow : CallNow {
+  std::span<const exact::Sphere<Dim>> spheres;
+  const grid::Bounds<Dim>& bounds;
 
   /// Upper bound of the reach of any two elements.
   [[nodiscard]] double largest_reach() const noexcept {

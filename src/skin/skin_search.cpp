@@ -3,7 +3,7 @@
 namespace abut::skin {
 
 template <int Dim>
-double SkinSearch<Dim>::allowed(const ElementsNow<Dim>& now) const noexcept {
+double SkinSearch<Dim>::allowed(const CallNow& now) const noexcept {
   // Rounded down: 2 u more than the subtraction rounds by.
   const double allowed = (margin_ - now.margin) * (1.0 - 0x1p-51);
   // Candidates for a much larger margin would last long, but cost too much.
@@ -16,6 +16,15 @@ bool SkinSearch<Dim>::covers(const ElementsNow<Dim>& now, const NamedElements& n
   const double most = allowed(now);
   if (!valid_ || version_ != named.version || most < 0.0) return false;
   approach_ = tracker_->approach(now, most);
+  return approach_ <= most;
+}
+
+template <int Dim>
+bool SkinSearch<Dim>::covers(const ElementView& given, const CallNow& now,
+                             const NamedElements& named) {
+  const double most = allowed(now);
+  if (!valid_ || version_ != named.version || most < 0.0) return false;
+  approach_ = candidates_->fill_slots_with(given, now, *tracker_, most);
   return approach_ <= most;
 }
 

@@ -7,7 +7,9 @@
 #include "skin/candidate_pairs.hpp"
 #include "skin/displacement_tracker.hpp"
 #include "skin/elements_now.hpp"
+#include "skin/given_spheres.hpp"
 
+#include <abut/element_view.hpp>
 #include <abut/error.hpp>
 #include <abut/pair.hpp>
 
@@ -38,6 +40,11 @@ class SkinSearch {
   /// True if the kept candidates hold all contact pairs of these elements. Throws as a detection
   /// does for an invalid domain.
   [[nodiscard]] bool covers(const ElementsNow<Dim>& now, const NamedElements& named);
+
+  /// The same of elements that nobody has gathered; leaves them where deliver_contacts() needs
+  /// them. False also where only covers() can tell, or an element is invalid.
+  [[nodiscard]] bool covers(const ElementView& given, const CallNow& now,
+                            const NamedElements& named);
 
   /// New elements at their anchors, which are to be searched for against all.
   struct Insertion {
@@ -72,7 +79,14 @@ class SkinSearch {
   /// before.
   void deliver_contacts(const ElementsNow<Dim>& now, base::PairSink& sink,
                         base::DetectionContext& context) {
-    candidates_->deliver_contacts(now, *tracker_, sink, context);
+    candidates_->fill_slots(now, *tracker_);
+    candidates_->deliver_contacts(now, GivenSpheres<Dim>(now.spheres), *tracker_, sink, context);
+  }
+
+  /// Of elements that nobody has gathered.
+  void deliver_contacts(const ElementView& given, const CallNow& now, base::PairSink& sink,
+                        base::DetectionContext& context) {
+    candidates_->deliver_contacts(now, GivenSpheres<Dim>(given), *tracker_, sink, context);
   }
 
   [[nodiscard]] PairCount candidates() const noexcept { return candidates_->size(); }
@@ -87,7 +101,7 @@ class SkinSearch {
   /// New elements are at most one in so many; with more, all candidates are searched for anew.
   static constexpr std::size_t elements_for_a_new_one = 16;
 
-  [[nodiscard]] double allowed(const ElementsNow<Dim>& now) const noexcept;
+  [[nodiscard]] double allowed(const CallNow& now) const noexcept;
   [[nodiscard]] bool follow(const ElementsNow<Dim>& now, const NamedElements& named);
   void list_added();
   void remember(const NamedElements& named);

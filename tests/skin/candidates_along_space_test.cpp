@@ -7,6 +7,7 @@
 #include "support/error_expectations.hpp"
 #include "support/moving_system.hpp"
 
+#include <abut/column.hpp>
 #include <abut/detector.hpp>
 #include <abut/simd.hpp>
 #include <abut/spatial_order.hpp>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -93,7 +95,8 @@ class AlongSpace : public ::testing::TestWithParam<Space> {};
 TEST_P(AlongSpace, EveryStepIsThatOfAFreshDetection) {
   for (const int dimensions : {2, 3}) {
     for (const int threads : {1, 3}) {
-      for (const Simd level : {Simd::automatic, Simd::scalar}) {
+      for (const Simd level : simd_levels()) {
+        if (!available(level)) continue;
         SCOPED_TRACE(std::to_string(dimensions) + "D, threads " + std::to_string(threads));
         MovingSystem system(dimensions, many, {.space = GetParam(), .wrapped = true}, 7);
         sort_along_space(system.scene);
@@ -172,17 +175,96 @@ TEST(CandidatesAlongSpace, AreCarriedOverToOtherNumbers) {
   EXPECT_EQ(detector.skin_statistics().carried, 5U);
 }
 
+/// The first one, though a worker that sees an element far beyond the skin looks no further, and
+/// another one finds a bad element too.
 TEST(CandidatesAlongSpace, ABadElementIsNamedInAReuse) {
-  MovingSystem system(3, many, {}, 13);
+  for (const int threads : {1, 3}) {
+    MovingSystem system(3, 3 * many, {}, 13);
+    sort_along_space(system.scene);
+    Detector detector({.threads = threads});
+    detector.set_skin(Skin::fixed(0.3));
+    const std::size_t contacts = detector.find_contact_pairs(system.elements()).size();
+    EXPECT_EQ(detector.find_contact_pairs(system.elements()).size(), contacts);
+    const scenes::Scene before = system.scene;
+    system.scene.x[5] += 100.0;  // no error
+    system.scene.y[1400] = std::numeric_limits<double>::quiet_NaN();
+    system.scene.radius[3900] = -1.0;
+    expect_error(ErrorCode::invalid_input, {"1400", "y"},
+                 [&] { detector.find_contact_pairs(system.elements()); });
+    system.scene = before;
+    EXPECT_EQ(detector.find_contact_pairs(system.elements()).size(), contacts);
+    EXPECT_EQ(detector.skin_statistics().detections, 1U);
+  }
+}
+
+/// Radii that change from call to call, up and down, and margins that do.
+TEST(CandidatesAlongSpace, RadiiAndMarginsChange) {
+  for (const int dimensions : {2, 3}) {
+    MovingSystem system(dimensions, many, {.growth = 0.003}, 17);
+    sort_along_space(system.scene);
+    Detector detector({.order = Order::canonical});
+    detector.set_skin(Skin::fixed(0.3));
+    for (int step = 0; step < 40; ++step, system.step()) {
+      detector.set_options({.order = Order::canonical, .margin = 0.02 * (step % 3)});
+      for (std::size_t k = 0; k < many; k += 7) system.scene.radius[k] *= step % 2 == 0 ? 0.9 : 1.1;
+      expect_as_fresh(detector, system.elements(), Domain::open());
+      if (::testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GE(detector.skin_statistics().reuses, 20U);
+  }
+}
+
+/// Elements that were not gathered in one call are in the next, where they are to be measured.
+TEST(CandidatesAlongSpace, QuantitiesAreThoseOfThisCall) {
+  MovingSystem system(3, many, {}, 19);
   sort_along_space(system.scene);
   Detector detector;
   detector.set_skin(Skin::fixed(0.3));
-  expect_as_fresh(detector, system.elements(), Domain::open());
-  system.scene.x[5] += 100.0;  // far beyond the skin, but no error
-  system.scene.y[700] = std::numeric_limits<double>::quiet_NaN();
-  system.scene.radius[900] = -1.0;
-  expect_error(ErrorCode::invalid_input, {"700", "y"},
-               [&] { detector.find_contact_pairs(system.elements()); });
+  for (int step = 0; step < 6; ++step, system.step()) {
+    Options options{.order = Order::canonical};
+    if (step % 3 == 2) options.quantities = Quantity::gap;
+    detector.set_options(options);
+    const PairList fresh = find_contact_pairs(system.elements(), Domain::open(), options);
+    const PairList& kept = detector.find_contact_pairs(system.elements());
+    ASSERT_TRUE(std::ranges::equal(fresh.pairs(), kept.pairs()));
+    ASSERT_TRUE(std::ranges::equal(fresh.gaps(), kept.gaps()));
+  }
+  EXPECT_EQ(detector.skin_statistics().detections, 1U);
+}
+
+/// Whole numbers are chosen before the elements are read. They hold for elements that have left the
+/// box of their anchors, as far as the skin lets them: two beyond it are not taken for one.
+TEST(CandidatesAlongSpace, MayDriftOutOfTheBoxOfTheirAnchors) {
+  std::vector<double> x;
+  for (int k = 0; k < 64; ++k) x.push_back(k - 31.5);
+  x.insert(x.end() - 1, 31.25);
+  const std::vector<double> y(x.size(), 0.0);
+  Detector detector;
+  detector.set_skin(Skin::fixed(2.2));
+  for (const double drift : {0.0, 1.05, -2.0}) {
+    for (double& place : x) place += drift;
+    EXPECT_EQ(detector.find_contact_pairs(discs(x, y, 0.1)).size(), 0U);
+  }
+  EXPECT_EQ(detector.skin_statistics().detections, 1U);
+}
+
+/// Pairs that touch exactly are decided on the caller's numbers, however these are stored.
+TEST(CandidatesAlongSpace, TiesAreReadWhereTheyLie) {
+  struct Disc {
+    float radius, x, other, y;
+  };
+  std::vector<Disc> discs(many, {0.5f, 0.0f, -7.0f, 0.25f});
+  for (std::size_t k = 0; k < many; ++k) discs[k].x = static_cast<float>(k);
+  const ElementView elements(std::array{Column<float>{&discs[0].x, many, sizeof(Disc)},
+                                        Column<float>{&discs[0].y, many, sizeof(Disc)}},
+                             Column<float>{&discs[0].radius, many, sizeof(Disc)});
+  Detector detector;
+  detector.set_skin(Skin::fixed(0.3));
+  EXPECT_EQ(detector.find_contact_pairs(elements).size(), many - 1);
+  EXPECT_EQ(detector.find_contact_pairs(elements).size(), many - 1);
+  discs[700].x = std::nextafter(discs[700].x, 0.0f);
+  EXPECT_EQ(detector.find_contact_pairs(elements).size(), many - 2);
+  EXPECT_EQ(detector.skin_statistics().reuses, 2U);
 }
 
 /// A row whose candidates are the next two of each. None is lost when the two largest displacements

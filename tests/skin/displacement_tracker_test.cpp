@@ -41,8 +41,8 @@ double approach_of(const Spheres& then, const Spheres& now, const Domain& domain
   skin::DisplacementTracker<3> tracker(memory);
   const grid::Bounds<3> bounds_then = bounds_of(then), bounds_now = bounds_of(now);
   const double allowed = 0.25 * std::numeric_limits<double>::max();
-  EXPECT_TRUE(tracker.start({then, bounds_then, domain, 0.0, 2, Simd::scalar, work}));
-  return tracker.approach({now, bounds_now, domain, 0.0, 2, Simd::scalar, work},
+  EXPECT_TRUE(tracker.start({{domain, 0.0, 2, Simd::scalar, work}, then, bounds_then}));
+  return tracker.approach({{domain, 0.0, 2, Simd::scalar, work}, now, bounds_now},
                           domain.is_periodic() ? 1.0 : allowed);
 }
 

@@ -114,7 +114,7 @@ void expect_the_same(std::size_t count, double growth) {
   const Columns<Dim> columns(now);
   for (const Simd simd : simd_levels()) {
     if (!available(simd)) continue;
-    for (const std::size_t workers : {1, 3}) {
+    for (const std::size_t workers : {1u, 3u}) {
       for (const ElementView& given : {view_of<Dim>(now), columns.view()}) {
         const skin::CallNow call{domain, 0.0, workers, simd, work};
         std::vector<kernels::QuantumSphere> slots(count);
@@ -137,7 +137,7 @@ void expect_the_same(std::size_t count, double growth) {
 }
 
 TEST(FollowingPass, TellsWhatTheTrackerTells) {
-  for (const std::size_t count : {1, 2, 7, 64, 1023, 1025, 5000}) {
+  for (const std::size_t count : {1u, 2u, 7u, 64u, 1023u, 1025u, 5000u}) {
     for (const double growth : {0.0, 0.01, -0.01}) {
       SCOPED_TRACE(std::to_string(count) + " growing by " + std::to_string(growth));
       expect_the_same<2>(count, growth);

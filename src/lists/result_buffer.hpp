@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/array.hpp"
 #include "base/memory_meter.hpp"
 #include "lists/found_pairs.hpp"
 
@@ -22,6 +23,7 @@ class ResultBuffer {
     memory_.take_for_pairs(bytes_);
     try {
       if (array.capacity() < size) array.resize(kept);
+      base::reserve_to_grow(array, size);
       array.resize(size);
     } catch (...) {
       memory_.give_back_pairs(bytes_);

@@ -278,7 +278,7 @@ void MeshSearch::write(const Call& call, const MeshContactArrays& arrays, Statis
   memory_.take_for_pairs(bytes);
   memory_.give_back_pairs(bytes);
   arrays.contacts.clear();
-  arrays.contacts.reserve(statistics.contact_pairs);
+  base::reserve_to_grow(arrays.contacts, statistics.contact_pairs);
   for (std::size_t k = 0; k < call.workers; ++k) {
     for (const ImageContact<MeshContact>& one : scratch_[k].found.contacts) {
       call.context.work.did(1);

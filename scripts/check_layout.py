@@ -22,7 +22,7 @@ ROOMS_BELOW = {
     "exact": "base exact/numbers",
     "exact/features": "exact/numbers exact",
     "exact/simplices": "exact/numbers exact",
-    "kernels": "base exact",
+    "kernels": "base exact exact/features",
     "grid": "base exact kernels",
     "lattice": "base exact/numbers exact grid",
     "reference": "base exact grid lattice",
@@ -36,7 +36,8 @@ ROOMS_BELOW = {
     "detect": (
         "base exact kernels grid reference engine periodic elements lists geometry skin algorithms"),
     "history": "base exact lattice elements geometry detect walls",
-    "walls": "base exact/features exact kernels lattice elements lists geometry detect",
+    "walls/grid": "base exact kernels elements",
+    "walls": "base exact/features exact kernels lattice elements lists geometry detect walls/grid",
     "simplices": "base exact exact/simplices lists detect walls",
     "device/bodies": "base exact/numbers exact lattice",
     "device": "base exact grid lattice elements device/bodies",

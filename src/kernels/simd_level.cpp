@@ -12,6 +12,7 @@
 #include "kernels/tie_kernels.hpp"
 #include "kernels/tile_search.hpp"
 #include "kernels/walls/feature_kernels.hpp"
+#include "kernels/walls/triangle_kernels.hpp"
 #include "kernels/walls/wall_kernels.hpp"
 
 #include <abut/error.hpp>
@@ -243,12 +244,23 @@ FollowKernels follow_kernels(Simd level) {
   return {[](const FollowedSpheres&, int, LongestTwo&) { return std::size_t{0}; }};
 }
 
+TriangleKernels triangle_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_triangle_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return {[](const FeatureColumns&, std::size_t, std::uint8_t*) { return std::size_t{0}; }};
+}
+
 WallKernels wall_kernels(Simd level) {
 #if defined(ABUT_HAVE_HIGHWAY)
   if (level != Simd::scalar) return simd_wall_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
-  return {[](const WallJob&, std::uint32_t*, WallFinds&) { return std::size_t{0}; }};
+  return {[](const WallJob&, std::uint32_t*, WallFinds&) { return std::size_t{0}; },
+          [](const WallJob&, std::uint32_t*, NearColumns&, std::uint32_t*, WallFinds&) {
+            return false;
+          }};
 }
 
 }  // namespace kernels

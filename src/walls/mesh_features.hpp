@@ -20,6 +20,15 @@ struct MovedFeature {
   friend constexpr auto operator<=>(const MovedFeature&, const MovedFeature&) = default;
 };
 
+[[nodiscard]] inline exact::Triangle triangle_at(const TriangleMesh& mesh, ElementIndex number) {
+  exact::Triangle triangle{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TriangleMesh::Point& vertex = mesh.vertices()[mesh.triangles()[number][k]];
+    std::copy(vertex.begin(), vertex.end(), triangle.corner[k]);
+  }
+  return triangle;
+}
+
 /// Returns the feature of the mesh that a part of a triangle belongs to. The parts come in the
 /// order in which the first of several nearest ones is taken: those of triangles that have a
 /// feature name the same one.

@@ -12,8 +12,8 @@
 #include "kernels/simd_level.hpp"
 #include "lists/result_buffer.hpp"
 #include "walls/feature_measurer.hpp"
+#include "walls/grid/near_wall.hpp"
 #include "walls/measure_contacts.hpp"
-#include "walls/near_wall.hpp"
 
 #include <algorithm>
 #include <array>
@@ -200,64 +200,49 @@ void MeshSearch::for_each_block(const Call& call, Act&& act) {
 /// anything.
 double MeshSearch::search(const Call& call, const RestFrame& frame) {
   call.context.progress.begin("features", call.spheres.size());
+  const Simd simd = kernels::level_to_run(call.options.simd);
   const MeshToucher toucher(call.mesh, Domain::open(), call.options);
-  const NearWall near_wall(grid_, frame, kernels::level_to_run(call.options.simd));
+  const TriangleBlock triangles(call.mesh, call.options.margin, simd);
+  const NearWall near_wall(grid_, frame, simd);
   for_each_block(call, [&](const kernels::ElementColumns& block, std::size_t first,
                            std::size_t count, SearchScratch& scratch) {
     const NearSpheres near = near_wall.find(block, count, scratch.near);
     scratch.largest_radius = std::max(scratch.largest_radius, near.largest_radius);
-    for (std::size_t k = 0; k < near.numbers.size(); k += near_at_a_time) {
-      const auto some = near.numbers.subspan(k, std::min(near_at_a_time, near.numbers.size() - k));
-      for (const NearSphere& one : fetch(block, some, frame, scratch)) {
-        choose(call, frame, one, scratch.candidates);
-        if (scratch.candidates.empty()) continue;
-        scratch.tests += scratch.candidates.size();
-        toucher({static_cast<ElementIndex>(first + one.number), one.sphere, scratch.candidates, {}},
-                scratch.found);
-      }
+    scratch.candidates.clear();
+    for (const std::uint32_t one :
+         near_wall.sift(block, scratch.near, near.numbers.size(), {planes_, call.options.margin},
+                        scratch.columns, scratch.kept)) {
+      choose(call, block, one, scratch);
     }
+    scratch.tests += scratch.candidates.size();
+    base::resize_for_overwrite(scratch.parts, scratch.candidates.size());
+    const BlockCandidates candidates{block, scratch.candidates};
+    triangles.decide(candidates, scratch.parts, scratch.found.exact_decisions);
+    toucher.touch(first, candidates, scratch.parts, scratch.found);
     return near.valid;
   });
   return largest_of_workers(call);
 }
 
-std::span<const MeshSearch::NearSphere> MeshSearch::fetch(const kernels::ElementColumns& block,
-                                                          std::span<const std::uint32_t> numbers,
-                                                          const RestFrame& frame,
-                                                          SearchScratch& scratch) const {
-  std::size_t count = 0;
-  for (const std::uint32_t number : numbers) {
-    NearSphere& near = scratch.fetched[count];
-    near.number = number;
-    near.sphere = elements::sphere_at<3>(block, number);
-    frame.bring_back(near.sphere.center, near.center);
-    near.place = grid_.place_near(near.center);
-    if (near.place == WallGrid::no_place) continue;
-    __builtin_prefetch(planes_.address_of(near.place));
-    ++count;
-  }
-  return std::span<const NearSphere>(scratch.fetched).first(count);
-}
-
-/// Keeps the triangles near whose plane the center lies, and whose box meets the box around the
+/// Appends the triangles near whose plane the center lies, and whose box meets the box around the
 /// sphere, as the search of boxes does.
-void MeshSearch::choose(const Call& call, const RestFrame& frame, const NearSphere& near,
-                        base::Array<ContactPair>& candidates) const {
-  candidates.clear();
-  const double margin = call.options.margin;
-  const double reach =
-      planes_.allowing_for_errors(frame.reach_at_rest(near.sphere.radius + margin));
-  if (planes_.is_far_from_cell(near.center, near.place, reach)) return;
-  const exact::Box<3> around = walls::box_around(near.sphere, margin);
+void MeshSearch::choose(const Call& call, const kernels::ElementColumns& block, std::size_t near,
+                        SearchScratch& scratch) const {
+  const kernels::NearColumns& columns = scratch.columns;
+  const double center[3] = {columns.center[0][near], columns.center[1][near],
+                            columns.center[2][near]};
+  const std::uint32_t number = scratch.near[near];
+  const exact::Box<3> around =
+      walls::box_around(elements::sphere_at<3>(block, number), call.options.margin);
   const FittedBoxes& boxes = call.mesh.boxes();
-  for (const ElementIndex part : grid_.parts(near.place)) {
-    if (planes_.is_far_from_triangle(near.center, part, reach)) continue;
+  for (const ElementIndex part : grid_.parts(columns.place[near])) {
+    if (planes_.is_far_from_triangle(center, part, columns.reach[near])) continue;
     bool meets = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       meets = meets && boxes.lower[axis][part] <= around.upper[axis] &&
               boxes.upper[axis][part] >= around.lower[axis];
     }
-    if (meets) candidates.push_back({0, part});  // whose they are is known
+    if (meets) scratch.candidates.push_back({number, part});
   }
 }
 

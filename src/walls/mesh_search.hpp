@@ -7,10 +7,10 @@
 #include "exact/box.hpp"
 #include "exact/sphere.hpp"
 #include "walls/feature_search.hpp"
+#include "walls/grid/rest_frame.hpp"
+#include "walls/grid/wall_grid.hpp"
+#include "walls/grid/wall_planes.hpp"
 #include "walls/mesh_toucher.hpp"
-#include "walls/rest_frame.hpp"
-#include "walls/wall_grid.hpp"
-#include "walls/wall_planes.hpp"
 
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
@@ -65,22 +65,14 @@ class MeshSearch {
   };
 
   /// Spheres that are read at a time.
-  static constexpr std::size_t block_size = 512;
-  /// Spheres near the wall whose cells are fetched together: enough to hide the way to memory.
-  static constexpr std::size_t near_at_a_time = 32;
-
-  /// A sphere whose cell names some triangles.
-  struct NearSphere {
-    std::uint32_t number;  ///< in its block
-    exact::Sphere<3> sphere;
-    double center[3];   ///< brought back
-    std::size_t place;  ///< of its cell
-  };
+  static constexpr std::size_t block_size = kernels::most_spheres;
 
   /// The memory of each worker.
   struct alignas(128) SearchScratch {
     explicit SearchScratch(base::MemoryMeter& memory)
-        : found(memory), candidates(base::make_array_for_overwrite<ContactPair>(memory, 0)) {}
+        : found(memory),
+          candidates(base::make_array_for_overwrite<ContactPair>(memory, 0)),
+          parts(base::make_array_for_overwrite<std::uint8_t>(memory, 0)) {}
 
     void start_anew() noexcept {
       found.contacts.clear();
@@ -91,8 +83,10 @@ class MeshSearch {
     FoundContacts<MeshContact> found;
     std::array<double, elements::SphereReader::numbers * block_size> room;
     std::array<std::uint32_t, block_size> near;
-    std::array<NearSphere, near_at_a_time> fetched;
-    base::Array<ContactPair> candidates;  ///< of one sphere
+    std::array<std::uint32_t, block_size> kept;
+    kernels::NearColumns columns;
+    base::Array<ContactPair> candidates;  ///< of a block, by the numbers in it
+    base::Array<std::uint8_t> parts;      ///< of the candidates
     std::uint64_t tests = 0;
     double largest_radius = 0.0;
   };
@@ -103,12 +97,8 @@ class MeshSearch {
   [[nodiscard]] bool reaches(const RestFrame& frame, const Call& call) const noexcept;
   [[nodiscard]] double reach_of(const Call& call) const noexcept;
   void build(const Call& call);
-  [[nodiscard]] std::span<const NearSphere> fetch(const kernels::ElementColumns& block,
-                                                  std::span<const std::uint32_t> numbers,
-                                                  const RestFrame& frame,
-                                                  SearchScratch& scratch) const;
-  void choose(const Call& call, const RestFrame& frame, const NearSphere& near,
-              base::Array<ContactPair>& candidates) const;
+  void choose(const Call& call, const kernels::ElementColumns& block, std::size_t near,
+              SearchScratch& scratch) const;
   [[nodiscard]] exact::Box<3> box_around(const TriangleMesh::Corners& corners) const noexcept;
   double search(const Call& call, const RestFrame& frame);
   template <class Act>

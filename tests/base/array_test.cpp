@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace abut::testing {
 namespace {
@@ -51,6 +52,18 @@ TEST(Array, GrowsWithinTheBound) {
     ASSERT_EQ(numbers[k], static_cast<std::int32_t>(k)) << "nothing is lost by the refusal";
   }
   EXPECT_EQ(meter.held(), numbers.capacity() * 4);
+}
+
+TEST(Array, GrowsByAnEighthMoreThanIsAskedForUnlessItIsNew) {
+  std::vector<int> numbers;
+  base::reserve_to_grow(numbers, 1000);
+  EXPECT_EQ(numbers.capacity(), 1000u);
+  base::reserve_to_grow(numbers, 1000);
+  EXPECT_EQ(numbers.capacity(), 1000u);
+  base::reserve_to_grow(numbers, 1016);
+  EXPECT_EQ(numbers.capacity(), 1143u);
+  base::reserve_to_grow(numbers, 7);
+  EXPECT_EQ(numbers.capacity(), 1143u);
 }
 
 TEST(Array, WhatPassesTheBoundIsRefusedBeforeItIsAllocated) {

@@ -1,6 +1,6 @@
 // Planes that leave out triangles: never one within reach of a point, and most of the others.
 
-#include "walls/wall_planes.hpp"
+#include "walls/grid/wall_planes.hpp"
 
 #include "base/memory_meter.hpp"
 #include "base/progress_reporter.hpp"

@@ -3,6 +3,7 @@
 #include "exact/features/triangle_predicate.hpp"
 
 #include "exact/features/nearest_part.hpp"
+#include "exact/features/triangle_bands.hpp"
 #include "exact/periodic_predicate.hpp"
 
 #include <algorithm>
@@ -35,16 +36,6 @@ double largest_component(const Vector& a) noexcept {
 double length(const Vector& a) noexcept {
   return std::sqrt(dot(a, a));
 }
-
-// Relative bounds of the errors below: 16, 256, 32 and 64 units of u = 2^-53.
-constexpr double band_along = 0x1p-49;
-constexpr double band_of_turn = 0x1p-45;
-constexpr double band_to_side = 0x1p-48;
-constexpr double band_to_face = 0x1p-47;
-
-// Lengths whose products of four neither over- nor underflow, as far as the bands can see.
-constexpr double smallest_safe_length = 0x1p-200;
-constexpr double largest_safe_length = 0x1p200;
 
 /// A computed number and how far the real one may be from it, at most.
 struct Enclosed {

@@ -23,6 +23,10 @@ std::size_t find_near(const WallJob&, std::uint32_t*, WallFinds&) {
   return 0;
 }
 
+bool sift(const WallJob&, std::uint32_t*, NearColumns&, std::uint32_t*, WallFinds&) {
+  return false;
+}
+
 #else
 
 using Tag = hn::ScalableTag<double>;
@@ -77,6 +81,99 @@ HWY_INLINE unsigned occupied_among(const WallJob& job, Cells cell, Mask inside) 
   return occupied[0] & within[0];
 }
 
+using IndexTag = hn::RebindToSigned<Tag>;
+using PlaceTag = hn::RebindToUnsigned<Tag>;
+using NumberTag = hn::Rebind<std::uint32_t, Tag>;
+using FloatTag = hn::Rebind<float, Tag>;
+using Indices = hn::Vec<IndexTag>;
+using Places = hn::Vec<PlaceTag>;
+constexpr IndexTag indices{};
+constexpr PlaceTag all_places{};
+constexpr NumberTag numbers{};
+constexpr FloatTag floats{};
+static_assert(most_spheres % hn::MaxLanes(Tag()) == 0);
+
+/// Returns the places of cells that are occupied among those that are, as WallGrid::place_near.
+HWY_INLINE Places places_of(const WallJob& job, Cells cell) {
+  const auto* const words = reinterpret_cast<const std::int32_t*>(job.occupied);
+  const auto* const before = reinterpret_cast<const std::int64_t*>(job.places_before);
+  const Cells at = hn::ShiftRight<5>(cell);
+  const Cells bit = hn::Shl(hn::Set(whole, 1), hn::And(cell, hn::Set(whole, 31)));
+  const Cells lower = hn::And(hn::GatherIndex(whole, words, at), hn::Sub(bit, hn::Set(whole, 1)));
+  const auto in_word = hn::PopulationCount(hn::BitCast(numbers, lower));
+  const Indices in_front = hn::GatherIndex(indices, before, hn::PromoteTo(indices, at));
+  return hn::Add(hn::BitCast(all_places, in_front), hn::PromoteTo(all_places, in_word));
+}
+
+/// RestFrame::reach_at_rest and WallPlanes::allowing_for_errors.
+HWY_INLINE Doubles reach_of(const WallJob& job, Doubles radius) {
+  const Doubles reach = hn::Add(radius, hn::Set(doubles, job.margin));
+  const Doubles at_rest = hn::Add(hn::Mul(reach, hn::Set(doubles, job.factor_of_reach)),
+                                  hn::Set(doubles, job.offset_of_reach));
+  return hn::Add(hn::Mul(at_rest, hn::Set(doubles, 1.0 + 0x1p-40)),
+                 hn::Set(doubles, job.error_of_planes));
+}
+
+/// Fills the columns from number k on, and fetches the planes of the cells.
+HWY_INLINE void look_up(const WallJob& job, const std::uint32_t* near, std::size_t k,
+                        NearColumns& columns) {
+  const Cells number = hn::BitCast(whole, hn::LoadU(numbers, near + k));
+  const Indices at = hn::PromoteTo(indices, number);
+  Doubles point[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    point[axis] = hn::GatherIndex(doubles, job.spheres.center[axis], at);
+  }
+  if (job.is_moved) bring_back(job, point);
+  Mask inside = hn::FirstN(doubles, hn::MaxLanes(Tag()));
+  const Places place = places_of(job, cells_of(job, point, inside));
+  hn::StoreU(place, all_places, columns.place + k);
+  for (std::size_t lane = 0; lane < hn::MaxLanes(Tag()); ++lane) {
+    __builtin_prefetch(job.planes + columns.place[k + lane]);
+  }
+  for (int axis = 0; axis < 3; ++axis) hn::StoreU(point[axis], doubles, columns.center[axis] + k);
+  const Doubles radius = hn::GatherIndex(doubles, job.spheres.radius, at);
+  hn::StoreU(reach_of(job, radius), doubles, columns.reach + k);
+}
+
+/// WallPlanes::is_far_from_cell.
+HWY_INLINE Mask are_far(const WallJob& job, const NearColumns& columns, std::size_t k) {
+  const Places place = hn::LoadU(all_places, columns.place + k);
+  const Cells first = hn::ShiftLeft<3>(hn::BitCast(whole, hn::TruncateTo(numbers, place)));
+  const float* const singles = job.planes->normal;
+  const auto number_of = [&](int which) {
+    const Cells at = hn::Add(first, hn::Set(whole, which));
+    return hn::PromoteTo(doubles, hn::GatherIndex(floats, singles, at));
+  };
+  const Indices line = hn::BitCast(indices, hn::ShiftLeft<2>(place));
+  const Doubles offset = hn::GatherIndex(doubles, &job.planes->offset, line);
+  const auto product = [&](int axis) {
+    return hn::Mul(number_of(axis), hn::LoadU(doubles, columns.center[axis] + k));
+  };
+  const Doubles height = hn::Add(hn::Add(product(0), product(1)), product(2));
+  const Doubles reach = hn::Add(number_of(3), hn::LoadU(doubles, columns.reach + k));
+  return hn::Gt(hn::Abs(hn::Sub(height, offset)), reach);
+}
+
+bool sift(const WallJob& job, std::uint32_t* near, NearColumns& columns, std::uint32_t* kept,
+          WallFinds& finds) {
+  constexpr std::size_t lanes = hn::MaxLanes(Tag());
+  const std::size_t count = finds.near;
+  const std::size_t full = (count + lanes - 1) / lanes * lanes;
+  for (std::size_t k = count; k < full; ++k) near[k] = near[count - 1];
+  for (std::size_t k = 0; k < full; k += lanes) look_up(job, near, k, columns);
+  finds.kept = 0;
+  for (std::size_t k = 0; k < full; k += lanes) {
+    const Mask close = hn::AndNot(are_far(job, columns, k), hn::FirstN(doubles, count - k));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(doubles, close, bits);
+    for (unsigned set = bits[0]; set != 0; set &= set - 1) {
+      kept[finds.kept++] =
+          static_cast<std::uint32_t>(k) + static_cast<std::uint32_t>(std::countr_zero(set));
+    }
+  }
+  return true;
+}
+
 /// Of the lines of a cache.
 constexpr std::size_t doubles_of_line = 8;
 
@@ -123,7 +220,7 @@ std::size_t find_near(const WallJob& job, std::uint32_t* near, WallFinds& finds)
           static_cast<std::uint32_t>(k) + static_cast<std::uint32_t>(std::countr_zero(set));
     }
   }
-  finds = {count, hn::GetLane(hn::MaxOfLanes(doubles, largest))};
+  finds = {count, hn::GetLane(hn::MaxOfLanes(doubles, largest)), 0};
   return k;
 }
 
@@ -136,11 +233,13 @@ HWY_AFTER_NAMESPACE();
 namespace abut::kernels {
 
 HWY_EXPORT(find_near);
+HWY_EXPORT(sift);
 
 WallKernels simd_wall_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(find_near)[chosen.GetIndex()]};
+  const auto level = chosen.GetIndex();
+  return {HWY_DISPATCH_TABLE(find_near)[level], HWY_DISPATCH_TABLE(sift)[level]};
 }
 
 }  // namespace abut::kernels

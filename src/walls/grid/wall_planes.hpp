@@ -3,7 +3,8 @@
 #include "base/array.hpp"
 #include "base/memory_meter.hpp"
 #include "base/progress_reporter.hpp"
-#include "walls/wall_grid.hpp"
+#include "kernels/walls/wall_kernels.hpp"
+#include "walls/grid/wall_grid.hpp"
 
 #include <abut/pair.hpp>
 #include <abut/triangle_mesh.hpp>
@@ -31,8 +32,11 @@ class WallPlanes {
   /// Returns what is_far_from_* must be asked with for a distance from the triangles.
   [[nodiscard]] double allowing_for_errors(double reach) const noexcept { return reach + error_; }
 
-  /// Where that lies which is_far_from_cell reads.
-  [[nodiscard]] const void* address_of(std::size_t place) const noexcept { return &cells_[place]; }
+  /// Says what the planes of cells are.
+  void describe(kernels::WallJob& job) const noexcept {
+    job.planes = cells_.data();
+    job.error_of_planes = error_;
+  }
 
   /// Tells whether a point is out of reach of all triangles of a cell.
   [[nodiscard]] bool is_far_from_cell(const double (&point)[3], std::size_t place,
@@ -58,13 +62,7 @@ class WallPlanes {
       return normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2] - offset;
     }
   };
-  /// The planes of a cell, in few bytes, which lie together in the caches: the plane in the middle
-  /// and half of their distance.
-  struct alignas(32) CellPlanes {
-    float normal[3];   ///< no longer than one
-    float half_width;  ///< rounded up
-    double offset;
-  };
+  using CellPlanes = kernels::CellPlanes;
 
   void lay_triangles(Points vertices, Triangles triangles, double reach);
   [[nodiscard]] CellPlanes planes_around(std::span<const ElementIndex> parts, Points vertices,

@@ -1,4 +1,4 @@
-#include "walls/rest_frame.hpp"
+#include "walls/grid/rest_frame.hpp"
 
 #include <algorithm>
 #include <array>
@@ -57,6 +57,8 @@ RestFrame::RestFrame(const TriangleMesh& mesh, double displacement) noexcept
 
 void RestFrame::describe(kernels::WallJob& job) const noexcept {
   job.is_moved = is_moved_;
+  job.factor_of_reach = factor_;
+  job.offset_of_reach = offset_;
   for (int row = 0; row < 3; ++row) {
     job.translation[row] = translation_[row];
     for (int axis = 0; axis < 3; ++axis) job.inverse[row][axis] = inverse_[row][axis];

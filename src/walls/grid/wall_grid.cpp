@@ -1,4 +1,4 @@
-#include "walls/wall_grid.hpp"
+#include "walls/grid/wall_grid.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -77,13 +77,14 @@ void WallGrid::lay_cells(double length) noexcept {
 }
 
 bool WallGrid::describe(kernels::WallJob& job) const noexcept {
-  if (cell_count() > std::size_t{0x7FFFFFFF}) return false;
+  if (cell_count() >= std::size_t{1} << 28) return false;
   for (int axis = 0; axis < 3; ++axis) {
     job.origin[axis] = origin_[axis];
     job.cells_per_length[axis] = inverse_[axis];
     job.size[axis] = static_cast<std::int32_t>(size_[axis]);
   }
   job.occupied = occupied_.data();
+  job.places_before = places_before_.data();
   return true;
 }
 

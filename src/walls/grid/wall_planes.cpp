@@ -1,4 +1,4 @@
-#include "walls/wall_planes.hpp"
+#include "walls/grid/wall_planes.hpp"
 
 #include <algorithm>
 #include <limits>

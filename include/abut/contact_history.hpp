@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <span>
@@ -105,7 +106,6 @@ class ContactHistory {
       detail::ContactMatcher::lack_memory();
     }
     matcher_.accept();
-    values_.swap(next_values_);
     lost_.swap(next_lost_);
     kept_ = pairs.size() - matcher_.born().size();
   }
@@ -135,33 +135,69 @@ class ContactHistory {
  private:
   using Values = std::vector<T, detail::PageAllocator<T>>;
 
-  /// Where contacts become more from step to step, an eighth more than is needed: to write into
-  /// fresh memory in each step takes longer than all the rest.
-  void make_room(PairCount count) {
-    if (next_values_.capacity() >= count) return;
-    next_values_.clear();
-    next_values_.reserve(next_values_.capacity() == 0 ? count : count + count / 8);
-  }
+  using Run = detail::ContactMatcher::Run;
 
+  /// Moves the values to their new places, in the array where they are: all memory is taken before
+  /// the first of them moves.
   void collect(PairCount count) {
-    make_room(count);
-    next_values_.resize(count);
-    PairCount end = 0;  // of what is written
-    for (const auto& run : matcher_.runs()) {
-      std::fill(next_values_.data() + end, next_values_.data() + run.now, T{});
-      std::copy_n(values_.data() + run.before, run.count, next_values_.data() + run.now);
-      end = run.now + run.count;
-    }
-    std::fill(next_values_.data() + end, next_values_.data() + count, T{});
     next_lost_.clear();
     for (const auto& lost : matcher_.lost()) {
       next_lost_.push_back({lost.first, lost.second, values_[lost.before]});
     }
+    const std::span<const Run> runs = matcher_.runs();
+    const bool in_order = std::is_sorted(
+        runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.before < b.before; });
+    if (in_order) {
+      make_room(values_, count);
+      shift(runs);
+      values_.resize(count);
+    } else {
+      next_values_.clear();
+      make_room(next_values_, count);
+      next_values_.resize(count);
+      for (const Run& run : runs) copy(run, next_values_);
+      values_.swap(next_values_);
+    }
+    begin_anew_between(runs);
+  }
+
+  /// Where contacts become more from step to step, an eighth more than is needed: to write into
+  /// fresh memory in each step takes longer than all the rest.
+  static void make_room(Values& values, PairCount count) {
+    const PairCount room = values.capacity();
+    if (room < count) values.reserve(room == 0 ? count : count + count / 8);
+    values.resize(std::max<PairCount>(values.size(), count));
+  }
+
+  void copy(const Run& run, Values& to) {
+    if (run.now == run.before && &to == &values_) return;
+    std::memmove(to.data() + run.now, values_.data() + run.before, run.count * sizeof(T));
+  }
+
+  /// Runs keep their order, so that one that moves to the front, the first of them first, writes
+  /// over nothing that is still to be read, and one that moves to the back, the last of them first,
+  /// neither; nor do those of one kind write over those of the other.
+  void shift(std::span<const Run> runs) {
+    for (auto run = runs.begin(); run != runs.end(); ++run) {
+      if (run->now < run->before) copy(*run, values_);
+    }
+    for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+      if (run->now > run->before) copy(*run, values_);
+    }
+  }
+
+  void begin_anew_between(std::span<const Run> runs) {
+    PairCount end = 0;  // of the run before
+    for (const Run& run : runs) {
+      std::fill(values_.data() + end, values_.data() + run.now, T{});
+      end = run.now + run.count;
+    }
+    std::fill(values_.data() + end, values_.data() + values_.size(), T{});
   }
 
   detail::ContactMatcher matcher_;
   Values values_;
-  Values next_values_;
+  Values next_values_;  ///< used where contacts have changed their order
   std::vector<LostContact<T>> lost_;
   std::vector<LostContact<T>> next_lost_;
   PairCount kept_ = 0;

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -67,6 +68,60 @@ void measure_scene(const Settings& settings) {
   row("point", Quantity::point);
   row("gap; normal; point", Quantity::gap | Quantity::normal | Quantity::point);
   measure_calls(elements, list, settings.repetitions);
+}
+
+/// A floor of hills and a field of boxes, with spheres that rest on both.
+struct Walls {
+  std::vector<std::array<double, 3>> corners, centers;
+  std::vector<std::array<int, 3>> triangles;
+  std::array<std::vector<double>, 3> lower, upper;
+};
+
+/// A hill and a box for each sphere, more or less; all spheres `away` along x.
+Walls walls_for(std::size_t count, double away) {
+  Walls walls;
+  scenes::Random random(1);
+  const int side = std::max(2, static_cast<int>(std::sqrt(static_cast<double>(count))));
+  for (int k = 0; k < side * side; ++k) {
+    const double x = k % side, y = k / side;
+    walls.corners.push_back({x, y, random.uniform(0.0, 0.5)});
+    walls.centers.push_back(
+        {x + random.uniform(0.0, 1.0) + away, y + random.uniform(0.0, 1.0), 0.7});
+    const double from[] = {x, y, 0.0}, to[] = {x + 0.5, y + 0.5, 0.4};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      walls.lower[axis].push_back(from[axis]);
+      walls.upper[axis].push_back(to[axis]);
+    }
+    if (k % side == side - 1 || k / side == side - 1) continue;
+    walls.triangles.push_back({k, k + 1, k + side + 1});
+    walls.triangles.push_back({k, k + side + 1, k + side});
+  }
+  return walls;
+}
+
+/// Contacts with walls, and those with images of walls.
+void measure_walls(const Settings& settings, bool with_images) {
+  const std::size_t count = std::min<std::size_t>(settings.count, 100'000);
+  const double side = std::floor(std::sqrt(static_cast<double>(count))) + 3.0;
+  const Walls walls = walls_for(count, with_images ? side : 0.0);
+  const Domain domain =
+      with_images ? Domain::periodic({side, unbounded, unbounded}) : Domain::open();
+  const std::string with = with_images ? "images of " : "";
+  const ElementView elements = spheres(walls.centers, 0.5);
+  const Quantities quantities = Quantity::gap | Quantity::normal | Quantity::point;
+  const auto row = [&](const std::string& task, const auto& wall, const auto& list) {
+    PairGeometry geometry = measure(elements, wall, list, quantities, domain, {.threads = 1});
+    write(task, elements.size(), list.size(), settings.repetitions,
+          [&] { measure(elements, wall, list, geometry.spans(), domain, {.threads = 1}); });
+  };
+  const Options options{.shifts = Shifts::stored, .threads = 1};
+  const TriangleMesh mesh(walls.corners, walls.triangles);
+  row("gap; normal; point of " + with + "a mesh", mesh,
+      find_mesh_contacts(elements, mesh, domain, options));
+  const ElementView solids = boxes(walls.lower[0], walls.lower[1], walls.lower[2], walls.upper[0],
+                                   walls.upper[1], walls.upper[2]);
+  row("gap; normal; point of " + with + "boxes", solids,
+      find_box_contacts(elements, solids, domain, options));
 }
 
 /// So few elements that their numbers stay in the cache.
@@ -137,6 +192,8 @@ int main_of(int argc, char** argv) {
   std::puts("task,elements,entries,ns_minimum,ns_median");
   measure_scene(settings);
   measure_few(settings);
+  measure_walls(settings, false);
+  measure_walls(settings, true);
   measure_needs_rebuild(settings, std::min<std::size_t>(settings.count, 10'000));
   measure_needs_rebuild(settings, settings.count);
   measure_liquid(settings);

@@ -5,7 +5,7 @@
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
 #include "exact/features/box_feature.hpp"
-#include "exact/features/solid_geometry.hpp"
+#include "walls/box_measurer.hpp"
 #include "walls/feature_search.hpp"
 #include "walls/require_walls.hpp"
 
@@ -45,11 +45,7 @@ BoxContactList find(const ElementView& spheres, const ElementView& boxes, const 
           found.contacts.push_back({contact, shift});
         }
       },
-      [&](const exact::Sphere<Dim>& sphere, const BoxContact& contact, const ImageShift& shift,
-          Quantities wanted) {
-        const exact::Box<Dim> box = elements::box_at<Dim>(boxes, contact.box);
-        return exact::geometry_of(sphere, box, shift, lattice, wanted);
-      });
+      walls::BoxMeasurer<Dim>(boxes, domain));
 }
 
 }  // namespace

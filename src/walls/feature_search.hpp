@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -89,10 +88,10 @@ class FeatureSearch {
   ~FeatureSearch() = default;
 
   /// The contacts among the candidates. `find(candidates, found)` is called once for each sphere
-  /// that has some and appends its contacts; `measure(sphere, contact, shift, wanted)` returns the
-  /// geometry of one contact. Workers call both at the same time.
+  /// that has some and appends its contacts; `measure` is a FeatureMeasurer or a BoxMeasurer.
+  /// Workers call both at the same time.
   template <class Contact, class Find, class Measure>
-  [[nodiscard]] ContactList<Contact> contacts(Find&& find, Measure&& measure) {
+  [[nodiscard]] ContactList<Contact> contacts(Find&& find, const Measure& measure) {
     return base::letting_through([&] {
       return base::reporting_lack_of_memory(memory_, [&] {
         context_.progress.begin("features", candidates_.size());
@@ -147,7 +146,7 @@ class FeatureSearch {
 
   template <class Contact, class Measure>
   [[nodiscard]] ContactList<Contact> joined(const std::vector<FoundContacts<Contact>>& found,
-                                            Measure& measure) {
+                                            const Measure& measure) {
     Statistics statistics = statistics_;
     count(found, statistics);
     require_allowed(statistics.contact_pairs, options_);
@@ -189,23 +188,15 @@ class FeatureSearch {
 
   template <class Contact, class Measure>
   void measure_all(const std::vector<Contact>& contacts, const std::vector<ImageShift>& shifts,
-                   Measure& measure, PairGeometry& geometry, Statistics& statistics) {
+                   const Measure& measure, PairGeometry& geometry, Statistics& statistics) {
     if (options_.quantities.empty()) return;
     base::Stopwatch stopwatch;
     const lists::SizedGeometry sized(geometry, options_.quantities, contacts.size(), memory_);
     context_.progress.begin("measure", contacts.size());
     const auto sphere_of = [&](ElementIndex number) { return spheres_[number]; };
-    if constexpr (std::is_same_v<Contact, MeshContact>) {
-      const FeatureContacts given{measure, contacts, shifts, workers_,
-                                  kernels::level_to_run(options_.simd)};
-      measure_features(given, geometry.spans(), context_.work, sphere_of);
-    } else {
-      measure_contacts(contacts.size(), geometry.spans(), workers_, context_.work,
-                       [&](std::size_t k, Quantities wanted) {
-                         const Contact& contact = contacts[k];
-                         return measure(sphere_of(contact.sphere), contact, shifts[k], wanted);
-                       });
-    }
+    const ContactsToMeasure<Measure, Contact> given{measure, contacts, shifts, workers_,
+                                                    kernels::level_to_run(options_.simd)};
+    measure_contacts(given, geometry.spans(), context_.work, sphere_of);
     statistics.measure_seconds = stopwatch.lap();
   }
 

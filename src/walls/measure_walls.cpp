@@ -6,10 +6,9 @@
 #include "base/workers.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/gathered_elements.hpp"
-#include "elements/lattice_of.hpp"
-#include "exact/features/solid_geometry.hpp"
 #include "geometry/spans.hpp"
 #include "kernels/simd_level.hpp"
+#include "walls/box_measurer.hpp"
 #include "walls/feature_measurer.hpp"
 #include "walls/measure_contacts.hpp"
 #include "walls/require_walls.hpp"
@@ -70,25 +69,13 @@ class WallMeasurer {
     elements::gather<Dim>(elements, {workers_, simd_}, gathered, context_);
   }
 
-  /// Fills the arrays with what measure_one(sphere, contact, shift, wanted) returns.
-  template <class Measure>
-  void measure_each(const PairGeometrySpans& geometry, Measure&& measure_one) {
+  /// Fills the arrays with the geometry of contacts.
+  template <class Measurer>
+  void measure(const PairGeometrySpans& geometry, const Measurer& measurer) {
     context_.progress.begin("measure", contacts_.contacts.size());
-    walls::measure_contacts(
-        contacts_.contacts.size(), geometry, workers_, context_.work,
-        [&](std::size_t k, Quantities wanted) {
-          const Contact& contact = contacts_.contacts[k];
-          const ImageShift shift = contacts_.shifts.empty() ? ImageShift{} : contacts_.shifts[k];
-          return measure_one(spheres_.spheres[contact.sphere], contact, shift, wanted);
-        });
-  }
-
-  /// Fills the arrays with the geometry of contacts with a mesh.
-  void measure(const PairGeometrySpans& geometry, const walls::FeatureMeasurer& measurer) {
-    context_.progress.begin("measure", contacts_.contacts.size());
-    const walls::FeatureContacts given{measurer, contacts_.contacts, contacts_.shifts, workers_,
-                                       simd_};
-    walls::measure_features(given, geometry, context_.work,
+    const walls::ContactsToMeasure<Measurer, Contact> given{measurer, contacts_.contacts,
+                                                            contacts_.shifts, workers_, simd_};
+    walls::measure_contacts(given, geometry, context_.work,
                             [&](ElementIndex number) { return spheres_.spheres[number]; });
   }
 
@@ -108,13 +95,9 @@ void measure_boxes(const ElementView& spheres, const ElementView& boxes,
                    const ContactSpans<BoxContact>& contacts, const PairGeometrySpans& geometry,
                    const Domain& domain, const Options& options) {
   WallMeasurer<Dim, BoxContact> measurer(spheres, contacts, domain, options);
-  elements::GatheredElements<Dim> gathered(measurer.memory());
-  measurer.gather(boxes, gathered);
-  const exact::Lattice lattice = elements::lattice_of(domain);
-  measurer.measure_each(geometry, [&](const exact::Sphere<Dim>& sphere, const BoxContact& contact,
-                                      const ImageShift& shift, Quantities wanted) {
-    return exact::geometry_of(sphere, gathered.boxes[contact.box], shift, lattice, wanted);
-  });
+  elements::GatheredElements<Dim> checked(measurer.memory());
+  measurer.gather(boxes, checked);
+  measurer.measure(geometry, walls::BoxMeasurer<Dim>(boxes, domain));
 }
 
 template <class Body>

@@ -282,7 +282,7 @@ void MeshSearch::measure(const Call& call, const MeshContactArrays& arrays,
   call.context.progress.begin("measure", arrays.contacts.size());
   const FeatureMeasurer measurer(call.mesh, Domain::open());
   const FeatureContacts contacts{measurer, arrays.contacts, {}, call.workers, statistics.simd};
-  measure_features(contacts, arrays.geometry.spans(), call.context.work, [&](ElementIndex number) {
+  measure_contacts(contacts, arrays.geometry.spans(), call.context.work, [&](ElementIndex number) {
     return elements::sphere_at<3>(call.spheres, number);
   });
   statistics.measure_seconds = stopwatch.lap();

@@ -7,6 +7,7 @@
 #include "walls/mesh_scenes.hpp"
 
 #include <abut/abut.hpp>
+#include <abut/simd.hpp>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -193,6 +195,51 @@ TEST(MeasureWalls, OfBoxesIsThatOfEachContact) {
             ASSERT_EQ(list.normals()[k][axis] == 0.0, list.vectors()[k][axis] == 0.0);
           }
         }
+      }
+    }
+  }
+}
+
+/// Centers between the bounds of boxes, on them and beyond, at a scale; flat boxes, too.
+BallsAndSolids boxes_of_scale(std::uint64_t seed, int dimensions, double scale) {
+  BallsAndSolids scene = some_boxes(seed, dimensions);
+  for (std::size_t axis = 0; axis < scene.axes(); ++axis) {
+    for (auto* numbers : {&scene.center[axis], &scene.lower[axis], &scene.upper[axis]}) {
+      for (double& x : *numbers) x *= scale;
+    }
+  }
+  for (double& radius : scene.radius) radius *= scale;
+  return scene;
+}
+
+template <class Numbers>
+bool have_same_bits(const Numbers& a, const Numbers& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), a.size() * sizeof(typename Numbers::value_type)) == 0;
+}
+
+TEST(MeasureWalls, OfBoxesHasTheBitsOfOneContactAtEveryLevel) {
+  for (const int dimensions : {2, 3}) {
+    for (const double scale : {1.0, 0.7, 0x1p-300, 0x1p300, 0x1p-99, 0x1p70, 0x1p-1060}) {
+      const BallsAndSolids scene = boxes_of_scale(1624, dimensions, scale);
+      const BoxContactList list = find_box_contacts(scene.balls(), scene.solids());
+      ASSERT_GT(list.size(), 20U);
+      PairGeometry expected = measure(scene.balls(), scene.solids(), list, all_quantities,
+                                      Domain::open(), {.simd = Simd::scalar});
+      for (const Simd level : simd_levels()) {
+        if (!available(level)) continue;
+        const Options options{.simd = level};
+        const PairGeometry found =
+            measure(scene.balls(), scene.solids(), list, all_quantities, Domain::open(), options);
+        EXPECT_TRUE(have_same_bits(found.gaps, expected.gaps)) << name_of(level) << ' ' << scale;
+        EXPECT_TRUE(have_same_bits(found.normals, expected.normals))
+            << name_of(level) << ' ' << scale;
+        EXPECT_TRUE(have_same_bits(found.points, expected.points))
+            << name_of(level) << ' ' << scale;
+        EXPECT_TRUE(have_same_bits(found.distances, expected.distances))
+            << name_of(level) << ' ' << scale;
+        EXPECT_TRUE(have_same_bits(found.vectors, expected.vectors))
+            << name_of(level) << ' ' << scale;
       }
     }
   }

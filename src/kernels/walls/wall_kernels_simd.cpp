@@ -51,34 +51,27 @@ HWY_INLINE void bring_back(const WallJob& job, Doubles (&point)[3]) {
   }
 }
 
-/// Returns the cells of points, and takes those that have none from `inside`. The whole part is 0 a
-/// little before the first cell, too, as in WallGrid::near.
-HWY_INLINE Cells cells_of(const WallJob& job, const Doubles (&point)[3], Mask& inside) {
-  Cells index[3];
+/// Returns the cells of points; of those that have none the number behind the last cell, which is
+/// never occupied. The whole part is 0 a little before the first cell, too, as in WallGrid::near.
+HWY_INLINE Cells cells_of(const WallJob& job, const Doubles (&point)[3]) {
+  Doubles place[3];
+  Mask inside = hn::FirstN(doubles, hn::MaxLanes(Tag()));
   for (int axis = 0; axis < 3; ++axis) {
-    const Doubles place = hn::Mul(hn::Sub(point[axis], hn::Set(doubles, job.origin[axis])),
-                                  hn::Set(doubles, job.cells_per_length[axis]));
+    place[axis] = hn::Mul(hn::Sub(point[axis], hn::Set(doubles, job.origin[axis])),
+                          hn::Set(doubles, job.cells_per_length[axis]));
+    const Doubles size = hn::Set(doubles, static_cast<double>(job.size[axis]));
     const Mask within =
-        hn::And(hn::Gt(place, hn::Set(doubles, -1.0)),
-                hn::Lt(place, hn::Set(doubles, static_cast<double>(job.size[axis]))));
+        hn::And(hn::Gt(place[axis], hn::Set(doubles, -1.0)), hn::Lt(place[axis], size));
     inside = hn::And(inside, within);
-    index[axis] = hn::DemoteTo(whole, hn::IfThenElseZero(within, place));
   }
-  const Cells row = hn::Add(hn::Mul(index[2], hn::Set(whole, job.size[1])), index[1]);
-  return hn::Add(hn::Mul(row, hn::Set(whole, job.size[0])), index[0]);
-}
-
-/// Returns a bit for each lane whose cell is occupied.
-HWY_INLINE unsigned occupied_among(const WallJob& job, Cells cell, Mask inside) {
-  const auto* const words = reinterpret_cast<const std::int32_t*>(job.occupied);
-  const Cells place = hn::And(cell, hn::Set(whole, 31));
-  const Cells word = hn::GatherIndex(whole, words, hn::ShiftRight<5>(cell));
-  const Cells bit = hn::Shl(hn::Set(whole, 1), place);
-  std::uint8_t occupied[8] = {};
-  hn::StoreMaskBits(whole, hn::TestBit(word, bit), occupied);
-  std::uint8_t within[8] = {};
-  hn::StoreMaskBits(doubles, inside, within);
-  return occupied[0] & within[0];
+  const std::int32_t nowhere = job.size[0] * job.size[1] * job.size[2];
+  const Doubles x =
+      hn::IfThenElse(inside, place[0], hn::Set(doubles, static_cast<double>(nowhere)));
+  const auto index = [&](Doubles along) {
+    return hn::DemoteTo(whole, hn::IfThenElseZero(inside, along));
+  };
+  const Cells row = hn::Add(hn::Mul(index(place[2]), hn::Set(whole, job.size[1])), index(place[1]));
+  return hn::Add(hn::Mul(row, hn::Set(whole, job.size[0])), hn::DemoteTo(whole, x));
 }
 
 using IndexTag = hn::RebindToSigned<Tag>;
@@ -124,8 +117,7 @@ HWY_INLINE void look_up(const WallJob& job, const std::uint32_t* near, std::size
     point[axis] = hn::GatherIndex(doubles, job.spheres.center[axis], at);
   }
   if (job.is_moved) bring_back(job, point);
-  Mask inside = hn::FirstN(doubles, hn::MaxLanes(Tag()));
-  const Places place = places_of(job, cells_of(job, point, inside));
+  const Places place = places_of(job, cells_of(job, point));
   hn::StoreU(place, all_places, columns.place + k);
   for (std::size_t lane = 0; lane < hn::MaxLanes(Tag()); ++lane) {
     __builtin_prefetch(job.planes + columns.place[k + lane]);
@@ -198,27 +190,46 @@ HWY_INLINE bool load(const ElementColumns& columns, std::size_t k, Doubles (&poi
   return hn::AllTrue(doubles, valid);
 }
 
+/// Spheres whose cells are known before the first of them is looked at: to wait for the bits of one
+/// vector, and to guess whether any is set, takes longer than all the rest.
+constexpr std::size_t cells_ahead = 64;
+static_assert(cells_ahead % hn::MaxLanes(Tag()) == 0);
+
+/// Appends the spheres from `begin` to `end` whose cells are occupied; returns how many there are
+/// then.
+HWY_INLINE std::size_t add_occupied(const WallJob& job, const std::int32_t* cells,
+                                    std::size_t begin, std::size_t end, std::uint32_t* near,
+                                    std::size_t count) {
+  for (std::size_t k = begin; k < end; ++k) {
+    const auto cell = static_cast<std::uint32_t>(cells[k - begin]);
+    near[count] = static_cast<std::uint32_t>(k);
+    count += job.occupied[cell / 32] >> (cell % 32) & 1u;
+  }
+  return count;
+}
+
 std::size_t find_near(const WallJob& job, std::uint32_t* near, WallFinds& finds) {
   constexpr std::size_t lanes = hn::MaxLanes(Tag());
   std::size_t count = finds.near;
   Doubles largest = hn::Set(doubles, finds.largest_radius);
   std::size_t k = 0;
-  for (; k + lanes <= job.count; k += lanes) {
-    Doubles point[3], radius;
-    if (k % doubles_of_line == 0) {
-      for (const double* column : job.spheres.center) __builtin_prefetch(ahead_of(column, k));
-      __builtin_prefetch(ahead_of(job.spheres.radius, k));
+  bool are_valid = true;
+  while (are_valid && k + lanes <= job.count) {
+    std::int32_t cells[cells_ahead];
+    const std::size_t begin = k;
+    for (; k < begin + cells_ahead && k + lanes <= job.count; k += lanes) {
+      Doubles point[3], radius;
+      if (k % doubles_of_line == 0) {
+        for (const double* column : job.spheres.center) __builtin_prefetch(ahead_of(column, k));
+        __builtin_prefetch(ahead_of(job.spheres.radius, k));
+      }
+      are_valid = load(job.spheres, k, point, radius);
+      if (HWY_UNLIKELY(!are_valid)) break;
+      largest = hn::Max(largest, radius);
+      if (job.is_moved) bring_back(job, point);
+      hn::StoreU(cells_of(job, point), whole, cells + (k - begin));
     }
-    if (HWY_UNLIKELY(!load(job.spheres, k, point, radius))) break;
-    largest = hn::Max(largest, radius);
-    if (job.is_moved) bring_back(job, point);
-    Mask inside = hn::FirstN(doubles, lanes);
-    const Cells cell = cells_of(job, point, inside);
-    unsigned set = occupied_among(job, cell, inside);
-    for (; set != 0; set &= set - 1) {
-      near[count++] =
-          static_cast<std::uint32_t>(k) + static_cast<std::uint32_t>(std::countr_zero(set));
-    }
+    count = add_occupied(job, cells, begin, k, near, count);
   }
   finds = {count, hn::GetLane(hn::MaxOfLanes(doubles, largest)), 0};
   return k;

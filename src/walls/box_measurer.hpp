@@ -22,7 +22,7 @@ namespace abut::walls {
 
 /// A box as a sphere outside of it sees it: its nearest corner, with both without the axes along
 /// which the center lies between the bounds. What exact::geometry_of makes of a box in open space.
-struct SeenCorner {
+struct BoxCorner {
   exact::Sphere<3> sphere;
   exact::Feature corner;
   std::array<double, 3> point;  ///< of the box that is nearest to the center
@@ -30,9 +30,9 @@ struct SeenCorner {
 
 /// Returns it, unless the center lies in the box or on it.
 template <int Dim>
-[[nodiscard]] std::optional<SeenCorner> seen_corner(const exact::Sphere<Dim>& sphere,
-                                                    const exact::Box<Dim>& box) noexcept {
-  SeenCorner seen{{{}, sphere.radius}, {{}, 1}, {}};
+[[nodiscard]] std::optional<BoxCorner> seen_corner(const exact::Sphere<Dim>& sphere,
+                                                   const exact::Box<Dim>& box) noexcept {
+  BoxCorner seen{{{}, sphere.radius}, {{}, 1}, {}};
   bool is_inside = true;
   for (int axis = 0; axis < Dim; ++axis) {
     const double x = sphere.center[axis];

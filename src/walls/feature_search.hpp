@@ -194,8 +194,8 @@ class FeatureSearch {
     const lists::SizedGeometry sized(geometry, options_.quantities, contacts.size(), memory_);
     context_.progress.begin("measure", contacts.size());
     const auto sphere_of = [&](ElementIndex number) { return spheres_[number]; };
-    const ContactsToMeasure<Measure, Contact> given{measure, contacts, shifts, workers_,
-                                                    kernels::level_to_run(options_.simd)};
+    const WallContacts<Measure, Contact> given{measure, contacts, shifts, workers_,
+                                               kernels::level_to_run(options_.simd)};
     measure_contacts(given, geometry.spans(), context_.work, sphere_of);
     statistics.measure_seconds = stopwatch.lap();
   }

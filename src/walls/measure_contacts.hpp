@@ -37,7 +37,7 @@ inline void store(const exact::FeatureGeometry& found, std::size_t k,
 
 /// Contacts with walls, the vectors to measure them in, and the workers.
 template <class Measurer, class Contact>
-struct ContactsToMeasure {
+struct WallContacts {
   const Measurer& measurer;
   std::span<const Contact> contacts;
   std::span<const ImageShift> shifts;  ///< empty: all zero
@@ -49,9 +49,9 @@ struct ContactsToMeasure {
   }
 };
 
-using FeatureContacts = ContactsToMeasure<FeatureMeasurer, MeshContact>;
+using FeatureContacts = WallContacts<FeatureMeasurer, MeshContact>;
 template <int Dim>
-using BoxContacts = ContactsToMeasure<BoxMeasurer<Dim>, BoxContact>;
+using BoxContacts = WallContacts<BoxMeasurer<Dim>, BoxContact>;
 
 /// The corners of the feature, or 0 where a shift moves it.
 [[nodiscard]] inline int corners_in_place(const FeatureContacts& given, std::size_t k) noexcept {
@@ -96,7 +96,7 @@ void measure_block(const BoxContacts<Dim>& given, std::size_t begin, std::size_t
   std::size_t count = 0;
   block.clear();
   for (std::size_t k = begin; k < end; ++k) {
-    std::optional<SeenCorner> seen;
+    std::optional<BoxCorner> seen;
     if (given.shift(k) == ImageShift{}) {
       const BoxContact& contact = given.contacts[k];
       seen = seen_corner<Dim>(sphere_of(contact.sphere), given.measurer.box(contact));

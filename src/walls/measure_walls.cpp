@@ -73,8 +73,8 @@ class WallMeasurer {
   template <class Measurer>
   void measure(const PairGeometrySpans& geometry, const Measurer& measurer) {
     context_.progress.begin("measure", contacts_.contacts.size());
-    const walls::ContactsToMeasure<Measurer, Contact> given{measurer, contacts_.contacts,
-                                                            contacts_.shifts, workers_, simd_};
+    const walls::WallContacts<Measurer, Contact> given{measurer, contacts_.contacts,
+                                                       contacts_.shifts, workers_, simd_};
     walls::measure_contacts(given, geometry, context_.work,
                             [&](ElementIndex number) { return spheres_.spheres[number]; });
   }

@@ -89,7 +89,7 @@ struct MemoryPlan {
 /// and that `threads` and `simd` mean nothing. The arrays of a rule lie in the memory of the device
 /// (RuleCopy brings them there), its table and its exclusions on the host, from where each call
 /// copies them. What a device does not do yet throws Error{wrong_usage} and says what to take
-/// instead: boxes, quantities other than gaps, and algorithms other than `rows` and `automatic`.
+/// instead: quantities other than gaps, and algorithms other than `rows` and `automatic`.
 class ABUT_API Detector {
  public:
   /// Makes a detector on a device, with memory of its own or of an allocator. Throws

@@ -14,7 +14,7 @@
 
 namespace abut::device {
 
-/// One set of spheres, or two.
+/// One set of spheres or boxes, or two.
 struct SphereSets {
   const ElementView& first;
   const ElementView* second = nullptr;

@@ -1,14 +1,16 @@
 #pragma once
 
+#include "device/bodies/box_columns.hpp"
 #include "device/bodies/check.hpp"
 #include "device/bodies/joined_columns.hpp"
-#include "device/bodies/periodic_spheres.hpp"
+#include "device/bodies/periodic_elements.hpp"
 #include "device/bodies/size_class.hpp"
 #include "device/bodies/sphere_columns.hpp"
 #include "device/executor.hpp"
 #include "device/levels.hpp"
 #include "elements/reject_element.hpp"
 
+#include <abut/element_view.hpp>
 #include <abut/error.hpp>
 
 #include <cstdint>
@@ -32,10 +34,10 @@ template <class E>
   return number_on_host(executor, NumberColumn<float>{column.first, column.stride_bytes}, k);
 }
 
-/// Copies one sphere; for errors, which name it.
+/// Copies one element; for errors, which name it.
 template <int Dim, class T, class E>
-[[nodiscard]] exact::Sphere<Dim> sphere_on_host(E& executor, const SphereColumns<Dim, T>& elements,
-                                                std::uint32_t number) {
+[[nodiscard]] exact::Sphere<Dim> whole_on_host(E& executor, const SphereColumns<Dim, T>& elements,
+                                               std::uint32_t number) {
   exact::Sphere<Dim> sphere{};
   for (int axis = 0; axis < Dim; ++axis) {
     sphere.center[axis] = number_on_host(executor, elements.center[axis], number);
@@ -46,10 +48,21 @@ template <int Dim, class T, class E>
 }
 
 template <int Dim, class E>
-[[nodiscard]] exact::Sphere<Dim> sphere_on_host(E& executor, const JoinedColumns<Dim>& elements,
-                                                std::uint32_t number) {
-  if (elements.is_in_first(number)) return sphere_on_host(executor, elements.first, number);
-  return sphere_on_host(executor, elements.second, number - elements.first.count);
+[[nodiscard]] exact::Box<Dim> whole_on_host(E& executor, const BoxColumns<Dim>& elements,
+                                            std::uint32_t number) {
+  exact::Box<Dim> box{};
+  for (int axis = 0; axis < Dim; ++axis) {
+    box.lower[axis] = number_on_host(executor, elements.lower[axis], number);
+    box.upper[axis] = number_on_host(executor, elements.upper[axis], number);
+  }
+  return box;
+}
+
+template <class Columns, class E>
+[[nodiscard]] auto whole_on_host(E& executor, const Joined<Columns>& elements,
+                                 std::uint32_t number) {
+  if (elements.is_in_first(number)) return whole_on_host(executor, elements.first, number);
+  return whole_on_host(executor, elements.second, number - elements.first.count);
 }
 
 /// The number of the element that a sphere of a search is, or is an image of.
@@ -57,8 +70,8 @@ template <int Dim, class T, class E>
 [[nodiscard]] std::uint32_t element_on_host(E&, const SphereColumns<Dim, T>&, std::uint32_t k) {
   return k;
 }
-template <int Dim, class E>
-[[nodiscard]] std::uint32_t element_on_host(E& executor, const PeriodicSpheres<Dim>& spheres,
+template <class Given, class E>
+[[nodiscard]] std::uint32_t element_on_host(E& executor, const PeriodicElements<Given>& spheres,
                                             std::uint32_t k) {
   if (k < spheres.elements.count) return k;
   lattice::Ghost ghost{};
@@ -73,13 +86,13 @@ template <int Dim, class T>
 }
 
 /// Of two sets the message names the set, too.
-template <int Dim>
-[[noreturn]] void reject(const JoinedColumns<Dim>& elements, std::uint32_t number,
-                         const exact::Sphere<Dim>& sphere) {
-  if (!elements.is_of_two_sets) elements::reject_element(number, sphere);
+template <class Columns, class Element>
+[[noreturn]] void reject(const Joined<Columns>& elements, std::uint32_t number,
+                         const Element& element) {
+  if (!elements.is_of_two_sets) elements::reject_element(number, element);
   const bool is_first = elements.is_in_first(number);
   try {
-    elements::reject_element(is_first ? number : number - elements.first.count, sphere);
+    elements::reject_element(is_first ? number : number - elements.first.count, element);
   } catch (const Error& error) {
     throw Error(error.code(),
                 std::string("in the ") + (is_first ? "first" : "second") + " set, " + error.what());
@@ -91,8 +104,8 @@ void take_common_radius(SphereColumns<Dim, T>& elements, double radius) {
   elements.radii.first = nullptr;
   elements.common_radius = radius;
 }
-template <int Dim>
-void take_common_radius(JoinedColumns<Dim>& elements, double radius) {
+template <class Columns>
+void take_common_radius(Joined<Columns>& elements, double radius) {
   take_common_radius(elements.first, radius);
   take_common_radius(elements.second, radius);
 }
@@ -106,10 +119,12 @@ template <class Given, class E>
   const Box extent = executor.reduce(elements.count, Box::of_none(), ElementExtent<Given>{elements},
                                      JoinExtents{});
   if (extent.first_bad != no_element) {
-    reject(elements, extent.first_bad, sphere_on_host(executor, elements, extent.first_bad));
+    reject(elements, extent.first_bad, whole_on_host(executor, elements, extent.first_bad));
   }
-  if (extent.smallest_radius == extent.largest_radius) {
-    take_common_radius(elements, extent.largest_radius);
+  if constexpr (Given::shape == Shape::sphere) {
+    if (extent.smallest_radius == extent.largest_radius) {
+      take_common_radius(elements, extent.largest_radius);
+    }
   }
   return extent;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device/bodies/box_columns.hpp"
 #include "device/bodies/joined_columns.hpp"
 #include "device/bodies/sphere_columns.hpp"
 
@@ -36,16 +37,41 @@ template <int Dim, class T>
   return columns;
 }
 
-/// Those of one set, or of two.
+/// The columns of a view of boxes.
+template <int Dim>
+[[nodiscard]] BoxColumns<Dim> box_columns_of(const ElementView& boxes) {
+  BoxColumns<Dim> columns{};
+  for (int axis = 0; axis < Dim; ++axis) {
+    columns.lower[axis] = column_of<EitherNumber>(boxes.lower(axis), boxes.precision());
+    columns.upper[axis] = column_of<EitherNumber>(boxes.upper(axis), boxes.precision());
+  }
+  columns.count = static_cast<std::uint32_t>(boxes.size());
+  return columns;
+}
+
+/// One set, or two, the second of no elements where there is none.
+template <class Columns>
+[[nodiscard]] Joined<Columns> joined(const Columns& first, const Columns& second, bool are_two) {
+  return {first, second, are_two, first.count + second.count};
+}
+
+/// The spheres of one set, or of two.
 template <int Dim>
 [[nodiscard]] JoinedColumns<Dim> joined_columns_of(const ElementView& first,
                                                    const ElementView* second) {
-  JoinedColumns<Dim> joined{};
-  joined.first = columns_of<Dim, EitherNumber>(first);
-  joined.is_of_two_sets = second != nullptr;
-  if (second != nullptr) joined.second = columns_of<Dim, EitherNumber>(*second);
-  joined.count = joined.first.count + joined.second.count;
-  return joined;
+  using Columns = SphereColumns<Dim, EitherNumber>;
+  return joined(columns_of<Dim, EitherNumber>(first),
+                second == nullptr ? Columns{} : columns_of<Dim, EitherNumber>(*second),
+                second != nullptr);
+}
+
+/// The boxes of one set, or of two.
+template <int Dim>
+[[nodiscard]] JoinedBoxes<Dim> joined_boxes_of(const ElementView& first,
+                                               const ElementView* second) {
+  return joined(box_columns_of<Dim>(first),
+                second == nullptr ? BoxColumns<Dim>{} : box_columns_of<Dim>(*second),
+                second != nullptr);
 }
 
 }  // namespace abut::device

@@ -85,9 +85,11 @@ class ContactSearch {
     const std::uint64_t coarse = elements_.count - level.end_slot;
     if (coarse == 0 || level.first_slot == level.end_slot) return;
     Buffer<std::uint64_t, E> items(executor_, coarse + 1);
-    const Across across{elements_,        frame_.scale,        frame_.margin, frame_.slack,
-                        settings_.margin, settings_.slack,     level,         sorted_.records(),
-                        sorted_.radii(),  sorted_.directory(), items.data()};
+    const CoarseScales scales{frame_.scale, frame_.margin, frame_.slack, settings_.margin,
+                              settings_.slack};
+    const Across across{
+        elements_,           scales,      level, sorted_.records(), sorted_.all_sizes(),
+        sorted_.directory(), items.data()};
     executor_.for_each(coarse + 1, CountItems<Across>{across, coarse, items.data()});
     const std::uint64_t all = sum_before_each(executor_, items.data(), coarse);
     CrossLevelSearch search(executor_, across, 0, all, settings_.items_at_a_time);

@@ -4,6 +4,7 @@
 #include "lattice/check_range.hpp"
 #include "lattice/ghost_cut.hpp"
 #include "lattice/lattice_unit.hpp"
+#include "lattice/turn_downwards.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,13 @@ grid::Bounds<Dim> bounds_of(const Extent<Dim>& extent) {
   bounds.largest_radius = extent.largest_radius;
   bounds.second_largest_radius = extent.second_largest_radius;
   return bounds;
+}
+
+template <int Dim>
+lattice::ReducedLattice<Dim> reduced_for(Shape shape, const exact::Lattice& lattice) {
+  lattice::ReducedLattice<Dim> reduced(lattice);
+  if (shape == Shape::box) lattice::turn_downwards(reduced);
+  return reduced;
 }
 
 /// What is not moved stays as it is.
@@ -50,12 +58,15 @@ struct SizesOfCounts {
 }  // namespace
 
 template <int Dim>
-ImagePlan<Dim>::ImagePlan(const exact::Lattice& given, const Extent<Dim>& extent, double margin)
-    : given_(given),
+ImagePlan<Dim>::ImagePlan(Shape shape, const exact::Lattice& given, const Extent<Dim>& extent,
+                          double margin)
+    : shape_(shape),
+      given_(given),
       bounds_(bounds_of(extent)),
       given_unit_(lattice::unit_of<Dim>(given, grid::largest_number(bounds_, margin))),
       margin_(margin * given_unit_),
-      reduced_(given_unit_ == 1.0 ? given : lattice::times(given, given_unit_)),
+      reduced_(
+          reduced_for<Dim>(shape, given_unit_ == 1.0 ? given : lattice::times(given, given_unit_))),
       cell_(reduced_, 1.0),
       unit_(unit_of(reduced_, grid::largest_number(bounds_, margin) * given_unit_)),
       size_cut_(HUGE_VAL) {
@@ -78,12 +89,12 @@ template <int Dim>
 lattice::Wrapper<Dim> ImagePlan<Dim>::wrapper_of_all() const {
   lattice::AlongSides<Dim> all{};
   all.fill(true);
-  return {reduced_, cell_, all, {Shape::sphere, given_unit_, unit_}};
+  return {reduced_, cell_, all, {shape_, given_unit_, unit_}};
 }
 
 template <int Dim>
 lattice::Wrapper<Dim> ImagePlan<Dim>::wrapper() const {
-  return {reduced_, cell_, along_, {Shape::sphere, given_unit_, unit_}};
+  return {reduced_, cell_, along_, {shape_, given_unit_, unit_}};
 }
 
 template <int Dim>
@@ -100,7 +111,7 @@ template <int Dim>
 lattice::GhostWindows<Dim> ImagePlan<Dim>::windows_in(const lattice::OrthogonalCell<Dim>& cell,
                                                       double unit) const {
   const lattice::Reaches reaches{bounds_.largest_radius * given_unit_ * unit, margin_ * unit,
-                                 Shape::sphere};
+                                 shape_};
   return {reduced_, cell, extent_, reaches, size_cut_ * unit, unit};
 }
 
@@ -140,9 +151,11 @@ ImageMap<Dim> ImagePlan<Dim>::map(const lattice::GhostWindows<Dim>& windows) con
 
 template <int Dim>
 double ImagePlan<Dim>::slack(const lattice::GhostWindows<Dim>& windows) const {
+  const double width =
+      shape_ == Shape::box ? 2.0 * (bounds_.largest_radius * given_unit_ * unit_) : 0.0;
   return lattice::slack_of_ghosts *
          lattice::magnitude_of<Dim>(extent_, windows.of_large, along_,
-                                    lattice::side_steps<Dim>(reduced_, cell_, unit_), 0.0);
+                                    lattice::side_steps<Dim>(reduced_, cell_, unit_), width);
 }
 
 template class ImagePlan<2>;

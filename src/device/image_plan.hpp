@@ -1,7 +1,7 @@
 #pragma once
 
 #include "device/bodies/check.hpp"
-#include "device/bodies/periodic_spheres.hpp"
+#include "device/bodies/periodic_elements.hpp"
 #include "device/levels.hpp"
 #include "exact/lattice.hpp"
 #include "grid/bounds.hpp"
@@ -11,6 +11,8 @@
 #include "lattice/reduced_lattice.hpp"
 #include "lattice/wrap_rules.hpp"
 #include "lattice/wrapper.hpp"
+
+#include <abut/element_view.hpp>
 
 #include <array>
 #include <cmath>
@@ -25,13 +27,13 @@ template <int Dim>
 class ImagePlan {
  public:
   /// Throws Error{invalid_input} as lattice::ReducedLattice does.
-  ImagePlan(const exact::Lattice& given, const Extent<Dim>& extent, double margin);
+  ImagePlan(Shape shape, const exact::Lattice& given, const Extent<Dim>& extent, double margin);
 
   /// False in an open domain: nothing below is asked then.
   [[nodiscard]] bool has_images() const noexcept { return reduced_.count > 0; }
 
-  /// Sets the radius from which on spheres are large (lattice::choose_ghost_cut). `count_sizes`
-  /// tells SizeCounts, and is asked at most once.
+  /// Of spheres: sets the radius from which on spheres are large (lattice::choose_ghost_cut).
+  /// `count_sizes` tells SizeCounts, and is asked at most once.
   void choose_size_cut(std::uint64_t elements, const std::function<SizeCounts()>& count_sizes);
 
   /// Cell, wrapper along all sides, and what it moves is multiplied by, for elements as given.
@@ -73,6 +75,7 @@ class ImagePlan {
   [[nodiscard]] lattice::GhostWindows<Dim> windows_in(const lattice::OrthogonalCell<Dim>& cell,
                                                       double unit) const;
 
+  Shape shape_;
   exact::Lattice given_;
   grid::Bounds<Dim> bounds_;  ///< as given
   double given_unit_;

@@ -16,21 +16,24 @@ namespace abut::device {
 
 /// The locals and ghosts of elements in a periodic domain: counted, then written. They live as long
 /// as this. In an open domain there are no ghosts.
-template <int Dim, class E>
+template <class Given, class E>
 class ImageSearch {
+  static constexpr int Dim = Given::dimensions;
+
  public:
-  using Given = JoinedColumns<Dim>;
-  using Spheres = PeriodicSpheres<Dim>;
+  using Spheres = PeriodicElements<Given>;
 
   ImageSearch(E& executor, const Given& elements, const Extent<Dim>& extent,
               const exact::Lattice& lattice, double margin)
-      : executor_(executor), elements_(elements), plan_(lattice, extent, margin) {
+      : executor_(executor), elements_(elements), plan_(Given::shape, lattice, extent, margin) {
     if (!plan_.has_images()) {
       spheres_.emplace(as_given());
       return;
     }
-    plan_.choose_size_cut(elements_.count,
-                          [&] { return count_sizes(executor_, elements_, extent); });
+    if constexpr (Given::shape == Shape::sphere) {
+      plan_.choose_size_cut(elements_.count,
+                            [&] { return count_sizes(executor_, elements_, extent); });
+    }
     plan_.take_extent_as_given(extent_in(plan_.cell_as_given(), as_given()));
     if (!plan_.is_in_range()) check_range(extent, margin);
     wrap();
@@ -63,15 +66,15 @@ class ImageSearch {
           elements_.count, no_element,
           FarElement<Given>{{elements_, wrapper, plan_.given_unit(), nullptr}}, Smaller{});
       if (far == no_element) continue;
-      exact::Sphere<Dim> sphere = sphere_on_host(executor_, elements_, far);
+      exact::Sphere<Dim> sphere = stand_in(whole_on_host(executor_, elements_, far));
       for (double& x : sphere.center) x *= plan_.given_unit();
       static_cast<void>(wrapper.wrap(sphere, far));
     }
     const std::uint32_t largest =
         executor_.reduce(elements_.count, no_element,
                          ElementOfRadius<Given>{elements_, extent.largest_radius}, Smaller{});
-    lattice::check_reach<Dim>(largest, extent.largest_radius, plan_.reduced(), margin,
-                              Shape::sphere, plan_.given_unit());
+    lattice::check_reach<Dim>(largest, extent.largest_radius, plan_.reduced(), margin, Given::shape,
+                              plan_.given_unit());
   }
 
   void wrap() {

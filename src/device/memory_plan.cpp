@@ -11,8 +11,9 @@
 namespace abut::device {
 namespace {
 
-// Bytes of an element. Records of 16 bytes and keys of 8 stay; so do radii and two heads of 4.
-constexpr std::uint64_t sorted_bytes = 16 + 8 + 4 + 2 * 4;
+// Bytes of an element. Records of 16 bytes, keys of 8 and two heads of 4 stay; so do widths of
+// boxes, 8, or radii, 4.
+constexpr std::uint64_t sorted_bytes = 16 + 8 + 8 + 2 * 4;
 /// Two counts of an element, and one for each that is coarse to some level.
 constexpr std::uint64_t count_bytes = 2 * 8 + 8;
 /// A start and a first cell on three axes, and as much while the last of them is divided.

@@ -19,15 +19,16 @@
 
 namespace abut::device {
 
-/// One detection of spheres in a periodic domain, or of two sets or by a rule in any: the stages of
+/// One detection of spheres in a periodic domain, or of two sets or by a rule in any, or of boxes
+/// (`Given` is Joined of some columns): the stages of
 /// Pipeline among locals and ghosts, whose pairs are named by elements and shifts then. Two waits
 /// more in a periodic domain: for the extent in the cell, and for the number of ghosts; one more
 /// with a table of groups. It is compiled for `float` and `double` together.
-template <int Dim, class E>
+template <class Given, class E>
 class PeriodicPipeline {
- public:
-  using Given = JoinedColumns<Dim>;
+  static constexpr int Dim = Given::dimensions;
 
+ public:
   PeriodicPipeline(E& executor, const Given& elements, const DeviceRequest& request,
                    base::ProgressReporter& progress)
       : executor_(executor), elements_(elements), request_(request), progress_(progress) {}
@@ -51,7 +52,7 @@ class PeriodicPipeline {
   }
 
  private:
-  using Images = ImageSearch<Dim, E>;
+  using Images = ImageSearch<Given, E>;
   using Spheres = typename Images::Spheres;
 
   /// The search numbers the elements of both sets as one, and so do its messages.
@@ -86,7 +87,8 @@ class PeriodicPipeline {
 
   /// A lattice that cannot be reduced is refused also where it holds nothing.
   void require_lattice() const {
-    static_cast<void>(ImagePlan<Dim>(request_.lattice, Extent<Dim>::of_none(), request_.margin));
+    static_cast<void>(
+        ImagePlan<Dim>(Given::shape, request_.lattice, Extent<Dim>::of_none(), request_.margin));
   }
 
   void name(const Spheres& spheres, FoundList<E>& found) {

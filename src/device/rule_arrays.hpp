@@ -21,8 +21,8 @@ template <class E>
 class RuleArrays {
  public:
   /// Throws Error{invalid_input} that names the first element whose group the table does not have.
-  template <int Dim>
-  RuleArrays(E& executor, const PairRule& rule, const JoinedColumns<Dim>& elements)
+  template <class Columns>
+  RuleArrays(E& executor, const PairRule& rule, const Joined<Columns>& elements)
       : executor_(executor) {
     view_.first = traits_of(rule.elements);
     view_.second = traits_of(elements.is_of_two_sets ? rule.others : rule.elements);

@@ -4,7 +4,10 @@
 #include "device/bodies/frame.hpp"
 #include "device/bodies/meet.hpp"
 #include "device/bodies/place.hpp"
+#include "device/bodies/sizes.hpp"
 #include "device/executor.hpp"
+
+#include <abut/element_view.hpp>
 
 #include <bit>
 #include <cstdint>
@@ -15,26 +18,33 @@ namespace abut::device {
 template <class Spheres, class Key, class E>
 class SortedElements {
   static constexpr int Dim = Spheres::dimensions;
+  using Size = SizeOf<Spheres>;
 
  public:
   SortedElements(E& executor, const Spheres& elements, const Frame<Dim>& frame)
       : executor_(executor), elements_(elements), frame_(frame) {
     sort();
     write_directory();
-    if (frame_.level_count > 1 || !elements_.has_common_radius()) gather_radii();
+    if (frame_.level_count > 1 || !elements_.has_common_radius()) gather_sizes();
     numbers_ = {};
   }
 
   [[nodiscard]] const PlacedRecord<Dim>* records() const noexcept { return records_.data(); }
-  [[nodiscard]] const float* radii() const noexcept { return radii_.data(); }
+  /// Null where all are of one.
+  [[nodiscard]] const Size* all_sizes() const noexcept { return sizes_.data(); }
   [[nodiscard]] Directory<Key> directory() const noexcept {
     return {keys_.data(), heads_.data(), shift_};
   }
 
   /// The sizes of the elements of one level.
-  [[nodiscard]] Sizes sizes(const SizeLevel<Dim>& level) const noexcept {
-    return {radii_.data(), static_cast<float>(level.largest_reach * level.units_of_one),
-            static_cast<float>(frame_.margin * level.units_of_one)};
+  [[nodiscard]] SizesOf<Spheres> sizes(const SizeLevel<Dim>& level) const noexcept {
+    const double margin = frame_.margin * level.units_of_one;
+    if constexpr (Spheres::shape == Shape::box) {
+      return {sizes_.data(), static_cast<std::int32_t>(margin)};
+    } else {
+      return {sizes_.data(), static_cast<float>(level.largest_reach * level.units_of_one),
+              static_cast<float>(margin)};
+    }
   }
 
  private:
@@ -65,10 +75,10 @@ class SortedElements {
     executor_.for_each(heads, FindHead<Key>{keys_.data(), elements_.count, heads_.data(), shift_});
   }
 
-  void gather_radii() {
-    radii_ = Buffer<float, E>(executor_, elements_.count);
+  void gather_sizes() {
+    sizes_ = Buffer<Size, E>(executor_, elements_.count);
     executor_.for_each(elements_.count,
-                       GatherRadius<Spheres>{elements_, frame_, numbers_.data(), radii_.data()});
+                       GatherSize<Spheres>{elements_, frame_, numbers_.data(), sizes_.data()});
   }
 
   E& executor_;
@@ -78,7 +88,7 @@ class SortedElements {
   Buffer<std::uint32_t, E> numbers_;
   Buffer<PlacedRecord<Dim>, E> records_;
   Buffer<std::uint32_t, E> heads_;
-  Buffer<float, E> radii_;  ///< empty where all are equal
+  Buffer<Size, E> sizes_;  ///< empty where all spheres are equal
   int shift_ = 0;
 };
 

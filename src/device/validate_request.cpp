@@ -38,7 +38,6 @@ void require_countable(const SphereSets& spheres) {
 
 void validate_request(const Options& options, const SphereSets& spheres, const Domain& domain) {
   if (spheres.second != nullptr) elements::require_alike(spheres.first, *spheres.second);
-  refuse(spheres.first.shape() != Shape::sphere, "boxes");
   refuse(!options.quantities.empty() && options.quantities != Quantity::gap,
          "quantities other than gaps");
   if (options.algorithm != Algorithm::automatic && options.algorithm != Algorithm::rows) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/box.hpp"
 #include "exact/lattice.hpp"
 
@@ -11,8 +12,9 @@ namespace abut::exact {
 /// The slow path: the contract for boxes in real arithmetic, for every finite double and every
 /// shift n of a lattice A.
 template <int Dim>
-[[nodiscard]] bool within_reach_exactly(const Box<Dim>& a, const Box<Dim>& b,
-                                        const LatticeSteps<Dim>& steps, double margin) noexcept;
+[[nodiscard]] ABUT_HD bool within_reach_exactly(const Box<Dim>& a, const Box<Dim>& b,
+                                                const LatticeSteps<Dim>& steps,
+                                                double margin) noexcept;
 
 // THE BAND IS ABSOLUTE, as that of spheres is (periodic_predicate.hpp). On one axis t = n A is
 // a sum of at most three products, and lo_a - hi_b - t - margin takes three more subtractions; so
@@ -29,9 +31,10 @@ inline constexpr double largest_safe_box_magnitude = 0x1p1000;
 /// Touching counts. Adds at most one to `exact_decisions`: for pairs that doubles cannot decide, or
 /// that an axis on which nothing moves leaves in doubt.
 template <int Dim>
-[[nodiscard]] inline bool within_reach(const Box<Dim>& a, const Box<Dim>& b,
-                                       const ImageShift& shift, const Lattice& lattice,
-                                       double margin, std::uint64_t& exact_decisions) noexcept {
+[[nodiscard]] ABUT_HD inline bool within_reach(const Box<Dim>& a, const Box<Dim>& b,
+                                               const ImageShift& shift, const Lattice& lattice,
+                                               double margin,
+                                               std::uint64_t& exact_decisions) noexcept {
   const LatticeSteps<Dim> steps(shift, lattice);
   bool in_doubt = false;
   std::uint64_t looked_at_again = 0;
@@ -70,7 +73,7 @@ template <int Dim>
 /// The largest separation over the axes of a and the image of b that `shift` names, rounded once,
 /// and so of the right sign: <= 0 exactly if they touch. What exceeds the largest double is that.
 template <int Dim>
-[[nodiscard]] double gap(const Box<Dim>& a, const Box<Dim>& b, const ImageShift& shift,
-                         const Lattice& lattice) noexcept;
+[[nodiscard]] ABUT_HD double gap(const Box<Dim>& a, const Box<Dim>& b, const ImageShift& shift,
+                                 const Lattice& lattice) noexcept;
 
 }  // namespace abut::exact

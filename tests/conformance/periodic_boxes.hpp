@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -38,25 +37,11 @@ inline void add(BoxScene& scene, const double* lower, const double* upper) {
 
 /// rows as direct_check: all levels, several numbers of threads. Returns the pairs.
 inline std::vector<ImagePair> agreed(const BoxScene& scene, const Domain& domain, double margin) {
-  Options options{.algorithm = Algorithm::direct_check, .shifts = Shifts::stored, .margin = margin};
-  const auto expected = image_pairs(find_contact_pairs(view_of(scene), domain, options));
-  options.algorithm = Algorithm::rows;
-  PairArray as_found;
-  for (const int threads : {1, 2, 7}) {
-    options.threads = threads;
-    for (const Simd level : simd_levels_here()) {
-      options.simd = level;
-      EXPECT_TRUE(image_pairs(find_contact_pairs(view_of(scene), domain, options)) == expected)
-          << name_of(level) << ", threads " << threads << ", " << expected.size() << " pairs";
-    }
-    options.simd = Simd::automatic;
-    options.order = Order::as_found;
-    const PairList list = find_contact_pairs(view_of(scene), domain, options);
-    if (as_found.empty()) as_found.assign(list.begin(), list.end());
-    EXPECT_TRUE(std::ranges::equal(as_found, list.pairs())) << threads << " threads";
-    options.order = Order::canonical;
-  }
-  return expected;
+  const PairList expected = find_contact_pairs(
+      view_of(scene), domain,
+      {.algorithm = Algorithm::direct_check, .shifts = Shifts::stored, .margin = margin});
+  EXPECT_TRUE(rows_agree(expected, view_of(scene), domain, margin));
+  return image_pairs(expected);
 }
 
 /// The same, and both as the rational numbers say. Returns how many pairs there are.

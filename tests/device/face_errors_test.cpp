@@ -38,6 +38,19 @@ TEST(FaceErrors, ColumnsOfTheHost) {
   const Scene scene = dense(100);
   expect_refused(ErrorCode::wrong_usage, {"memory of the host"},
                  [&](device::Detector& detector) { detector.find_contact_pairs(view_of(scene)); });
+  // Also where only the upper corners of boxes lie there.
+  const scenes::BoxScene boxes = scenes::boxes_in(scene, 1);
+  const device::ElementCopy copy(view_of(boxes));
+  const auto column = [&](const ElementView::Numbers& numbers) {
+    return Column<double>{reinterpret_cast<const double*>(numbers.first), boxes.size(),
+                          numbers.stride_bytes};
+  };
+  const ElementView& there = copy.elements();
+  const ElementView mixed =
+      abut::boxes(column(there.lower(0)), column(there.lower(1)), column(there.lower(2)),
+                  boxes.upper[0], boxes.upper[1], boxes.upper[2]);
+  expect_refused(ErrorCode::wrong_usage, {"memory of the host"},
+                 [&](device::Detector& detector) { detector.find_contact_pairs(mixed); });
 }
 
 TEST(FaceErrors, BadElementsAreNamed) {
@@ -101,11 +114,11 @@ TEST(FaceErrors, ACancelledCallLeavesNoList) {
 }
 
 TEST(FaceErrors, WhatIsNotSupported) {
-  const scenes::BoxScene boxes = scenes::boxes_in(dense(10), 1);
+  const Scene scene = dense(10);
   expect_refused(ErrorCode::wrong_usage, {"does not"}, [&](device::Detector& detector) {
     detector.set_options({.algorithm = Algorithm::direct_check});
     try {
-      const device::ElementCopy copy(view_of(boxes));
+      const device::ElementCopy copy(view_of(scene));
       detector.find_contact_pairs(copy.elements());
     } catch (...) {
       detector.set_options({});

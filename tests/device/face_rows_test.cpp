@@ -3,6 +3,8 @@
 
 #include "device/face_detection.hpp"
 #include "device/scene_in_two.hpp"
+#include "scenes/box_scene.hpp"
+#include "support/box_oracle.hpp"
 #include "support/error_expectations.hpp"
 #include "support/scene_view.hpp"
 
@@ -76,6 +78,30 @@ TEST_P(FaceRows, AreThoseOfTheProcessor) {
         EXPECT_EQ(found.neighbor_count(), expected.neighbors().size());
         expect_same(expected, found.to_host());
       }
+    }
+  }
+}
+
+TEST(FaceRows, OfBoxes) {
+  for (const char* const name : {"log_uniform", "gas_2d"}) {
+    const scenes::BoxScene boxes =
+        scenes::boxes_in(scenes::scene_named(name).make(elements_of_a_scene(), 3), 4);
+    const device::ElementCopy copy(view_of(boxes));
+    const double side = *std::max_element(boxes.upper[0].begin(), boxes.upper[0].end());
+    const Domain cell = boxes.dimensions == 2 ? Domain::periodic({side, unbounded})
+                                              : Domain::periodic({side, unbounded, unbounded});
+    for (const Domain& domain : {Domain::open(), cell}) {
+      const Options options{
+          .shifts = Shifts::stored, .quantities = Quantity::gap, .margin = 0.01 * side};
+      device::Detector detector(options);
+      const PairList expected = find_contact_pairs(view_of(boxes), domain, options);
+      EXPECT_GT(expected.size(), 100U);
+      expect_same(expected, detector.find_contact_pairs(copy.elements(), domain).to_host());
+      const auto kind = NeighborListKind::full;
+      expect_same(build_neighbor_list(view_of(boxes), domain, kind, options),
+                  detector.build_neighbor_list(copy.elements(), domain, kind).to_host());
+      EXPECT_EQ(detector.count_contact_pairs(copy.elements(), domain).contact_pairs,
+                expected.size());
     }
   }
 }

@@ -69,6 +69,9 @@ void require_on_device(const ElementView& elements) {
                 "a column lies in the memory of the host; copy it to the device");
   };
   for (int axis = 0; axis < elements.dimensions(); ++axis) require(elements.center(axis));
+  for (int axis = 0; elements.shape() == Shape::box && axis < elements.dimensions(); ++axis) {
+    require(elements.upper(axis));
+  }
   if (!elements.has_common_radius()) require(elements.radii());
 }
 
@@ -140,9 +143,14 @@ class HostBackend final : public Backend {
   FoundList<HostExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
                                 base::ProgressReporter& progress, const Call& call) {
     const ElementView& first = spheres.first;
+    const auto in_any_domain = [&]<class Joined>(const Joined& elements) {
+      return call(PeriodicPipeline<Joined, HostExecutor>(*executor_, elements, request, progress));
+    };
+    if (first.shape() == Shape::box) {
+      return in_any_domain(joined_boxes_of<Dim>(first, spheres.second));
+    }
     if (spheres.second != nullptr || !request.is_plain(Dim)) {
-      return call(PeriodicPipeline<Dim, HostExecutor>(
-          *executor_, joined_columns_of<Dim>(first, spheres.second), request, progress));
+      return in_any_domain(joined_columns_of<Dim>(first, spheres.second));
     }
     const auto in_open_space = [&]<class T>(SphereColumns<Dim, T> columns) {
       return call(Pipeline<Dim, T, HostExecutor>(*executor_, columns, request, progress));

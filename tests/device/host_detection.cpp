@@ -68,21 +68,29 @@ HostAnswer open_answer(const ElementView& spheres, double margin, const HostRun&
                       });
 }
 
+/// By the pipeline that takes elements joined of one or two sets.
+template <class Joined>
+HostAnswer joined_answer(const Joined& elements, double margin, const HostRun& run, Wanted wanted) {
+  return run_pipeline(margin, run, wanted,
+                      [&](HostExecutor& executor, const device::DeviceRequest& request,
+                          base::ProgressReporter& progress) {
+                        return device::PeriodicPipeline<Joined, HostExecutor>(executor, elements,
+                                                                              request, progress);
+                      });
+}
+
 template <int Dim>
 HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
+  if (spheres.shape() == Shape::box) {
+    return joined_answer(device::joined_boxes_of<Dim>(spheres, run.second), margin, run, wanted);
+  }
   const bool is_double = spheres.precision() == Precision::float64;
   const device::DeviceRequest asked{.lattice = elements::lattice_of(run.domain), .rule = run.rule};
   if (run.second == nullptr && asked.is_plain(Dim)) {
     return is_double ? open_answer<Dim, double>(spheres, margin, run, wanted)
                      : open_answer<Dim, float>(spheres, margin, run, wanted);
   }
-  return run_pipeline(margin, run, wanted,
-                      [&](HostExecutor& executor, const device::DeviceRequest& request,
-                          base::ProgressReporter& progress) {
-                        return device::PeriodicPipeline<Dim, HostExecutor>(
-                            executor, device::joined_columns_of<Dim>(spheres, run.second), request,
-                            progress);
-                      });
+  return joined_answer(device::joined_columns_of<Dim>(spheres, run.second), margin, run, wanted);
 }
 
 HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {

@@ -7,6 +7,7 @@
 
 #include <abut/simd.hpp>
 
+#include <algorithm>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -27,10 +28,9 @@ std::string told_simd_levels() {
 }
 
 /// With shuffled items, several threads and searches in parts: the same bytes, after as many exact
-/// decisions. Boxes, which devices refuse so far, are left out.
+/// decisions.
 AssertionResult rows_agree(std::span<const ContactPair> expected, const ElementView& elements,
                            double margin, std::initializer_list<int>) {
-  if (elements.shape() == Shape::box) return AssertionSuccess();
   const HostAnswer first = list_on_host(elements, margin);
   if (const auto same = same_canonical_pairs(expected, first.pairs); !same) return same;
   for (const HostRun& run : {HostRun{.order = device::ItemOrder::shuffled}, HostRun{.workers = 3},
@@ -43,6 +43,27 @@ AssertionResult rows_agree(std::span<const ContactPair> expected, const ElementV
     }
   }
   const HostAnswer counted = count_on_host(elements, margin);
+  if (counted.count != expected.size()) {
+    return AssertionFailure() << counted.count << " pairs counted instead of " << expected.size();
+  }
+  return AssertionSuccess();
+}
+
+/// The same in a domain, with shifts.
+AssertionResult rows_agree(const PairList& expected, const ElementView& elements,
+                           const Domain& domain, double margin) {
+  const HostRun here{
+      .items_at_a_time = elements.size() / 4 + 1, .domain = domain, .shifts = Shifts::stored};
+  for (const HostRun& run : in_all_orders(here)) {
+    const HostAnswer answer = list_on_host(elements, margin, run);
+    if (!std::ranges::equal(answer.pairs, expected.pairs()) ||
+        !std::ranges::equal(answer.shifts, expected.shifts())) {
+      return AssertionFailure() << "items in order " << static_cast<int>(run.order) << ": "
+                                << answer.pairs.size() << " pairs instead of the "
+                                << expected.size() << " expected";
+    }
+  }
+  const HostAnswer counted = count_on_host(elements, margin, {.domain = domain});
   if (counted.count != expected.size()) {
     return AssertionFailure() << counted.count << " pairs counted instead of " << expected.size();
   }

@@ -49,9 +49,11 @@ TEST(DeviceRequests, WhatWaitsIsRefusedByName) {
   expect_refused({"quantities other than gaps", "abut::Detector"},
                  {.quantities = Quantity::gap | Quantity::normal});
   expect_refused({"sorting_array", "rows"}, {.algorithm = Algorithm::sorting_array});
+}
+
+TEST(DeviceRequests, OfBoxes) {
   const scenes::BoxScene boxes = scenes::boxes_in(scenes::scene_named("dense").make(10, 1), 1);
-  expect_error(ErrorCode::wrong_usage, {"boxes", "abut::Detector"},
-               [&] { validate({}, view_of(boxes), Domain::open()); });
+  EXPECT_NO_THROW(validate({.margin = 0.5}, view_of(boxes), Domain::periodic({9.0, 9.0, 9.0})));
 }
 
 TEST(DeviceRequests, DomainsAreOfTheElements) {

@@ -13,6 +13,7 @@ SEED = 22
 UNITS = 1 << 20
 BOUND_IN_LEVEL = Fraction(301, 100)  # section 3, in units
 BOUND_OF_COARSE = Fraction(306, 100)  # section 4, beside 0.45 2^-20 of the reach
+BOUNDS_OF_BOXES = Fraction(-156, 100), Fraction(356, 100)  # section 9
 SLACK, SLACK_OF_REACH = 4.0, 2.0 ** -20
 
 
@@ -99,6 +100,30 @@ def worst_error(draw, coarse):
     return worst
 
 
+def errors_of_boxes(draw):
+    """The least and the largest error of what BoxSizes::compare takes for two boxes, in units."""
+    least = largest = Fraction(0)
+    for _ in range(PAIRS):
+        cell = draw.uniform(0.5, 2.0)
+        units_of_one = UNITS / cell
+        lower = draw.choice([0.0, draw.uniform(-1, 1), draw.uniform(-1e6, 1e6)])
+        at = lower + draw.uniform(0.0, 2.0 ** draw.choice([2, 10, 20, 29.99])) * cell
+        below = draw.choice([False, True])
+        width, margin = (draw.randrange(1, UNITS // 3) for _ in range(2))
+        # Just below whole numbers of units, what is floored loses most; just above them, least.
+        off = draw.choice([0.001, 0.999])
+        first = near_a_unit(at, lower, units_of_one, below)
+        end = first + (width + off) / units_of_one
+        margin = (margin + off) / units_of_one
+        second = near_a_unit(end + margin + draw.uniform(-3, 3) / units_of_one, lower, units_of_one,
+                             not below)
+        told = (units(second, lower, units_of_one) - units(first, lower, units_of_one)
+                - math.floor((end - first) * units_of_one) - math.floor(margin * units_of_one))
+        real = (Fraction(second) - Fraction(end) - Fraction(margin)) * Fraction(units_of_one)
+        least, largest = min(least, told - real), max(largest, told - real)
+    return least, largest
+
+
 def cells_apart(draw, margin):
     """How many of many pairs a reach apart fall two cells apart."""
     lost = 0
@@ -127,6 +152,12 @@ def main():
         # Far below the bound, the pairs would be too tame to show a bound that is wrong.
         if not bound / 3 < worst <= bound:
             problems.append(f"{name}: {float(worst)}")
+    errors = errors_of_boxes(draw)
+    print("boxes: off by {:.2f} to {:.2f}, ".format(*map(float, errors))
+          + "of {:.2f} to {:.2f} units".format(*map(float, BOUNDS_OF_BOXES)))
+    for error, bound in zip(errors, BOUNDS_OF_BOXES):
+        if not abs(bound) / 3 < abs(error) <= abs(bound):
+            problems.append(f"boxes: {float(error)}")
     without, having = cells_apart(draw, 0.0), cells_apart(draw, 2.0 ** -10)
     print(f"two cells apart: {without} pairs without the margin, {having} with it")
     if having or not without:

@@ -102,4 +102,31 @@ AssertionResult rows_agree(std::span<const ContactPair> expected, const ElementV
   return AssertionSuccess();
 }
 
+AssertionResult rows_agree(const PairList& expected, const ElementView& elements,
+                           const Domain& domain, double margin) {
+  Options options{.algorithm = Algorithm::rows, .shifts = Shifts::stored, .margin = margin};
+  PairVector as_found;
+  for (const int threads : {1, 2, 7}) {
+    options.threads = threads;
+    for (const Simd level : simd_levels_here()) {
+      options.simd = level;
+      const PairList list = find_contact_pairs(elements, domain, options);
+      if (!std::ranges::equal(list.pairs(), expected.pairs()) ||
+          !std::ranges::equal(list.shifts(), expected.shifts())) {
+        return AssertionFailure() << told(options) << list.size() << " pairs instead of the "
+                                  << expected.size() << " expected";
+      }
+    }
+    options.simd = Simd::automatic;
+    options.order = Order::as_found;
+    const PairList list = find_contact_pairs(elements, domain, options);
+    if (as_found.empty()) as_found.assign(list.begin(), list.end());
+    if (!std::ranges::equal(as_found, list.pairs())) {
+      return AssertionFailure() << told(options) << "another order of the pairs as found";
+    }
+    options.order = Order::canonical;
+  }
+  return AssertionSuccess();
+}
+
 }  // namespace abut::testing

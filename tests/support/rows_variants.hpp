@@ -2,7 +2,9 @@
 
 #include "support/oracle.hpp"
 
+#include <abut/domain.hpp>
 #include <abut/element_view.hpp>
+#include <abut/pair_list.hpp>
 #include <abut/simd.hpp>
 
 #include <gtest/gtest.h>
@@ -26,5 +28,11 @@ namespace abut::testing {
 [[nodiscard]] ::testing::AssertionResult rows_agree(std::span<const ContactPair> expected,
                                                     const ElementView& elements, double margin,
                                                     std::initializer_list<int> threads);
+
+/// `rows` gives the expected pairs and shifts (canonical order) of a domain from every level
+/// available here with several numbers of threads, and in `as_found` order the same bytes.
+[[nodiscard]] ::testing::AssertionResult rows_agree(const PairList& expected,
+                                                    const ElementView& elements,
+                                                    const Domain& domain, double margin);
 
 }  // namespace abut::testing

@@ -7,7 +7,8 @@
 
 namespace abut::device {
 
-/// The cells of a level that a ball may have elements in, by axis; rows are those along the first.
+/// The cells of a level in which a coarse element may have partners, by axis; rows are those along
+/// the first.
 template <int Dim>
 struct CellBox {
   std::uint64_t first[Dim];
@@ -50,18 +51,18 @@ struct AxisCell {
   return {end - 1, false, end == cells};
 }
 
-/// The cells about a scaled center up to a distance.
+/// The cells that scaled coordinates from `lower` to `upper` lie in.
 template <int Dim>
-[[nodiscard]] ABUT_HD inline CellBox<Dim> cells_about(const SizeLevel<Dim>& level,
-                                                      const double (&center)[Dim],
-                                                      double distance) noexcept {
+[[nodiscard]] ABUT_HD inline CellBox<Dim> cells_between(const SizeLevel<Dim>& level,
+                                                        const double (&lower)[Dim],
+                                                        const double (&upper)[Dim]) noexcept {
   CellBox<Dim> box{};
   for (int axis = 0; axis < Dim; ++axis) {
     const auto cell_of = [&](double scaled) {
       return cell_at(level.axes[axis], level.units_of_one, level.cells[axis], scaled);
     };
-    const AxisCell first = cell_of(center[axis] - distance);
-    const AxisCell last = cell_of(center[axis] + distance);
+    const AxisCell first = cell_of(lower[axis]);
+    const AxisCell last = cell_of(upper[axis]);
     box.first[axis] = first.cell;
     box.last[axis] = last.cell;
     box.is_empty = box.is_empty || first.is_behind || last.is_before;

@@ -2,6 +2,9 @@
 
 #include "base/host_device.hpp"
 #include "device/bodies/sphere_columns.hpp"
+#include "exact/box.hpp"
+
+#include <abut/element_view.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +21,18 @@ template <int Dim>
   constexpr double largest = std::numeric_limits<double>::max();
   bool valid = sphere.radius >= 0.0 && sphere.radius <= largest;
   for (const double x : sphere.center) valid = valid && std::fabs(x) <= largest;
+  return valid;
+}
+
+/// Returns whether the contract takes a box: finite corners, none below the other.
+template <int Dim>
+[[nodiscard]] ABUT_HD inline bool is_valid(const exact::Box<Dim>& box) noexcept {
+  constexpr double largest = std::numeric_limits<double>::max();
+  bool valid = true;
+  for (int axis = 0; axis < Dim; ++axis) {
+    valid = valid && std::fabs(box.lower[axis]) <= largest &&
+            std::fabs(box.upper[axis]) <= largest && box.lower[axis] <= box.upper[axis];
+  }
   return valid;
 }
 
@@ -78,6 +93,16 @@ template <int Dim>
   return extent;
 }
 
+/// The extent of an element by its sphere. Lower corners of boxes within reach are as far apart as
+/// the wider one is wide, however narrow the other: the largest radius counts twice.
+template <class Spheres>
+[[nodiscard]] ABUT_HD inline Extent<Spheres::dimensions> extent_of_element(
+    const exact::Sphere<Spheres::dimensions>& sphere) noexcept {
+  Extent<Spheres::dimensions> extent = extent_of(sphere);
+  if constexpr (Spheres::shape == Shape::box) extent.second_largest_radius = sphere.radius;
+  return extent;
+}
+
 /// Body of the first stage: the extent of element k alone, or that it is a bad one.
 template <class Spheres>
 struct ElementExtent {
@@ -87,8 +112,7 @@ struct ElementExtent {
 
   [[nodiscard]] ABUT_HD Extent<Dim> operator()(std::uint64_t k) const noexcept {
     const auto number = static_cast<std::uint32_t>(k);
-    const exact::Sphere<Dim> sphere = elements[number];
-    if (is_valid(sphere)) return extent_of(sphere);
+    if (is_valid(elements.whole(number))) return extent_of_element<Spheres>(elements[number]);
     Extent<Dim> extent = Extent<Dim>::of_none();
     extent.first_bad = number;
     return extent;

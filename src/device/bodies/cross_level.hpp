@@ -2,65 +2,55 @@
 
 #include "base/host_device.hpp"
 #include "device/bodies/cell_box.hpp"
+#include "device/bodies/coarse_box.hpp"
+#include "device/bodies/coarse_sphere.hpp"
 #include "device/bodies/directory.hpp"
 #include "device/bodies/filter.hpp"
 #include "device/bodies/frame.hpp"
 #include "device/bodies/place.hpp"
-#include "device/bodies/sphere_columns.hpp"
+#include "device/bodies/sizes.hpp"
 
-#include <cmath>
+#include <abut/element_view.hpp>
+
 #include <cstdint>
+#include <type_traits>
 
 namespace abut::device {
 
-/// A coarse element whose ball cuts more rows than there are elements looks at all of these
+/// A coarse element that cuts more rows than there are elements looks at all of these
 /// instead, so many an item.
 inline constexpr std::uint64_t swept_by_item = 1024;
 
-/// Whole numbers and single precision compare balls up to this radius, in units, whose center is
-/// not farther than the second from the corner; the others are compared in double.
-inline constexpr double widest_ball = 0x1p30;
-inline constexpr double farthest_center = 0x1p51;
-
 /// A larger element as a level of smaller ones sees it.
-template <int Dim>
-struct CoarseSphere {
-  std::uint32_t number;
-  CellBox<Dim> box;
-  std::uint32_t units[Dim];  ///< its position as records have it
-  float own_reach;           ///< its radius and the margin, in units
-  float slack;               ///< in units
-  bool in_double;            ///< whether the filter is that of doubles
-};
+template <class Spheres>
+using CoarseOf = std::conditional_t<Spheres::shape == Shape::box, CoarseBox<Spheres::dimensions>,
+                                    CoarseSphere<Spheres::dimensions>>;
 
 /// One level and all larger elements, which stand in the slots behind it. An item is a row of cells
-/// that the ball of a coarse element cuts, or some of the elements for one that looks at all.
+/// that a coarse element cuts, or some of the elements for one that looks at all.
 template <class Spheres, class Key>
 struct MeetCoarse {
+  using Coarse = CoarseOf<Spheres>;
   static constexpr int Dim = Spheres::dimensions;
 
   Spheres elements;
-  double scale;
-  double scaled_margin;
-  double scaled_slack;
-  double margin;  ///< not scaled, as the slack below
-  double slack;
+  CoarseScales scales;
   SizeLevel<Dim> level;
   const PlacedRecord<Dim>* records;
-  const float* radii;
+  const SizeOf<Spheres>* sizes;
   Directory<Key> directory;
   const std::uint64_t* items_before;  ///< of each coarse element
 
   [[nodiscard]] ABUT_HD std::uint64_t items_of(std::uint64_t k) const noexcept {
-    const CoarseSphere<Dim> coarse = coarse_sphere(k);
-    const std::uint64_t rows = coarse.box.rows();
+    const Coarse coarse = coarse_element(k);
+    const std::uint64_t rows = coarse.cells.rows();
     return rows <= elements_here() ? rows : (elements_here() + swept_by_item - 1) / swept_by_item;
   }
 
   template <class Sink>
   ABUT_HD void partners_of(std::uint64_t item, Sink& sink) const noexcept {
     const std::uint64_t k = coarse_number_of(item);
-    const CoarseSphere<Dim> coarse = coarse_sphere(k);
+    const Coarse coarse = coarse_element(k);
     const SlotRun run = run_of(coarse, item - items_before[k]);
     if (coarse.in_double || looks_at_all(coarse)) {
       compare_in_double(coarse.number, run, sink);
@@ -72,18 +62,17 @@ struct MeetCoarse {
   /// How many distances an item compares.
   [[nodiscard]] ABUT_HD std::uint64_t tests_of(std::uint64_t item) const noexcept {
     const std::uint64_t k = coarse_number_of(item);
-    return run_of(coarse_sphere(k), item - items_before[k]).size();
+    return run_of(coarse_element(k), item - items_before[k]).size();
   }
 
  private:
-  [[nodiscard]] ABUT_HD bool looks_at_all(const CoarseSphere<Dim>& coarse) const noexcept {
-    return coarse.box.rows() > elements_here();
+  [[nodiscard]] ABUT_HD bool looks_at_all(const Coarse& coarse) const noexcept {
+    return coarse.cells.rows() > elements_here();
   }
 
   /// The slots that an item of a coarse element compares it with.
-  [[nodiscard]] ABUT_HD SlotRun run_of(const CoarseSphere<Dim>& coarse,
-                                       std::uint64_t part) const noexcept {
-    if (!looks_at_all(coarse)) return row_of(coarse.box, part);
+  [[nodiscard]] ABUT_HD SlotRun run_of(const Coarse& coarse, std::uint64_t part) const noexcept {
+    if (!looks_at_all(coarse)) return row_of(coarse.cells, part);
     const std::uint64_t first = level.first_slot + part * swept_by_item;
     const std::uint64_t end =
         first + swept_by_item < level.end_slot ? first + swept_by_item : level.end_slot;
@@ -94,27 +83,9 @@ struct MeetCoarse {
     return level.end_slot - level.first_slot;
   }
 
-  [[nodiscard]] ABUT_HD CoarseSphere<Dim> coarse_sphere(std::uint64_t k) const noexcept {
-    CoarseSphere<Dim> coarse{};
-    coarse.number = records[level.end_slot + k].number;
-    const exact::Sphere<Dim> sphere = elements[coarse.number];
-    const double own = sphere.radius * scale + scaled_margin;
-    const double farthest = own + level.largest_radius;
-    coarse.own_reach = static_cast<float>(own * level.units_of_one);
-    coarse.slack =
-        filter_slack + slack_of_reach * static_cast<float>(farthest * level.units_of_one);
-    coarse.in_double = !(farthest * level.units_of_one <= widest_ball);
-    double center[Dim];
-    for (int axis = 0; axis < Dim; ++axis) {
-      center[axis] = sphere.center[axis] * scale;
-      const double units = (center[axis] - level.axes[axis].lower) * level.units_of_one;
-      coarse.in_double = coarse.in_double || level.axes[axis].stretches != nullptr ||
-                         !(std::fabs(units) <= farthest_center);
-      if (coarse.in_double) continue;
-      coarse.units[axis] = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(units)));
-    }
-    coarse.box = cells_about(level, center, (farthest + scaled_slack) * (1.0 + 0x1p-40));
-    return coarse;
+  [[nodiscard]] ABUT_HD Coarse coarse_element(std::uint64_t k) const noexcept {
+    const std::uint32_t number = records[level.end_slot + k].number;
+    return Coarse::of(elements.whole(number), number, scales, level);
   }
 
   /// The last coarse element whose items begin at or before this one.
@@ -146,24 +117,21 @@ struct MeetCoarse {
   }
 
   template <class Sink>
-  ABUT_HD void compare(const CoarseSphere<Dim>& coarse, const SlotRun& run,
-                       Sink& sink) const noexcept {
+  ABUT_HD void compare(const Coarse& coarse, const SlotRun& run, Sink& sink) const noexcept {
     for (std::uint32_t k = run.first; k < run.end; ++k) {
-      take_if_near(
-          elements, coarse.number, records[k].number,
-          filter<Dim>(coarse.units, records[k].units, coarse.own_reach + radii[k], coarse.slack),
-          sink);
+      take_if_near(elements, coarse.number, records[k].number,
+                   coarse.compare(records[k].units, sizes[k]), sink);
     }
   }
 
   template <class Sink>
   ABUT_HD void compare_in_double(std::uint32_t own_number, const SlotRun& run,
                                  Sink& sink) const noexcept {
-    const exact::Sphere<Dim> own = elements[own_number];
+    const auto own = elements.whole(own_number);
     for (std::uint32_t k = run.first; k < run.end; ++k) {
       const std::uint32_t number = records[k].number;
-      take_if_near(elements, own_number, number, filter(own, elements[number], margin, slack),
-                   sink);
+      take_if_near(elements, own_number, number,
+                   filter(own, elements.whole(number), scales.margin, scales.slack), sink);
     }
   }
 };

@@ -2,6 +2,7 @@
 
 #include "base/host_device.hpp"
 #include "device/bodies/sphere_columns.hpp"
+#include "exact/box.hpp"
 #include "exact/exact_stages.hpp"
 #include "exact/sphere_predicate-inl.hpp"
 
@@ -15,7 +16,23 @@ namespace abut::device {
 // Doubtful pairs are decided in place, on the caller's numbers. A pair has first < second; one that
 // stays open after the first stages is turned round, and one that is apart has first == second.
 
-/// Body: the first two exact stages, which need no memory. They decide nearly all pairs that no
+/// The stages that need no memory of a thread: the first two of spheres; all of boxes.
+template <int Dim>
+[[nodiscard]] ABUT_HD inline std::optional<bool> decide_first(const exact::Sphere<Dim>& a,
+                                                              const exact::Sphere<Dim>& b,
+                                                              double margin) noexcept {
+  if (const auto decided = exact::decide_if_nothing_rounded(a, b, margin)) return decided;
+  return exact::decide_in_double_double(a, b, margin);
+}
+template <int Dim>
+[[nodiscard]] ABUT_HD inline std::optional<bool> decide_first(const exact::Box<Dim>& a,
+                                                              const exact::Box<Dim>& b,
+                                                              double margin) noexcept {
+  std::uint64_t exact_decisions = 0;
+  return exact::within_reach(a, b, margin, exact_decisions);
+}
+
+/// Body: the first exact stages, which need no memory. They decide nearly all pairs that no
 /// periodic face lies between.
 template <class Spheres>
 struct DecideMost {
@@ -27,10 +44,8 @@ struct DecideMost {
     const ContactPair pair = pairs[k];
     std::optional<bool> decided;
     if (elements.is_as_given(pair)) {
-      const auto a = elements.given()[pair.first];
-      const auto b = elements.given()[pair.second];
-      decided = exact::decide_if_nothing_rounded(a, b, margin);
-      if (!decided) decided = exact::decide_in_double_double(a, b, margin);
+      decided = decide_first(elements.given().whole(pair.first),
+                             elements.given().whole(pair.second), margin);
     }
     if (!decided) {
       pairs[k] = {pair.second, pair.first};

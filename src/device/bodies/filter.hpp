@@ -2,9 +2,13 @@
 
 #include "base/host_device.hpp"
 #include "device/bodies/filter_verdict.hpp"
+#include "exact/box.hpp"
+#include "exact/periodic_box.hpp"
 #include "exact/sphere_predicate.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace abut::device {
 
@@ -29,6 +33,24 @@ template <int Dim>
   if (nearest > 0.0F && distance_squared < nearest * nearest) return FilterVerdict::within;
   return FilterVerdict::doubtful;
 }
+
+/// Half of the width of the band of boxes, in units, with which whole numbers alone are compared:
+/// section 9.
+inline constexpr std::int32_t box_slack = 4;
+
+/// By how much one of two boxes begins behind the end of the other at most, over all axes, in
+/// units.
+struct FarthestEnds {
+  std::int32_t excess = std::numeric_limits<std::int32_t>::min();
+
+  ABUT_HD void include(std::int32_t behind) noexcept { excess = excess < behind ? behind : excess; }
+
+  [[nodiscard]] ABUT_HD FilterVerdict verdict(std::int32_t margin) const noexcept {
+    const std::int32_t beyond = excess - margin;
+    if (beyond > box_slack) return FilterVerdict::apart;
+    return beyond < -box_slack ? FilterVerdict::within : FilterVerdict::doubtful;
+  }
+};
 
 /// Hands a candidate to a sink unless it is apart.
 template <class Spheres, class Sink>
@@ -66,6 +88,27 @@ template <int Dim>
     return FilterVerdict::within;
   }
   return FilterVerdict::doubtful;
+}
+
+/// Compares boxes in double precision whose ends are off by `slack` at most. What three operations
+/// round is covered by four times as much; where sums overflow nothing is decided.
+template <int Dim>
+[[nodiscard]] ABUT_HD inline FilterVerdict filter(const exact::Box<Dim>& a,
+                                                  const exact::Box<Dim>& b, double margin,
+                                                  double slack) noexcept {
+  FilterVerdict verdict = FilterVerdict::within;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double lower[] = {a.lower[axis], b.lower[axis]};
+    const double upper[] = {b.upper[axis], a.upper[axis]};
+    for (int side = 0; side < 2; ++side) {
+      const double excess = (lower[side] - upper[side]) - margin;
+      const double magnitude = std::fabs(lower[side]) + std::fabs(upper[side]) + margin;
+      const double tolerance = slack + exact::box_band * magnitude;
+      if (excess > tolerance) return FilterVerdict::apart;
+      if (!(excess < -tolerance)) verdict = FilterVerdict::doubtful;
+    }
+  }
+  return verdict;
 }
 
 }  // namespace abut::device

@@ -2,7 +2,7 @@
 
 #include "base/host_device.hpp"
 #include "device/bodies/check.hpp"
-#include "device/bodies/periodic_spheres.hpp"
+#include "device/bodies/periodic_elements.hpp"
 #include "lattice/cell_extent.hpp"
 #include "lattice/ghost_windows.hpp"
 #include "lattice/orthogonal_cell.hpp"

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/host_device.hpp"
+#include "device/bodies/box_columns.hpp"
 #include "device/bodies/sphere_columns.hpp"
 #include "exact/sphere.hpp"
 
+#include <abut/element_view.hpp>
 #include <abut/pair.hpp>
 
 #include <cstdint>
@@ -11,10 +13,11 @@
 namespace abut::device {
 
 /// The elements of one or two sets as one system: those of the first set, then those of the second.
-template <int Dim>
-struct JoinedColumns {
-  using Columns = SphereColumns<Dim, EitherNumber>;
-  static constexpr int dimensions = Dim;
+template <class SetColumns>
+struct Joined {
+  using Columns = SetColumns;
+  static constexpr int dimensions = Columns::dimensions;
+  static constexpr Shape shape = Columns::shape;
 
   Columns first;
   Columns second;  ///< of no elements where there is one set
@@ -22,8 +25,12 @@ struct JoinedColumns {
   std::uint32_t count;  ///< of both
 
   [[nodiscard]] ABUT_HD bool has_common_radius() const noexcept {
-    return first.has_common_radius() && second.has_common_radius() &&
-           (!is_of_two_sets || first.common_radius == second.common_radius);
+    if constexpr (shape == Shape::box) {
+      return false;
+    } else {
+      return first.has_common_radius() && second.has_common_radius() &&
+             (!is_of_two_sets || first.common_radius == second.common_radius);
+    }
   }
 
   [[nodiscard]] ABUT_HD bool is_in_first(std::uint32_t k) const noexcept { return k < first.count; }
@@ -36,16 +43,20 @@ struct JoinedColumns {
     return is_in_first(k) ? first.coordinate(k, axis) : second.coordinate(k - first.count, axis);
   }
 
-  [[nodiscard]] ABUT_HD exact::Sphere<Dim> operator[](std::uint32_t k) const noexcept {
+  [[nodiscard]] ABUT_HD exact::Sphere<dimensions> operator[](std::uint32_t k) const noexcept {
     return is_in_first(k) ? first[k] : second[k - first.count];
   }
 
-  /// The elements of a pair, each numbered in its set.
-  [[nodiscard]] ABUT_HD exact::Sphere<Dim> first_of(const ContactPair& pair) const noexcept {
-    return first[pair.first];
+  [[nodiscard]] ABUT_HD auto whole(std::uint32_t k) const noexcept {
+    return is_in_first(k) ? first.whole(k) : second.whole(k - first.count);
   }
-  [[nodiscard]] ABUT_HD exact::Sphere<Dim> second_of(const ContactPair& pair) const noexcept {
-    return is_of_two_sets ? second[pair.second] : first[pair.second];
+
+  /// The elements of a pair, each numbered in its set.
+  [[nodiscard]] ABUT_HD auto first_of(const ContactPair& pair) const noexcept {
+    return first.whole(pair.first);
+  }
+  [[nodiscard]] ABUT_HD auto second_of(const ContactPair& pair) const noexcept {
+    return is_of_two_sets ? second.whole(pair.second) : first.whole(pair.second);
   }
 
   /// A pair of elements as it is reported: of one set the smaller number first, of two each number
@@ -60,5 +71,10 @@ struct JoinedColumns {
     return !is_of_two_sets || is_in_first(a) != is_in_first(b);
   }
 };
+
+template <int Dim>
+using JoinedColumns = Joined<SphereColumns<Dim, EitherNumber>>;
+template <int Dim>
+using JoinedBoxes = Joined<BoxColumns<Dim>>;
 
 }  // namespace abut::device

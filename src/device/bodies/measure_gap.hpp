@@ -4,7 +4,9 @@
 #include "device/bodies/filter.hpp"
 #include "device/bodies/joined_columns.hpp"
 #include "device/bodies/sphere_columns.hpp"
+#include "exact/box.hpp"
 #include "exact/lattice.hpp"
+#include "exact/periodic_box-inl.hpp"
 #include "exact/periodic_gap-inl.hpp"
 #include "exact/periodic_predicate-inl.hpp"
 #include "exact/sphere_gap-inl.hpp"
@@ -44,7 +46,12 @@ template <int Dim>
   return exact::decide_in_double_double(a, b, 0.0);
 }
 
-/// The gap of two spheres in open space, or `open_gap`.
+/// The gap of two elements in open space, or `open_gap`. That of boxes has no later stages.
+template <int Dim>
+[[nodiscard]] ABUT_HD inline double gap_by_first_stages(const exact::Box<Dim>& a,
+                                                        const exact::Box<Dim>& b, bool) noexcept {
+  return exact::gap(a, b);
+}
 template <int Dim>
 [[nodiscard]] ABUT_HD inline double gap_by_first_stages(const exact::Sphere<Dim>& a,
                                                         const exact::Sphere<Dim>& b,

@@ -5,21 +5,11 @@
 #include "device/bodies/filter.hpp"
 #include "device/bodies/frame.hpp"
 #include "device/bodies/place.hpp"
+#include "device/bodies/sizes.hpp"
 
 #include <cstdint>
 
 namespace abut::device {
-
-/// The sizes of sorted elements, in units of their level: one radius each, or one reach for all.
-struct Sizes {
-  const float* radii;  ///< null: all pairs have the common reach
-  float common_reach;
-  float margin;
-
-  [[nodiscard]] ABUT_HD float reach(std::uint32_t a, std::uint32_t b) const noexcept {
-    return radii == nullptr ? common_reach : radii[a] + radii[b] + margin;
-  }
-};
 
 /// An item for each slot of one level: the element there meets those of its own cell behind it and
 /// of half of the neighboring cells, in five runs of slots; two in 2D.
@@ -30,7 +20,7 @@ struct MeetInLevel {
   Spheres elements;
   const PlacedRecord<Dim>* records;
   Directory<Key> directory;
-  Sizes sizes;
+  SizesOf<Spheres> sizes;
   std::uint64_t pitch[Dim];
 
   template <class Sink>
@@ -70,7 +60,7 @@ struct MeetInLevel {
     for (std::uint32_t k = run.first; k < run.end; ++k) {
       const PlacedRecord<Dim>& other = records[k];
       take_if_near(elements, own.number, other.number,
-                   filter<Dim>(own.units, other.units, sizes.reach(slot, k), filter_slack), sink);
+                   sizes.compare(own.units, slot, other.units, k), sink);
     }
   }
 };

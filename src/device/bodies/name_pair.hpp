@@ -2,7 +2,7 @@
 
 #include "base/host_device.hpp"
 #include "base/opposite_shift.hpp"
-#include "device/bodies/periodic_spheres.hpp"
+#include "device/bodies/periodic_elements.hpp"
 
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>

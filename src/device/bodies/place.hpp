@@ -3,7 +3,10 @@
 #include "base/host_device.hpp"
 #include "device/bodies/check.hpp"
 #include "device/bodies/frame.hpp"
+#include "device/bodies/sizes.hpp"
 #include "device/bodies/sphere_columns.hpp"
+
+#include <abut/element_view.hpp>
 
 #include <cstdint>
 
@@ -28,7 +31,8 @@ struct ExtentInLevel {
 
   [[nodiscard]] ABUT_HD Extent<Dim> operator()(std::uint64_t k) const noexcept {
     const exact::Sphere<Dim> sphere = elements[static_cast<std::uint32_t>(k)];
-    return level_of(frame, sphere.radius) == level ? extent_of(sphere) : Extent<Dim>::of_none();
+    return level_of(frame, sphere.radius) == level ? extent_of_element<Spheres>(sphere)
+                                                   : Extent<Dim>::of_none();
   }
 };
 
@@ -74,20 +78,30 @@ struct GatherRecord {
   }
 };
 
-/// Body: the radius of slot k in units of its own level; only where radii differ.
+/// Body: the size of slot k in units of its own level; of spheres only where radii differ.
 template <class Spheres>
-struct GatherRadius {
+struct GatherSize {
   static constexpr int Dim = Spheres::dimensions;
 
   Spheres elements;
   Frame<Dim> frame;
   const std::uint32_t* numbers;
-  float* radii;
+  SizeOf<Spheres>* sizes;
 
   ABUT_HD void operator()(std::uint64_t slot) const noexcept {
-    const double radius = elements.radius(numbers[slot]);
+    const std::uint32_t number = numbers[slot];
+    const double radius = elements.radius(number);
     const SizeLevel<Dim>& level = frame.levels[level_of(frame, radius)];
-    radii[slot] = static_cast<float>(radius * frame.scale * level.units_of_one);
+    if constexpr (Spheres::shape == Shape::sphere) {
+      sizes[slot] = static_cast<float>(radius * frame.scale * level.units_of_one);
+    } else {
+      PackedWidths packed{};
+      const auto widths = elements.widths(number, frame.scale);
+      for (int axis = 0; axis < Dim; ++axis) {
+        packed.set(axis, static_cast<std::uint64_t>(widths.along[axis] * level.units_of_one));
+      }
+      sizes[slot] = packed;
+    }
   }
 };
 

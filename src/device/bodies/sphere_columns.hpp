@@ -4,6 +4,7 @@
 #include "device/bodies/filter_verdict.hpp"
 #include "exact/sphere.hpp"
 
+#include <abut/element_view.hpp>
 #include <abut/pair.hpp>
 
 #include <cstddef>
@@ -42,13 +43,15 @@ struct NumberColumn<EitherNumber> {
 
 /// The caller's spheres where they lie.
 ///
-/// What a search takes for spheres has the members of this struct below `Column`, and may have
-/// them elsewhere (PeriodicSpheres): `given` are the numbers that decide.
+/// What a search takes for elements has the members of this struct below `Column`, and may have
+/// them elsewhere (PeriodicElements): `given` are the numbers that decide, `whole` is an element
+/// itself, where operator[] of boxes is a sphere that stands for it.
 template <int Dim, class T>
 struct SphereColumns {
   using Column = NumberColumn<T>;
   using Given = SphereColumns;
   static constexpr int dimensions = Dim;
+  static constexpr Shape shape = Shape::sphere;
 
   Column center[Dim];
   Column radii;          ///< its `first` is null where all have the common radius
@@ -66,6 +69,10 @@ struct SphereColumns {
     for (int axis = 0; axis < Dim; ++axis) sphere.center[axis] = center[axis][k];
     sphere.radius = radius(k);
     return sphere;
+  }
+
+  [[nodiscard]] ABUT_HD exact::Sphere<Dim> whole(std::uint32_t k) const noexcept {
+    return (*this)[k];
   }
 
   [[nodiscard]] ABUT_HD double coordinate(std::uint32_t k, int axis) const noexcept {

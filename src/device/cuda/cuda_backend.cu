@@ -133,6 +133,7 @@ class CudaBackend final : public Backend {
   static FoundList<CudaExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
                                        const Call& call) {
     const ElementView& first = spheres.first;
+    if (first.shape() == Shape::box) return call(joined_boxes_of<Dim>(first, spheres.second));
     if (spheres.second != nullptr || !request.is_plain(Dim)) {
       return call(joined_columns_of<Dim>(first, spheres.second));
     }

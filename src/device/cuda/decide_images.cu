@@ -11,6 +11,10 @@ void CudaExecutor::for_each(std::uint64_t count, const DecideOpen<Spheres>& body
   run(count, body);
 }
 
+template void CudaExecutor::for_each(std::uint64_t,
+                                     const DecideOpen<PeriodicElements<JoinedBoxes<2>>>&);
+template void CudaExecutor::for_each(std::uint64_t,
+                                     const DecideOpen<PeriodicElements<JoinedBoxes<3>>>&);
 template void CudaExecutor::for_each(std::uint64_t, const DecideOpen<PeriodicSpheres<2>>&);
 template void CudaExecutor::for_each(std::uint64_t, const DecideOpen<PeriodicSpheres<3>>&);
 

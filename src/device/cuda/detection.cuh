@@ -24,16 +24,16 @@ template <int Dim, class T>
                                                       const DeviceRequest& request,
                                                       base::ProgressReporter& progress);
 
-/// The same in a periodic domain, and of two sets.
-template <int Dim>
+/// The same in a periodic domain, of two sets, and of boxes.
+template <class Columns>
 [[nodiscard]] FoundList<CudaExecutor> list_on_device(CudaExecutor& executor,
-                                                     const JoinedColumns<Dim>& spheres,
+                                                     const Joined<Columns>& elements,
                                                      const DeviceRequest& request,
                                                      base::ProgressReporter& progress);
 
-template <int Dim>
+template <class Columns>
 [[nodiscard]] FoundList<CudaExecutor> count_on_device(CudaExecutor& executor,
-                                                      const JoinedColumns<Dim>& spheres,
+                                                      const Joined<Columns>& elements,
                                                       const DeviceRequest& request,
                                                       base::ProgressReporter& progress);
 

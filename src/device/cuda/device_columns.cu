@@ -42,7 +42,15 @@ void require_device_columns(const ElementView& spheres, int device) {
   const std::ptrdiff_t size =
       spheres.precision() == Precision::float64 ? sizeof(double) : sizeof(float);
   for (int axis = 0; axis < spheres.dimensions(); ++axis) {
-    require_array(spheres.center(axis), std::string("column ") + axis_name[axis], size, device);
+    const char* const end = spheres.shape() == Shape::box ? "min" : "";
+    require_array(spheres.center(axis), std::string("column ") + axis_name[axis] + end, size,
+                  device);
+  }
+  if (spheres.shape() == Shape::box) {
+    for (int axis = 0; axis < spheres.dimensions(); ++axis) {
+      require_array(spheres.upper(axis), std::string("column ") + axis_name[axis] + "max", size,
+                    device);
+    }
   }
   if (!spheres.has_common_radius()) require_array(spheres.radii(), "column radius", size, device);
 }

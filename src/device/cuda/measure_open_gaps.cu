@@ -16,6 +16,8 @@ template void CudaExecutor::for_each(std::uint64_t,
 template void CudaExecutor::for_each(std::uint64_t, const MeasureOpenGap<SphereColumns<3, float>>&);
 template void CudaExecutor::for_each(std::uint64_t,
                                      const MeasureOpenGap<SphereColumns<3, double>>&);
+template void CudaExecutor::for_each(std::uint64_t, const MeasureOpenGap<JoinedBoxes<2>>&);
+template void CudaExecutor::for_each(std::uint64_t, const MeasureOpenGap<JoinedBoxes<3>>&);
 template void CudaExecutor::for_each(std::uint64_t, const MeasureOpenGap<JoinedColumns<2>>&);
 template void CudaExecutor::for_each(std::uint64_t, const MeasureOpenGap<JoinedColumns<3>>&);
 

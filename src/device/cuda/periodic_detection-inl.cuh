@@ -5,18 +5,20 @@
 
 namespace abut::device {
 
-template <int Dim>
-FoundList<CudaExecutor> list_on_device(CudaExecutor& executor, const JoinedColumns<Dim>& spheres,
+template <class Columns>
+FoundList<CudaExecutor> list_on_device(CudaExecutor& executor, const Joined<Columns>& elements,
                                        const DeviceRequest& request,
                                        base::ProgressReporter& progress) {
-  return PeriodicPipeline<Dim, CudaExecutor>(executor, spheres, request, progress).list();
+  return PeriodicPipeline<Joined<Columns>, CudaExecutor>(executor, elements, request, progress)
+      .list();
 }
 
-template <int Dim>
-FoundList<CudaExecutor> count_on_device(CudaExecutor& executor, const JoinedColumns<Dim>& spheres,
+template <class Columns>
+FoundList<CudaExecutor> count_on_device(CudaExecutor& executor, const Joined<Columns>& elements,
                                         const DeviceRequest& request,
                                         base::ProgressReporter& progress) {
-  return PeriodicPipeline<Dim, CudaExecutor>(executor, spheres, request, progress).count();
+  return PeriodicPipeline<Joined<Columns>, CudaExecutor>(executor, elements, request, progress)
+      .count();
 }
 
 }  // namespace abut::device

@@ -2,16 +2,16 @@
 
 namespace abut::device {
 
-template <int Dim>
-struct PeriodicSpheres;
+template <class Given>
+struct PeriodicElements;
 
 /// Threads of a block. Not measured yet: no device has run this.
 inline constexpr unsigned threads_of_block = 256;
 /// Whether a body computes positions of periodic images.
 template <class Body>
 inline constexpr bool has_images = false;
-template <int Dim>
-inline constexpr bool has_images<PeriodicSpheres<Dim>> = true;
+template <class Given>
+inline constexpr bool has_images<PeriodicElements<Given>> = true;
 template <template <class...> class Body, class... Parts>
 inline constexpr bool has_images<Body<Parts...>> = (has_images<Parts> || ...);
 

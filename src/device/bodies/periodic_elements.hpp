@@ -5,12 +5,14 @@
 #include "device/bodies/filter_verdict.hpp"
 #include "device/bodies/joined_columns.hpp"
 #include "device/bodies/pair_rule.hpp"
+#include "exact/box.hpp"
 #include "exact/far_image.hpp"
 #include "exact/lattice.hpp"
 #include "lattice/ghost_windows.hpp"
 #include "lattice/wrap_rules.hpp"
 #include "lattice/wrapper.hpp"
 
+#include <abut/element_view.hpp>
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
@@ -40,10 +42,12 @@ struct ImageMap {
 /// ghosts; in an open domain the elements where they are. Nothing but the numbers of a ghost is
 /// stored: positions are computed from the caller's whenever they are asked for, always by the same
 /// sequence.
-template <int Dim>
-struct PeriodicSpheres {
-  using Given = JoinedColumns<Dim>;
+template <class GivenElements>
+struct PeriodicElements {
+  using Given = GivenElements;
+  static constexpr int Dim = Given::dimensions;
   static constexpr int dimensions = Dim;
+  static constexpr Shape shape = Given::shape;
 
   Given elements;
   ImageMap<Dim> map;
@@ -85,6 +89,38 @@ struct PeriodicSpheres {
       coordinate += ghost.image[side] * map.steps[side][along];
     }
     return coordinate;
+  }
+
+  /// The element itself. The upper end of a box goes with its lower corner, and is not rounded
+  /// where that was not moved.
+  [[nodiscard]] ABUT_HD auto whole(std::uint32_t k) const noexcept {
+    if constexpr (shape == Shape::sphere) {
+      return (*this)[k];
+    } else {
+      const double unit = map.given_unit * map.unit;
+      exact::Box<Dim> box = elements.whole(element_of(k));
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double lower = box.lower[axis] * unit;
+        const double upper = box.upper[axis] * unit;
+        box.lower[axis] = coordinate(k, axis);
+        box.upper[axis] = box.lower[axis] == lower ? upper : box.lower[axis] + (upper - lower);
+      }
+      return box;
+    }
+  }
+
+  /// The widths of a box along the axes, times a scale: of the numbers as they are given.
+  struct Widths {
+    double along[Dim];
+  };
+  [[nodiscard]] ABUT_HD Widths widths(std::uint32_t k, double scale) const noexcept {
+    const double unit = map.given_unit * map.unit * scale;
+    const exact::Box<Dim> box = elements.whole(element_of(k));
+    Widths widths{};
+    for (int axis = 0; axis < Dim; ++axis) {
+      widths.along[axis] = box.upper[axis] * unit - box.lower[axis] * unit;
+    }
+    return widths;
   }
 
   [[nodiscard]] ABUT_HD bool is_as_given(const ContactPair& pair) const noexcept {
@@ -169,5 +205,8 @@ struct PeriodicSpheres {
     return !is_large || ghost.is_positive();
   }
 };
+
+template <int Dim>
+using PeriodicSpheres = PeriodicElements<JoinedColumns<Dim>>;
 
 }  // namespace abut::device

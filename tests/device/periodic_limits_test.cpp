@@ -103,6 +103,26 @@ TEST(DevicePeriodicLimits, OfVectorsOfVeryUnequalLengths) {
   EXPECT_TRUE(tells(expect_same_outcome(scene, domain), "differ so much in length"));
 }
 
+/// Where one vector is so short that there are far more images than elements, each of these is
+/// compared with all of them, and they are not compared with each other.
+TEST(DevicePeriodicLimits, ImagesAreNotComparedWithEachOther) {
+  for (const int ratio : {-56, -60, -62}) {
+    const double s = std::ldexp(1.0, ratio);
+    const Domain domain = Domain::lattice({1.0, -1.0}, {s, s});
+    const Scene scene = scene_of(2, {{0.25, -0.25, 0, s}, {0.5, -0.5, 0, s}});
+    EXPECT_EQ(expect_same_outcome(scene, domain), "2 pairs");
+    const HostAnswer answer = count_on_host(view_of(scene), 0.0, {.domain = domain});
+    EXPECT_GT(answer.searched, 500U);
+    EXPECT_LE(answer.candidate_tests, 2 * answer.searched);
+  }
+  const Domain thin = Domain::lattice({1.0, -1.0, 0.0}, {0x1p-12, 0x1p-12, 0.0}, {0.0, 0.0, 1.0});
+  const Scene scene = scene_of(3, {{0.25, -0.25, 0, 0.125}, {0.375, -0.375, 0, 0.125}});
+  EXPECT_TRUE(tells(expect_same_outcome(scene, thin), " pairs"));
+  const HostAnswer answer = count_on_host(view_of(scene), 0.0, {.domain = thin});
+  EXPECT_GT(answer.count, 1000U);
+  EXPECT_LE(answer.candidate_tests, 3 * answer.searched);
+}
+
 TEST(DevicePeriodicLimits, OfNumbers) {
   constexpr double largest = std::numeric_limits<double>::max();
   EXPECT_TRUE(

@@ -11,6 +11,9 @@
 
 namespace abut::device {
 
+/// Slots that a ghost looks at without telling locals from ghosts.
+inline constexpr std::uint32_t short_run = 16;
+
 /// An item for each slot of one level: the element there meets those of its own cell behind it and
 /// of half of the neighboring cells, in five runs of slots; two in 2D.
 template <class Spheres, class Key>
@@ -40,18 +43,48 @@ struct MeetInLevel {
   template <class Use>
   ABUT_HD void visit_runs(std::uint32_t slot, const Use& use) const noexcept {
     const std::uint64_t key = directory.keys[slot];
+    if (elements.is_ghost(records[slot].number)) {
+      // Behind a ghost there are but ghosts in its own cell.
+      visit_locals(key + 1, key + 1, use);
+      visit_rows_after(key, [&](std::uint64_t row) { visit_locals(row - 1, row + 1, use); });
+      return;
+    }
     use(SlotRun{slot + 1, directory.first_at(key + 2)});
-    use(row_about(key + pitch[0]));
+    visit_rows_after(key, [&](std::uint64_t row) { use(directory.cells(row - 1, row + 1)); });
+  }
+
+  /// The rows of half of the neighbors, by the keys of the cells in their middle.
+  template <class Visit>
+  ABUT_HD void visit_rows_after(std::uint64_t key, const Visit& visit) const noexcept {
+    visit(key + pitch[0]);
     if constexpr (Dim == 3) {
       const std::uint64_t above = key + pitch[0] * pitch[1];
       for (std::uint64_t row = above - pitch[0]; row <= above + pitch[0]; row += pitch[0]) {
-        use(row_about(row));
+        visit(row);
       }
     }
   }
 
-  [[nodiscard]] ABUT_HD SlotRun row_about(std::uint64_t key) const noexcept {
-    return directory.cells(key - 1, key + 1);
+  /// Ghosts do not meet ghosts, of which there may be far more than locals in a cell. Where there
+  /// are many, the locals of each cell are told from them: the sort leaves them in front, in the
+  /// order of numbers.
+  template <class Use>
+  ABUT_HD void visit_locals(std::uint64_t first, std::uint64_t last,
+                            const Use& use) const noexcept {
+    const SlotRun all = directory.cells(first, last);
+    if (all.size() <= short_run) return use(all);
+    for (std::uint64_t key = first; key <= last; ++key) {
+      SlotRun cell = directory.cells(key, key);
+      const std::uint32_t end = cell.end;
+      cell.end = cell.first;
+      for (std::uint32_t count = end - cell.first; count > 0;) {
+        const std::uint32_t half = count / 2;
+        const bool is_local = !elements.is_ghost(records[cell.end + half].number);
+        if (is_local) cell.end += half + 1;
+        count = is_local ? count - half - 1 : half;
+      }
+      use(cell);
+    }
   }
 
   template <class Sink>

@@ -61,6 +61,10 @@ struct PeriodicElements {
     return elements.has_common_radius();
   }
 
+  [[nodiscard]] ABUT_HD bool is_ghost(std::uint32_t k) const noexcept {
+    return k >= elements.count;
+  }
+
   [[nodiscard]] ABUT_HD std::uint32_t element_of(std::uint32_t k) const noexcept {
     return k < elements.count ? k : ghosts[k - elements.count].element;
   }

@@ -92,6 +92,9 @@ struct SphereColumns {
   /// Whether the numbers of two elements decide as they are given.
   [[nodiscard]] ABUT_HD bool is_as_given(const ContactPair&) const noexcept { return true; }
 
+  /// Whether it is an image of an element; there is none in open space.
+  [[nodiscard]] ABUT_HD static constexpr bool is_ghost(std::uint32_t) noexcept { return false; }
+
   /// Whether each pair can be decided, so that none stays open.
   [[nodiscard]] ABUT_HD bool decides_all() const noexcept { return true; }
 

@@ -69,6 +69,18 @@ def test_output_is_that_of_the_processor(abut, with_device, file, arguments):
     assert found.stdout == expected.stdout and len(found.stdout) > 1
 
 
+@pytest.mark.parametrize("domain", [[], ["--periodic", "xy", "--box", "30,30"]])
+@pytest.mark.parametrize("report", [["--count"], ["--digest"], ["-o", "-", "-q", "--with", "normal"]])
+def test_boxes(abut, with_device, domain, report):
+    rows = [f"{x},{y},{x + 1 + y % 3},{y + 1}" for x in range(0, 30, 2) for y in range(0, 30, 3)]
+    given = "xmin,ymin,xmax,ymax\n" + "\n".join(rows) + "\n"
+    arguments = ["contacts", "-", *domain, *report]
+    expected = abut(*arguments, stdin=given)
+    found = with_device(*arguments, "--device", "gpu", stdin=given)
+    assert (expected.returncode, found.returncode) == (0, 0), expected.stderr + found.stderr
+    assert found.stdout == expected.stdout and len(found.stdout) > 1
+
+
 def test_json_and_summary_name_the_device(abut, with_device):
     found = json.loads(with_device("contacts", YADE, "--device", "gpu", "--json").stdout)
     assert found["device"] == STAND_IN and found["contact_pairs"] == 10658
@@ -83,13 +95,12 @@ def test_json_and_summary_name_the_device(abut, with_device):
 
 
 @pytest.mark.parametrize("arguments, code, told", [
-    (["contacts", "-"], 2, "does not support boxes yet; leave out --device"),
     (["contacts", YADE, "--max-pairs", "10657"], 4, "10657"),
     (["contacts", YADE, "--max-memory", "1K"], 4, "bytes are needed"),
     (["contacts", "nosuch.csv"], 3, "nosuch.csv"),
-    (["bench", "-"], 2, "does not support boxes yet; leave out --device")])
+    (["contacts", "-"], 3, "ymin")])
 def test_what_a_device_refuses(with_device, arguments, code, told):
-    done = with_device(*arguments, "--device", "gpu", stdin="xmin,ymin,xmax,ymax\n0,0,1,1\n")
+    done = with_device(*arguments, "--device", "gpu", stdin="xmin,ymin,xmax,ymax\n0,2,1,1\n")
     assert (done.returncode, done.stdout) == (code, "") and told in done.stderr
 
 

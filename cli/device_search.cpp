@@ -51,6 +51,10 @@ const device::PairList& DeviceSearch::find(const Domain& domain) {
   return pairs;
 }
 
+NeighborList DeviceSearch::neighbors(const Domain& domain, NeighborListKind kind) {
+  return detector_.build_neighbor_list(copy_.elements(), domain, kind).to_host();
+}
+
 Statistics DeviceSearch::count(const Domain& domain) {
   return detector_.count_contact_pairs(copy_.elements(), domain);
 }

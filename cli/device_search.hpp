@@ -4,6 +4,7 @@
 #include <abut/device_elements.hpp>
 #include <abut/element_view.hpp>
 #include <abut/error.hpp>
+#include <abut/neighbor_list.hpp>
 #include <abut/options.hpp>
 #include <abut/pair_list.hpp>
 #include <abut/statistics.hpp>
@@ -42,6 +43,8 @@ class DeviceSearch {
   /// Finds the pairs, which stay on the device until the next call, and waits for them.
   const device::PairList& find(const Domain& domain);
   [[nodiscard]] Statistics count(const Domain& domain);
+  /// A copy of the neighbors that it finds.
+  [[nodiscard]] NeighborList neighbors(const Domain& domain, NeighborListKind kind);
 
  private:
   device::ElementCopy copy_;

@@ -1,5 +1,6 @@
 #include "commands/command_neighbors.hpp"
 
+#include "device_search.hpp"
 #include "element_sets.hpp"
 #include "interrupt.hpp"
 #include "io/quoted_text.hpp"
@@ -10,12 +11,14 @@
 #include "text/human_text.hpp"
 
 #include <abut/error.hpp>
+#include <abut/measure.hpp>
 #include <abut/points.hpp>
 #include <abut/two_sets.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace abut::cli {
 namespace {
@@ -96,9 +99,10 @@ std::string summary(const NeighborsOptions& options, const ElementSets& sets,
   if (!rule.text().empty()) text += fmt::format("  left out         {}\n", rule.text());
   return text + fmt::format(
                     "  of an element    mean {:.4g}, at most {}; {} of {} have none\n"
-                    "  algorithm        {}\n",
+                    "  algorithm        {}{}\n",
                     static_cast<double>(list.neighbors().size()) / size, grouped(most),
-                    grouped(alone), grouped(list.size()), name_of(list.statistics().algorithm));
+                    grouped(alone), grouped(list.size()), name_of(list.statistics().algorithm),
+                    options.device ? ", " + device_text(*options.device) : "");
 }
 
 ElementSets read(const NeighborsOptions& options, Console& console) {
@@ -111,6 +115,34 @@ ElementSets read(const NeighborsOptions& options, Console& console) {
   return load_sets(input, options.against, console);
 }
 
+/// The distances of neighbors that have none yet, as the processor measures them.
+NeighborList with_distances(const NeighborList& found, const ElementView& points,
+                            const Domain& domain, const Options& detection) {
+  PairArray pairs;
+  pairs.reserve(found.neighbors().size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (const ElementIndex j : found[i]) pairs.push_back({static_cast<ElementIndex>(i), j});
+  }
+  PairGeometry geometry =
+      measure(points, {pairs, found.shifts()}, Quantity::distance, domain, detection);
+  return {{found.offsets().begin(), found.offsets().end()},
+          {found.neighbors().begin(), found.neighbors().end()},
+          {found.shifts().begin(), found.shifts().end()},
+          std::move(geometry),
+          found.statistics()};
+}
+
+NeighborList detect_on_device(int device, const ElementView& points,
+                              const NeighborsOptions& options, const Domain& domain,
+                              Options detection) {
+  detection.margin = options.cutoff;
+  detection.quantities = {};
+  return in_words_of_tool([&] {
+    NeighborList found = DeviceSearch(device, points, detection).neighbors(domain, options.kind);
+    return options.output.empty() ? found : with_distances(found, points, domain, detection);
+  });
+}
+
 NeighborList detect(const NeighborsOptions& options, const ElementSets& sets,
                     const LoadedRule& rule, Console& console) {
   Options detection = options.detection;
@@ -121,6 +153,9 @@ NeighborList detect(const NeighborsOptions& options, const ElementSets& sets,
     detection.shifts = sets.domain.is_periodic() ? Shifts::stored : Shifts::none;
   }
   const ElementView first = centers_of(sets.first);
+  if (options.device) {
+    return detect_on_device(*options.device, first, options, sets.domain, detection);
+  }
   if (!sets.are_two()) {
     return neighbors(first, options.cutoff, sets.domain, options.kind, detection);
   }
@@ -132,6 +167,7 @@ NeighborList detect(const NeighborsOptions& options, const ElementSets& sets,
 
 void run(const NeighborsOptions& options) {
   require_csv(options);
+  if (options.device) require_device(*options.device);
   Console console(options.console);
   const ElementSets sets = read(options, console);
   const LoadedRule rule(options.input, options.rule, sets, console);

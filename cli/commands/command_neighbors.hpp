@@ -2,6 +2,7 @@
 
 #include "console.hpp"
 #include "load_snapshot.hpp"
+#include "options/device_option.hpp"
 #include "options/rule_options.hpp"
 
 #include <abut/neighbor_list.hpp>
@@ -18,6 +19,7 @@ struct NeighborsOptions {
   double cutoff = 0.0;
   NeighborListKind kind = NeighborListKind::half;
   Options detection;
+  DeviceChoice device = {};  ///< where neighbors are searched
   ConsoleOptions console;
   std::string output;  ///< empty: neighbors are not written; "-" is standard output
 };

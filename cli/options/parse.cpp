@@ -120,7 +120,8 @@ void add_contacts_output(CLI::App& sub, const std::shared_ptr<ContactsOptions>& 
 }
 
 /// A search on a device takes no options that are the processor's, or not supported there yet.
-void require_contacts_of_device(const CLI::App& sub, const ContactsOptions& options) {
+template <class SearchOptions>
+void require_search_of_device(const CLI::App& sub, const SearchOptions& options) {
   require_options_of_device(sub, options.device, {"--against", "--threads", "--simd"});
   const Algorithm algorithm = options.detection.algorithm;
   if (options.device && algorithm != Algorithm::automatic && algorithm != Algorithm::rows) {
@@ -152,7 +153,7 @@ void add_contacts(CLI::App& app, Command& command) {
   sub.callback([&command, &sub, options, format] {
     const bool of_output = is_format_of_output(*format, options->output);
     (of_output ? options->output_format : options->input.format) = *format;
-    require_contacts_of_device(sub, *options);
+    require_search_of_device(sub, *options);
     command = *options;
   });
 }
@@ -163,7 +164,7 @@ void add_neighbors(CLI::App& app, Command& command) {
       "abut neighbors atoms.xyz --cutoff 3.5\n"
       "abut neighbors pour.dump --cutoff 2.5 --full -o neighbors.csv\n"
       "abut neighbors probes.csv --against atoms.xyz --cutoff 3.5");
-  auto options = hand_over<NeighborsOptions>(sub, command);
+  auto options = std::make_shared<NeighborsOptions>();
   add_file(sub, "FILE", "elements to read; - is standard input", options->input.path)->required();
   add_value(sub, "--cutoff", "C", "neighbors are centers at most C apart",
             [options](const std::string& text) { options->cutoff = length("--cutoff", text); })
@@ -181,9 +182,15 @@ void add_neighbors(CLI::App& app, Command& command) {
              options->output);
   add_search(sub, options->detection);
   add_limits(sub, options->detection);
+  add_device(sub, options->device,
+             "where neighbors are searched: cpu, the default, or a GPU, by its number");
   add_rule(sub, options->input, options->rule);
   add_input(sub, options->input);
   add_console(sub, options->console);
+  sub.callback([&command, &sub, options] {
+    require_search_of_device(sub, *options);
+    command = *options;
+  });
 }
 
 void add_info(CLI::App& app, Command& command) {

@@ -48,7 +48,7 @@ def test_6_without_a_device(abut, fails):
     """Before the file is read, which is not there; the sentence says which of the three it is."""
     number = "99" if has_device(abut) else "0"
     for arguments in (["contacts", "nosuch.csv"], ["contacts", "nosuch.csv", "--count"],
-                      ["bench", "nosuch.csv"]):
+                      ["neighbors", "nosuch.csv", "--cutoff", "1"], ["bench", "nosuch.csv"]):
         told = fails(6, *arguments, "--device", f"gpu:{number}")
         assert told.endswith("; leave out --device") and "abut::" not in told
         reasons = ("no driver of CUDA", "finds none", "the driver is of CUDA",
@@ -79,6 +79,28 @@ def test_boxes(abut, with_device, domain, report):
     found = with_device(*arguments, "--device", "gpu", stdin=given)
     assert (expected.returncode, found.returncode) == (0, 0), expected.stderr + found.stderr
     assert found.stdout == expected.stdout and len(found.stdout) > 1
+
+
+@pytest.mark.parametrize("file, domain", [
+    (YADE, []), (LAMMPS, ["--periodic", "none"]), (LAMMPS, []),
+    (LAMMPS, ["--lattice", "20,0,0,3,20,0,0,0,41"])])
+@pytest.mark.parametrize("form", [[], ["--full"]])
+def test_neighbors(abut, with_device, file, domain, form):
+    cutoff = "0.1" if file == YADE else "1.1"
+    arguments = ["neighbors", file, "--cutoff", cutoff, *domain, *form, "-o", "-", "-q"]
+    expected = abut(*arguments)
+    found = with_device(*arguments, "--device", "gpu")
+    assert (expected.returncode, found.returncode) == (0, 0), found.stderr
+    assert found.stdout == expected.stdout and found.stdout.count("\n") > 100
+
+
+def test_neighbors_name_the_device(abut, with_device):
+    arguments = ["neighbors", YADE, "--cutoff", "0.1"]
+    expected = abut(*arguments).stdout
+    found = with_device(*arguments, "--device", "gpu").stdout
+    assert found == expected.replace("rows\n", f"rows, {STAND_IN}\n")
+    told = with_device(*arguments, "--device", "gpu", "--against", YADE)
+    assert told.returncode == 2 and "--against is not for devices" in told.stderr
 
 
 def test_json_and_summary_name_the_device(abut, with_device):

@@ -124,8 +124,10 @@ std::string text_of(const InfoOptions& options, const io::Snapshot& snapshot,
     table.add_row({"column " + io::visible(column.name, 40), numbers_text(column, described.rows)});
   }
   if (columns > most) table.add_row({"", fmt::format("and {} columns more", columns - most)});
-  table.add_row({"next", fmt::format("abut contacts {} --columns {}",
-                                     shell_quoted(options.input.path), names_to_try(columns))});
+  if (!described.columns_are_known) {
+    table.add_row({"next", fmt::format("abut contacts {} --columns {}",
+                                       shell_quoted(options.input.path), names_to_try(columns))});
+  }
   return snapshot.name() + '\n' + table.text("  ") + io::visible(described.problem, 1000) + '\n';
 }
 

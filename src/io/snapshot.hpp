@@ -20,11 +20,12 @@ struct ColumnDescription {
   double most = 0.0;
 };
 
-/// A table of which nobody can tell what its elements are.
+/// A table of which nobody can tell what its elements are, or in which some row is none.
 struct TableDescription {
   std::uint64_t rows = 0;
   std::vector<ColumnDescription> columns;
-  std::string problem;  ///< the sentence that a detection would end with
+  std::string problem;             ///< the sentence that a detection would end with
+  bool columns_are_known = false;  ///< they are those of elements
 };
 
 /// The elements of one frame of a file, in the order of the file. Lengths in the file's unit.

@@ -77,6 +77,10 @@ def test_0_info_describes_what_a_detection_refuses(abut, fails):
     for text, told in (("1 2 3\n4 5 x\n", ["rows      2", "column 3  3 to 3 in 1 of 2 rows",
                                             "--columns x,y,radius"]),
                        ("a,y\n1,2\n", ["column a  1 to 1", "column x is missing"]),
+                       ("x,y,radius\n1,2,3\n4,nan,-1\n7,8,2\n",
+                        ["column x       1 to 7\n", "column y       2 to 8 in 2 of 3 rows",
+                         "column radius  -1 to 3\n", "line 3, column 'y': 'nan'"]),
+                       ("x,y,radius\n1,2,-3\n", ["column radius  -3 to -3", "negative"]),
                        ("x,y\n1,2\n", ["elements  1 disc", "radii     none", "--radius R"]),
                        ("2\n\nX 1 2 3\nX 1 2 3\n", ["2 spheres", "radii     none"])):
         fails(3, "contacts", "-", stdin=text)

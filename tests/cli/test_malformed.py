@@ -49,7 +49,11 @@ CASES = {
 }
 
 # What is said of a table that no detection takes.
-DESCRIBED = ["no header", "no y", "no radius", "x twice", "dump, no radius"]
+DESCRIBED = [
+    *("no header", "no y", "no radius", "x twice", "dump, no radius", "a word", "NaN", "infinity"),
+    *("too large", "negative radius", "decimal comma", "hexadecimal", "too few columns"),
+    *("too many columns", "empty field", "open quote"),
+]
 
 
 @pytest.mark.parametrize("name", CASES)

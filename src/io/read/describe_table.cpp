@@ -1,13 +1,13 @@
 #include "io/read/describe_table.hpp"
 
 #include "io/number_text.hpp"
-#include "io/read/csv_lines.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -24,25 +24,25 @@ void look_at(std::string_view field, ColumnDescription& column) {
 
 }  // namespace
 
-TableDescription describe_table(LineReader& reader, const std::optional<TableHeader>& header,
-                                std::string problem) {
-  TableDescription table;
-  table.problem = std::move(problem);
-  if (header) {
-    for (const std::string& name : header->names) table.columns.push_back({name});
+TableDescriber::TableDescriber(const std::optional<TableHeader>& header) {
+  if (!header) return;
+  separator_ = header->separator;
+  for (const std::string& name : header->names) table_.columns.push_back({name});
+}
+
+void TableDescriber::add(std::string_view row) {
+  if (!separator_) separator_ = separator_of(row);
+  FieldCursor cursor(row, *separator_);
+  for (std::size_t k = 0; const std::optional<std::string_view> field = cursor.next(); ++k) {
+    if (k == table_.columns.size()) table_.columns.push_back({fmt::format("{}", k + 1)});
+    look_at(*field, table_.columns[k]);
   }
-  std::optional<Separator> separator;
-  if (header) separator = header->separator;
-  while (const std::optional<std::string_view> line = next_data_line(reader)) {
-    if (!separator) separator = separator_of(*line);
-    FieldCursor cursor(*line, *separator);
-    for (std::size_t k = 0; const std::optional<std::string_view> field = cursor.next(); ++k) {
-      if (k == table.columns.size()) table.columns.push_back({fmt::format("{}", k + 1)});
-      look_at(*field, table.columns[k]);
-    }
-    ++table.rows;
-  }
-  return table;
+  ++table_.rows;
+}
+
+TableDescription TableDescriber::described(std::string problem) && {
+  table_.problem = std::move(problem);
+  return std::move(table_);
 }
 
 }  // namespace abut::io

@@ -12,11 +12,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 namespace abut::io {
 namespace {
@@ -40,6 +38,50 @@ TableColumns find_roles(LineReader& reader, const std::optional<TableHeader>& he
   return find_columns(reader, header->names, axis_names, wanted);
 }
 
+Snapshot described_by(TableDescriber&& describer, const Error& problem) {
+  Snapshot snapshot;
+  snapshot.table = std::move(describer).described(problem.what());
+  return snapshot;
+}
+
+/// Describes a table whose columns are not those of elements.
+Snapshot described_columns(LineReader& reader, const std::optional<TableHeader>& header,
+                           const Error& problem) {
+  TableDescriber describer(header);
+  while (const std::optional<std::string_view> row = next_data_line(reader)) describer.add(*row);
+  return described_by(std::move(describer), problem);
+}
+
+/// Reads the rows. What is only to be described is so even if a row is no element; the sentence is
+/// that of the first such row.
+Snapshot read_rows(LineReader& reader, const TableHeader& header, const TableColumns& columns,
+                   const ReadOptions& options) {
+  Snapshot snapshot;
+  snapshot.frame = frame_number(reader, options, 1);
+  RowParser rows(reader, columns, header.separator, options.radius, IdRule::dropped_unless_integers,
+                 snapshot);
+  if (options.purpose == Purpose::detection) {
+    while (const std::optional<std::string_view> row = next_data_line(reader)) rows.append(*row);
+    return snapshot;
+  }
+  TableDescriber describer(header);
+  std::optional<Error> problem;
+  while (const std::optional<std::string_view> row = next_data_line(reader)) {
+    describer.add(*row);
+    if (problem) continue;
+    try {
+      rows.append(*row);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::invalid_input) throw;
+      problem = error;
+    }
+  }
+  if (!problem) return snapshot;
+  Snapshot described = described_by(std::move(describer), *problem);
+  described.table->columns_are_known = true;
+  return described;
+}
+
 }  // namespace
 
 Snapshot read_csv(LineReader& reader, const ReadOptions& options) {
@@ -49,17 +91,9 @@ Snapshot read_csv(LineReader& reader, const ReadOptions& options) {
     columns = find_roles(reader, header, options);
   } catch (const Error& error) {
     if (options.purpose == Purpose::detection) throw;
-    Snapshot described;
-    described.table = describe_table(reader, header, error.what());
-    return described;
+    return described_columns(reader, header, error);
   }
-  const Separator separator = header->separator;
-  Snapshot snapshot;
-  snapshot.frame = frame_number(reader, options, 1);
-  RowParser rows(reader, columns, separator, options.radius, IdRule::dropped_unless_integers,
-                 snapshot);
-  while (const std::optional<std::string_view> line = next_data_line(reader)) rows.append(*line);
-  return snapshot;
+  return read_rows(reader, *header, columns, options);
 }
 
 }  // namespace abut::io

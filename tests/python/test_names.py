@@ -36,6 +36,9 @@ ELSEWHERE = {
     "PairTraits": "PairRule",
     "Skin": "Detector.skin",
     "ErrorCode": "Error.code",
+    "SimplexView": "Simplices",
+    "simplices_2d": "Simplices",
+    "simplices_3d": "Simplices",
 }
 # Types that are words, numbers or arguments in Python, and the option that takes them.
 ARGUMENTS = {
@@ -71,6 +74,7 @@ NOT_NEEDED = {
     "ColumnScalar": "the type of an array says it",
     "column": "an array is one",
     "Connectivity": "an array is one",
+    "SharedVertices": "shared_vertices= takes the word",
     "WorkerNumber": "no visitors",
     "PairBatchVisitor": "no visitors: a call of Python for each batch would hold all workers up",
     "ShiftedBatchVisitor": "no visitors",
@@ -86,13 +90,6 @@ NOT_NEEDED = {
     "simd_variable": "ABUT_SIMD works in Python, too",
     "version": "__version__",
     "CandidateList": "loops over candidates are for compiled code: Detector with a skin",
-    **dict.fromkeys(
-        [
-            *("SharedVertices", "SimplexView", "find_simplex_contacts", "simplices_2d"),
-            *("simplices_3d", "touching"),
-        ],
-        "simplices are not in Python yet",
-    ),
     # Of namespace trace
     **dict.fromkeys(
         [
@@ -119,6 +116,7 @@ CLASSES = {
     "PairList": "Contacts",
     "PairMeasurer": "PairMeasurer",
     "PairRule": "PairRule",
+    "SimplexView": "Simplices",
     "TriangleMesh": "TriangleMesh",
 }
 MEMBERS_ELSEWHERE = {

@@ -35,6 +35,7 @@ from ._mesh import Motion, TriangleMesh
 from ._neighbors import NeighborList, build_neighbor_list, neighbors
 from ._options import Options
 from ._rules import ExclusionList, GroupTable, PairRule
+from ._simplices import SimplexContacts, Simplices, find_simplex_contacts, touching
 from ._spatial_order import spatial_order
 from ._statistics import Statistics
 from ._wall_contacts import BoxContacts, FeatureKind, MeshContacts
@@ -70,6 +71,8 @@ __all__ = [
     "PairGeometry",
     "PairMeasurer",
     "PairRule",
+    "SimplexContacts",
+    "Simplices",
     "SkinStatistics",
     "Snapshot",
     "Statistics",
@@ -87,6 +90,7 @@ __all__ = [
     "find_box_contacts",
     "find_contact_pairs",
     "find_mesh_contacts",
+    "find_simplex_contacts",
     "fit_boxes",
     "measure",
     "neighbors",
@@ -96,5 +100,6 @@ __all__ = [
     "simd_levels",
     "spatial_order",
     "spheres",
+    "touching",
     "write",
 ]

@@ -13,9 +13,14 @@ from ._elements import Elements, boxes, points, rectangles
 from ._errors import InputError
 
 
-def cells_of(given: Any) -> npt.NDArray[np.int64]:
-    """Vertex numbers of cells, a row for each."""
-    cells = whole_numbers(given, np.int64, "vertex numbers of cells")
+_KEPT = tuple(np.dtype(kind) for kind in (np.int32, np.uint32, np.int64, np.uint64))
+
+
+def cells_of(given: Any) -> npt.NDArray[Any]:
+    """Vertex numbers of cells, a row for each. Numbers of 32 or 64 bits, row after row, are read
+    where they are."""
+    kind = next((kept for kept in _KEPT if getattr(given, "dtype", None) == kept), _KEPT[2])
+    cells = whole_numbers(given, kind.type, "vertex numbers of cells")
     if cells.ndim != 2 or cells.shape[1] not in (1, 2, 3, 4, 6, 8):
         raise InputError(f"cells have a row of vertex numbers each, not the shape {cells.shape}")
     return cells

@@ -21,6 +21,7 @@ void bind_neighbors(nb::module_& module);
 void bind_spatial_order(nb::module_& module);
 void bind_boxes(nb::module_& module);
 void bind_mesh(nb::module_& module);
+void bind_simplices(nb::module_& module);
 void bind_detector(nb::module_& module);
 void bind_history(nb::module_& module);
 void bind_wall_history(nb::module_& module);

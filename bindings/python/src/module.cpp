@@ -18,6 +18,7 @@ NB_MODULE(_abut, module) {
   bind_spatial_order(module);
   bind_boxes(module);
   bind_mesh(module);
+  bind_simplices(module);
   bind_detector(module);
   bind_history(module);
   bind_wall_history(module);

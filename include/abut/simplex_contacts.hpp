@@ -4,6 +4,7 @@
 #include <abut/element_view.hpp>
 #include <abut/export.hpp>
 #include <abut/fit_boxes.hpp>
+#include <abut/image_shift.hpp>
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
 #include <abut/pair_list.hpp>
@@ -51,7 +52,7 @@ requires detail::PointsOf<Points, 2>
 }
 
 /// What counts for simplices that name the same vertex, as neighbors in a mesh do. Vertices of
-/// different numbers at one place are not the same vertex.
+/// different numbers at one place are not the same vertex, nor are a vertex and its image.
 enum class SharedVertices {
   touching,  ///< they touch, as all others with a point in common do
   excluded,  ///< they are no contact, whatever else they have in common
@@ -74,8 +75,10 @@ enum class SharedVertices {
 find_simplex_contacts(const SimplexView& simplices, const Options& options = {},
                       SharedVertices shared = SharedVertices::touching);
 
-/// Finds the contacts of simplices in a domain, which must be open: a periodic one throws
-/// Error{wrong_usage}.
+/// Finds the contacts of simplices in a domain. In a periodic one a contact is (i, j, n): simplex i
+/// and simplex j with vertices x + n A, in real arithmetic, have a point in common. Each image
+/// counts once, as in the contract of boxes, also images of a simplex itself. `Options::shifts`
+/// stores n. The algorithm must support periodic domains.
 [[nodiscard]] ABUT_API PairList find_simplex_contacts(
     const SimplexView& simplices, const Domain& domain, const Options& options = {},
     SharedVertices shared = SharedVertices::touching);
@@ -87,7 +90,7 @@ find_simplex_contacts(const SimplexView& simplices, const Options& options = {},
     const SimplexView& first, const SimplexView& second, const Options& options = {},
     SharedVertices shared = SharedVertices::touching);
 
-/// Finds the contacts of two sets in a domain, which must be open.
+/// Finds the contacts of two sets in a domain.
 [[nodiscard]] ABUT_API PairList find_simplex_contacts(
     const SimplexView& first, const SimplexView& second, const Domain& domain,
     const Options& options = {}, SharedVertices shared = SharedVertices::touching);
@@ -98,5 +101,11 @@ find_simplex_contacts(const SimplexView& simplices, const Options& options = {},
 /// find_simplex_contacts does.
 [[nodiscard]] ABUT_API bool touching(const SimplexView& first, const SimplexView& second,
                                      ContactPair pair);
+
+/// Decides it for the first simplex and the image of the second that `shift` names, in a domain.
+/// The shift is 0 on axes that are not periodic; another throws Error{wrong_usage}.
+[[nodiscard]] ABUT_API bool touching(const SimplexView& first, const SimplexView& second,
+                                     const Domain& domain, ContactPair pair,
+                                     const ImageShift& shift);
 
 }  // namespace abut

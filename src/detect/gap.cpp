@@ -3,6 +3,7 @@
 #include "detect/validate_options.hpp"
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
+#include "elements/require_dimensions.hpp"
 #include "exact/box.hpp"
 #include "exact/periodic_box.hpp"
 #include "exact/periodic_gap.hpp"
@@ -12,7 +13,6 @@
 #include <abut/error.hpp>
 #include <abut/two_sets.hpp>
 
-#include <cstdint>
 #include <string>
 
 namespace abut {
@@ -35,17 +35,6 @@ struct Sets {
     require(pair.second, second);
   }
 };
-
-/// The shift is 0 on axes that are not periodic.
-void require_there(const Domain& domain, const ImageShift& shift) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::int32_t number = exact::numbers(shift)[static_cast<std::size_t>(axis)];
-    if (number == 0 || domain.is_periodic(axis)) continue;
-    throw Error(ErrorCode::wrong_usage, std::string("image shift ") + "xyz"[axis] + " = " +
-                                            std::to_string(number) +
-                                            ", but the domain is not periodic there; give 0");
-  }
-}
 
 template <int Dim>
 double gap_of(const Sets& sets, ContactPair pair) {
@@ -84,7 +73,7 @@ double checked_gap(const Sets& sets, const Domain& domain, ContactPair pair,
     detect::require_alike(sets.first, sets.second);
     sets.require(pair);
     detect::require_dimensions(sets.first, domain);
-    require_there(domain, shift);
+    elements::require_there(domain, shift);
   });
   const base::FloatEnvironment environment;
   return sets.first.dimensions() == 2 ? gap_of<2>(sets, domain, pair, shift)

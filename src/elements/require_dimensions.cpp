@@ -1,7 +1,11 @@
 #include "elements/require_dimensions.hpp"
 
+#include "exact/lattice.hpp"
+
 #include <abut/error.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace abut::elements {
@@ -25,6 +29,16 @@ void require_alike(const ElementView& first, const ElementView& second) {
                                           " dimensions and the second " +
                                           std::to_string(second.dimensions()) +
                                           "; give two sets of the same number of dimensions");
+}
+
+void require_there(const Domain& domain, const ImageShift& shift) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int32_t number = exact::numbers(shift)[static_cast<std::size_t>(axis)];
+    if (number == 0 || domain.is_periodic(axis)) continue;
+    throw Error(ErrorCode::wrong_usage, std::string("image shift ") + "xyz"[axis] + " = " +
+                                            std::to_string(number) +
+                                            ", but the domain is not periodic there; give 0");
+  }
 }
 
 }  // namespace abut::elements

@@ -5,6 +5,7 @@
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -21,16 +22,22 @@ struct PairBatch {
   }
 };
 
-/// Moves the pairs for which keep(pair) holds to the front, in order; returns how many there are.
-/// Without branches that depend on the data, which could not be predicted.
+/// Moves the pairs for which keep(pair), or keep(pair, shift), holds to the front, in order;
+/// returns how many there are. Pairs without shifts are given zeros. Without branches that depend
+/// on the data, which could not be predicted.
 template <class Keep>
 std::size_t keep_where(const PairBatch& batch, Keep&& keep) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < batch.pairs.size(); ++k) {
     const ContactPair pair = batch.pairs[k];
     batch.pairs[kept] = pair;
-    if (!batch.shifts.empty()) batch.shifts[kept] = batch.shifts[k];
-    kept += keep(pair) ? 1 : 0;
+    const ImageShift shift = batch.shifts.empty() ? ImageShift{} : batch.shifts[k];
+    if (!batch.shifts.empty()) batch.shifts[kept] = shift;
+    if constexpr (std::invocable<Keep&, const ContactPair&, const ImageShift&>) {
+      kept += keep(pair, shift) ? 1 : 0;
+    } else {
+      kept += keep(pair) ? 1 : 0;
+    }
   }
   return kept;
 }

@@ -30,11 +30,6 @@ void require_same_dimensions(const SimplexView& first, const SimplexView& second
 }
 
 void require_supported(const SimplexRequest& request) {
-  if (request.domain.is_periodic()) {
-    throw Error(ErrorCode::wrong_usage,
-                "contacts of simplices are not found in periodic domains; give Domain::open(), and "
-                "images of the simplices near a face as simplices of their own");
-  }
   if (request.options.margin != 0.0) {
     throw Error(ErrorCode::wrong_usage, "margin = " + base::shortest_text(request.options.margin) +
                                             "; simplices touch or do not, leave it 0");

@@ -2,6 +2,8 @@
 
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
+#include "elements/lattice_of.hpp"
+#include "elements/require_dimensions.hpp"
 #include "exact/simplices/touch.hpp"
 #include "simplices/gathered_simplices.hpp"
 #include "simplices/simplex_search.hpp"
@@ -28,10 +30,12 @@ void require_in(const SimplexView& view, ElementIndex number) {
 }
 
 template <int Dim>
-bool touching_in(const SimplexView& first, const SimplexView& second, ContactPair pair) {
+bool touching_in(const SimplexView& first, const SimplexView& second, const Domain& domain,
+                 ContactPair pair, const ImageShift& shift) {
   std::uint64_t exact_decisions = 0;
   return exact::touch(simplices::simplex_at<Dim>(first, pair.first),
-                      simplices::simplex_at<Dim>(second, pair.second), exact_decisions);
+                      simplices::simplex_at<Dim>(second, pair.second), shift,
+                      elements::lattice_of(domain), exact_decisions);
 }
 
 }  // namespace
@@ -58,13 +62,20 @@ PairList find_simplex_contacts(const SimplexView& first, const SimplexView& seco
 }
 
 bool touching(const SimplexView& first, const SimplexView& second, ContactPair pair) {
+  return touching(first, second, Domain::open(), pair, {});
+}
+
+bool touching(const SimplexView& first, const SimplexView& second, const Domain& domain,
+              ContactPair pair, const ImageShift& shift) {
   const base::FloatEnvironment environment;
   return base::reporting_lack_of_memory([&] {
     require_in(first, pair.first);
     require_in(second, pair.second);
     simplices::require_same_dimensions(first, second);
-    return first.dimensions() == 2 ? touching_in<2>(first, second, pair)
-                                   : touching_in<3>(first, second, pair);
+    elements::require_dimensions(first.vertices(), domain);
+    elements::require_there(domain, shift);
+    return first.dimensions() == 2 ? touching_in<2>(first, second, domain, pair, shift)
+                                   : touching_in<3>(first, second, domain, pair, shift);
   });
 }
 

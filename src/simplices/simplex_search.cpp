@@ -56,6 +56,8 @@ class SimplexSearch {
     return ElementView(std::array<Column<double>, std::size_t{Dim}>{}, 0.0);
   }
 
+  [[nodiscard]] bool is_periodic() const noexcept { return request_.domain.is_periodic(); }
+
   void gather_sets() {
     const SimplexView* const others = request_.others;
     const std::size_t size = request_.first.size() + (others == nullptr ? 0 : others->size());
@@ -82,9 +84,12 @@ class SimplexSearch {
                                           others ? &*others : nullptr};
     detect::validate_request(search);
     lists::FoundPairs found(memory_);
-    found.start_anew({.limit = request_.options.max_pairs, .order = request_.options.order});
-    TouchSink<Dim> touching(*first_, second_ ? *second_ : *first_, request_.shared,
-                            context_.progress, found);
+    // An image is decided where its shift is known, wanted or not.
+    found.start_anew({.limit = request_.options.max_pairs,
+                      .shifts = is_periodic() ? Shifts::stored : Shifts::none,
+                      .order = request_.options.order});
+    TouchSink<Dim> touching(*first_, second_ ? *second_ : *first_, request_, context_.progress,
+                            found);
     Statistics statistics =
         std::make_unique<detect::PairSearch>(memory_)->find(search, touching, context_);
     statistics.gather_seconds += gather_seconds_;
@@ -98,17 +103,21 @@ class SimplexSearch {
     context_.progress.begin("order", found.size());
     PairArray pairs;
     ShiftArray shifts;
-    const bool with_shifts = request_.options.shifts == Shifts::stored;
+    const bool are_wanted = request_.options.shifts == Shifts::stored;
     const lists::ResultBuffer pair_buffer(pairs, found.size(), memory_);
-    const lists::ResultBuffer shift_buffer(shifts, with_shifts ? found.size() : 0, memory_);
-    std::fill(shifts.begin(), shifts.end(), ImageShift{});
+    const lists::ResultBuffer shift_buffer(shifts, are_wanted || is_periodic() ? found.size() : 0,
+                                           memory_);
+    if (!is_periodic()) std::fill(shifts.begin(), shifts.end(), ImageShift{});
+    lists::OutputBuffer target{pairs, {}};
+    if (is_periodic()) target.shifts = shifts;
     const auto workers = static_cast<std::size_t>(statistics.threads);
     lists::PairOrder order(memory_);
     if (found.must_be_sorted()) {
-      order.sort(found.pieces(), first_->boxes.size(), {pairs, {}}, workers, context_.work);
+      order.sort(found.pieces(), first_->boxes.size(), target, workers, context_.work);
     } else {
-      order.join(found.pieces(), {pairs, {}}, workers, context_.work);
+      order.join(found.pieces(), target, workers, context_.work);
     }
+    if (!are_wanted) shifts.clear();
     statistics.order_seconds = stopwatch.lap();
     statistics.contact_pairs = found.size();
     statistics.list_insertions = context_.list_insertions;

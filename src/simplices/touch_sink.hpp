@@ -1,10 +1,14 @@
 #pragma once
 
 #include "base/progress_reporter.hpp"
+#include "elements/lattice_of.hpp"
+#include "exact/lattice.hpp"
 #include "exact/simplices/touch.hpp"
 #include "lists/filtering_sink.hpp"
 #include "simplices/gathered_simplices.hpp"
+#include "simplices/simplex_search.hpp"
 
+#include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
 #include <abut/simplex_contacts.hpp>
 
@@ -21,8 +25,12 @@ class TouchSink final : public lists::FilteringSink {
  public:
   /// All must live until the last pairs are committed.
   TouchSink(const GatheredSimplices<Dim>& first, const GatheredSimplices<Dim>& second,
-            SharedVertices shared, base::ProgressReporter& progress, base::PairSink& next)
-      : first_(first), second_(second), shared_(shared), progress_(progress) {
+            const SimplexRequest& request, base::ProgressReporter& progress, base::PairSink& next)
+      : first_(first),
+        second_(second),
+        shared_(request.shared),
+        lattice_(elements::lattice_of(request.domain)),
+        progress_(progress) {
     pass_to(next);
   }
 
@@ -39,16 +47,20 @@ class TouchSink final : public lists::FilteringSink {
     base::WorkCounter work(progress_, worker);
     std::uint64_t tests = 0;
     std::uint64_t open = 0;
-    const std::size_t kept = lists::keep_where(batch, [&](const ContactPair& pair) {
-      if (shared_ == SharedVertices::excluded && share_vertex(pair)) return false;
+    const auto decide = [&](const ContactPair& pair, const ImageShift& shift) {
+      // An image of a vertex is another vertex.
+      if (shared_ == SharedVertices::excluded && shift == ImageShift{} && share_vertex(pair)) {
+        return false;
+      }
       ++tests;
       std::uint64_t signs = 0;
-      const bool touching =
-          exact::touch(first_.simplices[pair.first], second_.simplices[pair.second], signs);
+      const bool touching = exact::touch(first_.simplices[pair.first],
+                                         second_.simplices[pair.second], shift, lattice_, signs);
       open += signs > 0 ? 1 : 0;
       work.did(steps_of_decision + steps_of_sign * signs);
       return touching;
-    });
+    };
+    const std::size_t kept = lists::keep_where(batch, decide);
     work.tell();
     tests_ += tests;
     exact_decisions_ += open;
@@ -68,6 +80,7 @@ class TouchSink final : public lists::FilteringSink {
   const GatheredSimplices<Dim>& first_;
   const GatheredSimplices<Dim>& second_;
   SharedVertices shared_;
+  exact::Lattice lattice_;
   base::ProgressReporter& progress_;
   mutable std::atomic<std::uint64_t> tests_ = 0;
   mutable std::atomic<std::uint64_t> exact_decisions_ = 0;

@@ -30,11 +30,15 @@ def solution(columns, rhs):
     return [row[-1] / row[k] for k, row in enumerate(rows[: len(columns)])]
 
 
+def exact(x):
+    return x if isinstance(x, Fraction) else Fraction(float(x))
+
+
 def meet(a, b):
     """True if two convex hulls have a common point: means of their vertices, with weights >= 0 that
     add up to 1 for each, are equal. If any weights do so, those of some independent columns do."""
-    columns = [[Fraction(float(x)) for x in p] + [Fraction(1), Fraction(0)] for p in a]
-    columns += [[-Fraction(float(x)) for x in p] + [Fraction(0), Fraction(1)] for p in b]
+    columns = [[exact(x) for x in p] + [Fraction(1), Fraction(0)] for p in a]
+    columns += [[-exact(x) for x in p] + [Fraction(0), Fraction(1)] for p in b]
     rhs = [Fraction(0)] * len(a[0]) + [Fraction(1)] * 2
     for size in range(2, len(rhs) + 1):
         for chosen in itertools.combinations(columns, size):
@@ -206,6 +210,51 @@ def test_options_and_threads():
         abut.find_simplex_contacts(simplices, max_pairs=len(one) - 1)
     with pytest.raises(abut.Cancelled):
         abut.find_simplex_contacts(simplices, progress=lambda *_: False)
+
+
+def test_periodic_domains():
+    """All images of a skewed cell, moved in fractions."""
+    vertices, cells = system(2, 3, 9, cells=12)
+    vectors = [[0.7, 0.1], [-0.2, 0.8]]
+    exactly = [[Fraction(x) for x in vector] for vector in vectors]
+    domain = abut.Domain.lattice(vectors)
+    places = [[Fraction(float(x)) for x in point] for point in vertices]
+
+    def moved(number, n):
+        return [
+            [x + n[0] * exactly[0][k] + n[1] * exactly[1][k] for k, x in enumerate(places[v])]
+            for v in cells[number]
+        ]
+
+    wanted = [
+        (i, j, *n, 0)
+        for i in range(12)
+        for j in range(i, 12)
+        for n in itertools.product(range(-2, 3), repeat=2)
+        if (i < j or n > (0, 0))
+        and boxes_meet(moved(i, (0, 0)), moved(j, n))
+        and meet(moved(i, (0, 0)), moved(j, n))
+    ]
+    simplices = abut.Simplices(vertices, cells)
+    found = abut.find_simplex_contacts(simplices, domain=domain)
+    assert tuples(np.hstack([found.pairs, found.shift])) == wanted
+    assert abut.touching(simplices, simplices, found.pairs, found.shift, domain).all()
+    far = np.zeros((12, 3), dtype=int) + [9, 9, 0]
+    same = np.repeat(np.arange(12), 2).reshape(-1, 2)
+    assert not abut.touching(simplices, simplices, same, far, domain).any()
+    again = pickle.loads(pickle.dumps(found))
+    assert again.shift.tolist() == found.shift.tolist() and again.domain.is_periodic
+    without = abut.find_simplex_contacts(simplices, domain=domain, shifts=False)
+    assert tuples(without.pairs) == tuples(found.pairs)
+    with pytest.raises(abut.UsageError, match="shifts=True"):
+        without.shift  # noqa: B018
+    assert not abut.find_simplex_contacts(simplices).shift.any()
+    with pytest.raises(abut.UsageError, match="image shift x"):
+        abut.touching(simplices, simplices, [[0, 0]], [[1, 0, 0]])
+    with pytest.raises(abut.InputError, match="one for each"):
+        abut.touching(simplices, simplices, [[0, 0]], [[0, 0, 0]] * 2)
+    with pytest.raises(abut.UsageError, match="periodic"):
+        abut.find_simplex_contacts(simplices, domain=domain, algorithm="munjiza_nbs")
 
 
 def test_wrong_simplices():

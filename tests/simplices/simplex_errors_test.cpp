@@ -82,12 +82,6 @@ TEST(SimplexErrors, WhatSimplicesDoNotHave) {
   expect_refused({"margin = nan"}, {.margin = std::numeric_limits<double>::quiet_NaN()});
   expect_refused({"nothing is measured"}, {.quantities = Quantity::gap});
   expect_refused({"threads = -1"}, {.threads = -1});
-  const SimplexView view = simplices_3d(vertices, two);
-  const Domain periodic = Domain::periodic({2.0, 2.0, 2.0});
-  expect_error(ErrorCode::wrong_usage, {"periodic", "Domain::open()"},
-               [&] { static_cast<void>(find_simplex_contacts(view, periodic)); });
-  expect_error(ErrorCode::wrong_usage, {"periodic", "Domain::open()"},
-               [&] { static_cast<void>(find_simplex_contacts(view, view, periodic)); });
 }
 
 TEST(SimplexErrors, TwoSets) {

@@ -93,12 +93,12 @@ class SimplexContacts:
         results: _abut.PairResults,
         simplices: Simplices,
         others: Simplices | None,
-        domain: Domain | None,
+        options: Options,
     ) -> None:
         self._results: _abut.PairResults | None = results
         self._simplices = simplices
         self._others = others
-        self._domain = domain or OPEN
+        self._domain = options.get("domain") or OPEN
 
     def __len__(self) -> int:
         return len(self.pairs)
@@ -117,6 +117,16 @@ class SimplexContacts:
     def j(self) -> npt.NDArray[np.uint32]:
         """Number of the second simplex of each pair: a view of `pairs`."""
         return self.pairs[:, 1]
+
+    @cached_property
+    def shift(self) -> npt.NDArray[np.int32]:
+        """Table (M, 3) of image shifts n: j, moved by n times the lattice vectors, touches i."""
+        shifts = self._native().shifts
+        if len(shifts) == len(self):
+            return shifts
+        if self._domain.is_periodic:
+            raise UsageError("image shifts were not stored; ask for them with shifts=True")
+        return np.broadcast_to(np.int32(0), (len(self), 3))
 
     @cached_property
     def statistics(self) -> Statistics:
@@ -152,7 +162,12 @@ class SimplexContacts:
 
     def __getstate__(self) -> dict[str, Any]:
         state = {**self.__dict__, "_results": None}
-        return state | {"pairs": self.pairs, "statistics": self.statistics}
+        for name in ("pairs", "shift", "statistics"):
+            try:
+                state[name] = getattr(self, name)
+            except UsageError:  # shifts that were not stored stay unknown
+                continue
+        return state
 
 
 def _require_simplices(given: Any) -> Simplices:
@@ -181,9 +196,11 @@ def find_simplex_contacts(
         second.
     shared_vertices : 'touching' or 'excluded'
         Excluded: pairs that name the same vertex are none, as neighbors in a mesh are. Of two sets
-        it needs the same vertices in both. Vertices of different numbers at one place differ.
+        it needs the same vertices in both. Vertices of different numbers at one place differ, and
+        so do a vertex and its image.
     **options
-        As of `contacts`. There is no margin, and no quantities are measured.
+        As of `contacts`. There is no margin, and no quantities are measured. In a periodic `domain`
+        each image that touches is a contact, with its `shift`.
 
     Returns
     -------
@@ -194,7 +211,8 @@ def find_simplex_contacts(
     InputError, InputTypeError
         A vertex number that is not there, a vertex of a cell that is not finite, a wrong type.
     UsageError
-        A periodic domain, a margin, quantities, sets of unequal dimensions.
+        A margin, quantities, sets of unequal dimensions, an algorithm that does not support
+        periodic domains in one.
     LimitError
         More pairs or memory than allowed.
     KeyboardInterrupt
@@ -213,15 +231,14 @@ def find_simplex_contacts(
     first = _require_simplices(simplices)
     second = None if others is None else _require_simplices(others)
     sizes = (len(first), None if second is None else len(second))
-    domain = options.get("domain")
     results = _abut.find_simplex_contacts(
         first._native,
         None if second is None else second._native,
-        native_domain(domain),
+        native_domain(options.get("domain")),
         call_options(sizes, **options),
         _excludes_shared(shared_vertices),
     )
-    return SimplexContacts(results, first, second, domain)
+    return SimplexContacts(results, first, second, options)
 
 
 def _excludes_shared(given: str) -> bool:
@@ -234,7 +251,13 @@ def _excludes_shared(given: str) -> bool:
     return given == "excluded"
 
 
-def touching(first: Simplices, second: Simplices, pairs: npt.ArrayLike) -> npt.NDArray[np.bool_]:
+def touching(
+    first: Simplices,
+    second: Simplices,
+    pairs: npt.ArrayLike,
+    shifts: npt.ArrayLike | None = None,
+    domain: Domain | None = None,
+) -> npt.NDArray[np.bool_]:
     """Decides for pairs of simplices whether they have a point in common, as with real numbers; for
     programs that have candidates of their own.
 
@@ -244,6 +267,10 @@ def touching(first: Simplices, second: Simplices, pairs: npt.ArrayLike) -> npt.N
         The sets of i and of j; they may be the same.
     pairs : array (M, 2) of whole numbers
         i and j of each pair, which may be the same simplex.
+    shifts : array (M, 3) of whole numbers
+        Image shift of j of each pair, 0 on axes that are not periodic; zeros by default.
+    domain : Domain
+        Open space by default.
 
     Returns
     -------
@@ -254,7 +281,7 @@ def touching(first: Simplices, second: Simplices, pairs: npt.ArrayLike) -> npt.N
     InputError, InputTypeError
         A vertex number that is not there, a vertex that is not finite, a wrong shape or type.
     UsageError
-        A simplex that is not there, sets of unequal dimensions.
+        A simplex or an image that is not there, sets of unequal dimensions.
 
     Examples
     --------
@@ -264,10 +291,21 @@ def touching(first: Simplices, second: Simplices, pairs: npt.ArrayLike) -> npt.N
     >>> abut.touching(grain, fibers, [[0, 0], [0, 1]])
     array([ True, False])
     """
-    table = whole_numbers(pairs, np.uint32, "pairs")
-    if table.size == 0:
-        table = table.reshape(0, 2)
-    if table.ndim != 2 or table.shape[1] != 2:
-        raise InputError(f"pairs have the shape (M, 2), not {table.shape}")
     a, b = _require_simplices(first), _require_simplices(second)
-    return _abut.touching(a._native, b._native, table).view(np.bool_)
+    table = _rows_of(pairs, np.uint32, "pairs", 2)
+    moves = None if shifts is None else _rows_of(shifts, np.int32, "shifts", 3)
+    if moves is not None and len(moves) != len(table):
+        raise InputError(f"{len(moves)} shifts for {len(table)} pairs; give one for each")
+    answers = _abut.touching(a._native, b._native, native_domain(domain), table, moves)
+    return answers.view(np.bool_)
+
+
+def _rows_of(
+    given: npt.ArrayLike, kind: type[np.generic], what: str, width: int
+) -> npt.NDArray[Any]:
+    table = whole_numbers(given, kind, what)
+    if table.size == 0:
+        table = table.reshape(0, width)
+    if table.ndim != 2 or table.shape[1] != width:
+        raise InputError(f"{what} have the shape (M, {width}), not {table.shape}")
+    return table

@@ -60,16 +60,17 @@ std::shared_ptr<PairResults> find(const HeldSimplices& simplices, const HeldSimp
 /// Decides pairs one by one: 1 for each that touches, else 0. Other threads of Python run, and
 /// Ctrl-C is noticed between blocks of pairs.
 nb::ndarray<nb::numpy, std::uint8_t> decided(const HeldSimplices& first,
-                                             const HeldSimplices& second, nb::handle pairs) {
+                                             const HeldSimplices& second, const Domain& domain,
+                                             nb::handle pairs, nb::handle shifts) {
   constexpr std::size_t block = 4096;
-  const PairArrays arrays(pairs, nb::none());
+  const PairArrays arrays(pairs, shifts);
   const std::span<const ContactPair> given = arrays.pairs();
   std::vector<std::uint8_t> answers(given.size());
   for (std::size_t begin = 0; begin < given.size(); begin += block) {
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
     const nb::gil_scoped_release unlocked;
     for (std::size_t k = begin; k < std::min(begin + block, given.size()); ++k) {
-      answers[k] = touching(first.view(), second.view(), given[k]) ? 1 : 0;
+      answers[k] = touching(first.view(), second.view(), domain, given[k], arrays.shift(k)) ? 1 : 0;
     }
   }
   return given_away(std::move(answers));
@@ -86,7 +87,8 @@ void bind_simplices(nb::module_& module) {
                    [](const HeldSimplices& held) { return held.view().dimensions(); });
   module.def("find_simplex_contacts", &find, nb::arg("simplices"), nb::arg("others").none(),
              nb::arg("domain"), nb::arg("options"), nb::arg("excludes_shared"));
-  module.def("touching", &decided, nb::arg("first"), nb::arg("second"), nb::arg("pairs"));
+  module.def("touching", &decided, nb::arg("first"), nb::arg("second"), nb::arg("domain"),
+             nb::arg("pairs"), nb::arg("shifts").none());
 }
 
 }  // namespace abut::python

@@ -13,12 +13,6 @@
 namespace abut::exact {
 namespace {
 
-/// Bits of short numbers in the plane: differences are below 2^62, the determinant below 2^125.
-constexpr int most_short_bits_of_area = 61;
-/// In space: differences are below 2^41, components of vector products below 2^83, the determinant
-/// below 3 * 2^124.
-constexpr int most_short_bits_of_volume = 40;
-
 template <class Point>
 BitRange range_of(std::initializer_list<const Point*> points) noexcept {
   BitRange range;

@@ -19,6 +19,12 @@ inline constexpr double smallest_safe_area = 0x1p-960;
 inline constexpr double smallest_safe_volume = 0x1p-680;
 inline constexpr double largest_safe_offset = 0x1p340;
 
+/// Bits of short numbers in the plane: differences are below 2^62, the determinant below 2^125.
+inline constexpr int most_short_bits_of_area = 61;
+/// In space: differences are below 2^41, components of vector products below 2^83, the determinant
+/// below 3 * 2^124.
+inline constexpr int most_short_bits_of_volume = 40;
+
 /// Sign of the determinant |b - a, c - a| in real arithmetic, for all finite doubles: 1 if a, b, c
 /// turn to the left, -1 if they turn to the right, 0 if they lie on a line.
 [[nodiscard]] int orientation_exactly(const Point<2>& a, const Point<2>& b,
@@ -32,11 +38,11 @@ inline constexpr double largest_safe_offset = 0x1p340;
 /// What points are seen from: a line through two points in the plane, a plane through three in
 /// space. Which side is which follows from the order of these points. Points that coincide or lie
 /// on a line are allowed; from them, all others are seen on no side.
-template <int Dim>
+template <class P>
 class Hyperplane;
 
 template <>
-class Hyperplane<2> {
+class Hyperplane<Point<2>> {
  public:
   Hyperplane(const Point<2>& a, const Point<2>& b) noexcept
       : a_(a), b_(b), x_(b[0] - a[0]), y_(b[1] - a[1]) {}
@@ -66,7 +72,7 @@ class Hyperplane<2> {
 };
 
 template <>
-class Hyperplane<3> {
+class Hyperplane<Point<3>> {
  public:
   Hyperplane(const Point<3>& a, const Point<3>& b, const Point<3>& c) noexcept
       : a_(a), b_(b), c_(c) {

@@ -1,5 +1,6 @@
 #include "exact/simplices/piercing_edge.hpp"
 
+#include "exact/simplices/moved_orientation.hpp"
 #include "exact/simplices/orientation.hpp"
 
 #include <array>
@@ -14,25 +15,26 @@ struct PlaceRange {
   std::size_t end;
 };
 
-int certain_orientation(const Point<3>& a, const Point<3>& b, const Point<3>& c,
-                        const Point<3>& d) noexcept {
-  return Hyperplane<3>(a, b, c).certain_side(d).value_or(0);
+template <class P>
+int certain_orientation(const P& a, const P& b, const P& c, const P& d) noexcept {
+  return Hyperplane<P>(a, b, c).certain_side(d).value_or(0);
 }
 
 /// For p and q on either side of the plane of i, j, k: the line through them passes the three edges
 /// on the same side.
-bool passes_inside(const Point<3>& p, const Point<3>& q, const Point<3>& i, const Point<3>& j,
-                   const Point<3>& k) noexcept {
+template <class P>
+bool passes_inside(const P& p, const P& q, const P& i, const P& j, const P& k) noexcept {
   const int turn = certain_orientation(p, q, i, j);
   return turn != 0 && certain_orientation(p, q, j, k) == turn &&
          certain_orientation(p, q, k, i) == turn;
 }
 
 /// Looks at the face i, j, k and all edges of the other set.
-bool is_pierced(const TwoPointSets<3>& sets, std::size_t i, std::size_t j, std::size_t k,
+template <class P>
+bool is_pierced(const TwoPointSets<P>& sets, std::size_t i, std::size_t j, std::size_t k,
                 const PlaceRange& others) noexcept {
   const auto& points = sets.points;
-  const Hyperplane<3> plane(points[i], points[j], points[k]);
+  const Hyperplane<P> plane(points[i], points[j], points[k]);
   std::array<int, 8> sides{};
   for (std::size_t p = others.begin; p < others.end; ++p) {
     sides[p] = plane.certain_side(points[p]).value_or(0);
@@ -46,7 +48,8 @@ bool is_pierced(const TwoPointSets<3>& sets, std::size_t i, std::size_t j, std::
   return false;
 }
 
-bool some_face_is_pierced(const TwoPointSets<3>& sets, const PlaceRange& faces,
+template <class P>
+bool some_face_is_pierced(const TwoPointSets<P>& sets, const PlaceRange& faces,
                           const PlaceRange& others) noexcept {
   for (std::size_t i = faces.begin; i < faces.end; ++i) {
     for (std::size_t j = i + 1; j < faces.end; ++j) {
@@ -60,10 +63,14 @@ bool some_face_is_pierced(const TwoPointSets<3>& sets, const PlaceRange& faces,
 
 }  // namespace
 
-bool has_piercing_edge(const TwoPointSets<3>& sets) noexcept {
+template <class P>
+bool has_piercing_edge(const TwoPointSets<P>& sets) noexcept {
   const PlaceRange first{0, sets.first_size};
   const PlaceRange second{sets.first_size, sets.size};
   return some_face_is_pierced(sets, first, second) || some_face_is_pierced(sets, second, first);
 }
+
+template bool has_piercing_edge(const TwoPointSets<Point<3>>&) noexcept;
+template bool has_piercing_edge(const TwoPointSets<MovedPoint<3>>&) noexcept;
 
 }  // namespace abut::exact

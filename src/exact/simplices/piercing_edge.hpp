@@ -7,6 +7,7 @@ namespace abut::exact {
 /// Tells whether an edge of one simplex passes through the inside of a face of the other: a common
 /// point, found with a few signs where most planes would have to be tried. Only filters are asked,
 /// so that false means nothing.
-[[nodiscard]] bool has_piercing_edge(const TwoPointSets<3>& sets) noexcept;
+template <class P>
+[[nodiscard]] bool has_piercing_edge(const TwoPointSets<P>& sets) noexcept;
 
 }  // namespace abut::exact

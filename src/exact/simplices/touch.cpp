@@ -10,14 +10,19 @@
 
 #include "exact/simplices/touch.hpp"
 
+#include "exact/simplices/moved_orientation.hpp"
 #include "exact/simplices/orientation.hpp"
 #include "exact/simplices/piercing_edge.hpp"
 #include "exact/simplices/two_point_sets.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 namespace abut::exact {
 namespace {
@@ -28,10 +33,9 @@ using Sides = std::array<int, 8>;
 /// Tells whether a line or plane has all points of one set on one closed side and all of the other
 /// set on the other. Those that it goes through need not be asked about. If it does not separate
 /// the sets, not all of `sides` are known.
-template <int Dim>
-bool separates(const Hyperplane<Dim>& plane, const std::array<std::size_t, Dim>& through,
-               const TwoPointSets<Dim>& sets, Sides& sides,
-               std::uint64_t& exact_decisions) noexcept {
+template <class P, std::size_t Count>
+bool separates(const Hyperplane<P>& plane, const std::array<std::size_t, Count>& through,
+               const TwoPointSets<P>& sets, Sides& sides, std::uint64_t& exact_decisions) noexcept {
   int of_first = 0;
   int of_second = 0;
   for (std::size_t k = 0; k < sets.size; ++k) {
@@ -47,9 +51,9 @@ bool separates(const Hyperplane<Dim>& plane, const std::array<std::size_t, Dim>&
 }
 
 /// The points that lie on a line or plane.
-template <int Dim>
-TwoPointSets<Dim> points_on(const Sides& sides, const TwoPointSets<Dim>& sets) noexcept {
-  TwoPointSets<Dim> on;
+template <class P>
+TwoPointSets<P> points_on(const Sides& sides, const TwoPointSets<P>& sets) noexcept {
+  TwoPointSets<P> on;
   for (std::size_t k = 0; k < sets.size; ++k) {
     if (sides[k] == 0) on.push(sets.points[k]);
     if (k + 1 == sets.first_size) on.first_size = on.size;
@@ -58,14 +62,12 @@ TwoPointSets<Dim> points_on(const Sides& sides, const TwoPointSets<Dim>& sets) n
 }
 
 /// Decides for points on a line: along each axis their order is the same, or they are equal.
-template <int Dim>
-bool meet_on_line(const TwoPointSets<Dim>& sets) noexcept {
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    const auto less = [axis](const Point<Dim>& a, const Point<Dim>& b) {
-      return a[axis] < b[axis];
-    };
-    const Point<Dim>* const first = sets.points.data();
-    const Point<Dim>* const second = first + sets.first_size;
+template <class P>
+bool meet_on_line(const TwoPointSets<P>& sets) noexcept {
+  for (std::size_t axis = 0; axis < dimensions_of<P>; ++axis) {
+    const auto less = [axis](const P& a, const P& b) { return compare_along(axis, a, b) < 0; };
+    const P* const first = sets.points.data();
+    const P* const second = first + sets.first_size;
     const auto of_first = std::minmax_element(first, second, less);
     const auto of_second = std::minmax_element(second, first + sets.size, less);
     if (less(*of_first.second, *of_second.first) || less(*of_second.second, *of_first.first)) {
@@ -75,45 +77,50 @@ bool meet_on_line(const TwoPointSets<Dim>& sets) noexcept {
   return true;
 }
 
-bool meet(const TwoPointSets<2>& sets, std::uint64_t& exact_decisions) noexcept {
+/// Decides in the plane.
+template <class P>
+bool meet_in_plane(const TwoPointSets<P>& sets, std::uint64_t& exact_decisions) noexcept {
   Sides sides;
   for (std::size_t i = 0; i < sets.size; ++i) {
     for (std::size_t j = i + 1; j < sets.size; ++j) {
       if (sets.points[i] == sets.points[j]) continue;
-      const Hyperplane<2> line(sets.points[i], sets.points[j]);
-      if (!separates<2>(line, {i, j}, sets, sides, exact_decisions)) continue;
-      const TwoPointSets<2> on = points_on(sides, sets);
+      const Hyperplane<P> line(sets.points[i], sets.points[j]);
+      if (!separates<P, 2>(line, {i, j}, sets, sides, exact_decisions)) continue;
+      const TwoPointSets<P> on = points_on(sides, sets);
       return !on.one_is_empty() && meet_on_line(on);
     }
   }
   return true;  // overlapping, or all at one place
 }
 
-Point<2> without_axis(const Point<3>& point, std::size_t axis) noexcept {
-  return {point[axis == 0 ? 1 : 0], point[axis == 2 ? 1 : 2]};
-}
+template <class P>
+using PointInPlane = decltype(without_axis(std::declval<const P&>(), 0));
 
 /// An axis that the plane through three points does not contain; none if they lie on a line.
-std::optional<std::size_t> axis_across(const Point<3>& a, const Point<3>& b, const Point<3>& c,
+template <class P>
+std::optional<std::size_t> axis_across(const P& a, const P& b, const P& c,
                                        std::uint64_t& exact_decisions) noexcept {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Hyperplane<2> line(without_axis(a, axis), without_axis(b, axis));
+    const Hyperplane<PointInPlane<P>> line(without_axis(a, axis), without_axis(b, axis));
     if (line.side(without_axis(c, axis), exact_decisions) != 0) return axis;
   }
   return std::nullopt;
 }
 
-TwoPointSets<2> without_axis(const TwoPointSets<3>& sets, std::size_t axis) noexcept {
-  TwoPointSets<2> rest;
+template <class P>
+TwoPointSets<PointInPlane<P>> all_without_axis(const TwoPointSets<P>& sets,
+                                               std::size_t axis) noexcept {
+  TwoPointSets<PointInPlane<P>> rest;
   for (std::size_t k = 0; k < sets.size; ++k) rest.push(without_axis(sets.points[k], axis));
   rest.first_size = sets.first_size;
   return rest;
 }
 
 /// Looks for a plane that separates two sets of points in space.
+template <class P>
 class PlaneSearch {
  public:
-  PlaneSearch(const TwoPointSets<3>& sets, std::uint64_t& exact_decisions) noexcept
+  PlaneSearch(const TwoPointSets<P>& sets, std::uint64_t& exact_decisions) noexcept
       : sets_(sets), exact_decisions_(exact_decisions) {}
 
   /// Planes of faces come first: these separate most elements that do not touch. Of the rest most
@@ -149,40 +156,107 @@ class PlaneSearch {
   [[nodiscard]] std::optional<bool> decide_by_plane(std::size_t i, std::size_t j,
                                                     std::size_t k) noexcept {
     const auto& p = sets_.points;
-    const Hyperplane<3> plane(p[i], p[j], p[k]);
-    if (!separates<3>(plane, {i, j, k}, sets_, sides_, exact_decisions_)) {
+    const Hyperplane<P> plane(p[i], p[j], p[k]);
+    if (!separates<P, 3>(plane, {i, j, k}, sets_, sides_, exact_decisions_)) {
       is_a_plane_ = true;
       return std::nullopt;
     }
-    const TwoPointSets<3> on = points_on(sides_, sets_);
+    const TwoPointSets<P> on = points_on(sides_, sets_);
     if (on.one_is_empty()) return false;
     const auto axis = axis_across(p[i], p[j], p[k], exact_decisions_);
     if (!axis) return std::nullopt;
-    return meet(without_axis(on, *axis), exact_decisions_);
+    return meet_in_plane(all_without_axis(on, *axis), exact_decisions_);
   }
 
-  const TwoPointSets<3>& sets_;
+  const TwoPointSets<P>& sets_;
   std::uint64_t& exact_decisions_;
   Sides sides_;
   bool is_a_plane_ = false;  ///< some three points were not on a line
 };
 
-bool meet(const TwoPointSets<3>& sets, std::uint64_t& exact_decisions) noexcept {
-  return PlaneSearch(sets, exact_decisions).finds_common_point();
+template <class P>
+bool meet(const TwoPointSets<P>& sets, std::uint64_t& exact_decisions) noexcept {
+  if constexpr (dimensions_of<P> == 2) {
+    return meet_in_plane(sets, exact_decisions);
+  } else {
+    return PlaneSearch(sets, exact_decisions).finds_common_point();
+  }
+}
+
+/// n A along each axis, rounded, and the sum of the magnitudes of its terms.
+struct RoundedMove {
+  Point<3> offset{};
+  Point<3> magnitude{};
+
+  explicit RoundedMove(const LatticeSteps<3>& steps) noexcept {
+    for (const auto& step : steps) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double product = step.number * step.vector[axis];
+        offset[axis] += product;
+        magnitude[axis] += std::fabs(product);
+      }
+    }
+  }
+};
+
+/// A bound on what rounding does to coordinates that are moved: less than 5 u of the sum of the
+/// magnitudes of their terms, in which nothing is lost by underflow. Numbers at the ends of the
+/// range are left to exact arithmetic.
+template <int Dim>
+double error_of(const Simplex<Dim>& moved, const RoundedMove& move) noexcept {
+  constexpr double band = 0x1p-50;  // 8 u
+  double largest = 0.0;
+  for (std::size_t k = 0; k < moved.size; ++k) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      largest = std::max(largest, std::fabs(moved.vertices[k][axis]) + move.magnitude[axis]);
+    }
+  }
+  const bool is_safe = largest >= 0x1p-900 && largest <= 0x1p1000;
+  return is_safe ? band * largest : std::numeric_limits<double>::infinity();
+}
+
+template <int Dim>
+MovedPoint<Dim> point_of(const Point<Dim>& vertex, const Move& move) noexcept {
+  MovedPoint<Dim> point{vertex, vertex, &move, false, {}};
+  std::iota(point.axes.begin(), point.axes.end(), std::size_t{0});
+  return point;
 }
 
 }  // namespace
 
 template <int Dim>
 bool touch(const Simplex<Dim>& a, const Simplex<Dim>& b, std::uint64_t& exact_decisions) noexcept {
-  TwoPointSets<Dim> sets;
+  TwoPointSets<Point<Dim>> sets;
   for (std::size_t k = 0; k < a.size; ++k) sets.push(a.vertices[k]);
   sets.first_size = sets.size;
   for (std::size_t k = 0; k < b.size; ++k) sets.push(b.vertices[k]);
   return meet(sets, exact_decisions);
 }
 
+template <int Dim>
+bool touch(const Simplex<Dim>& a, const Simplex<Dim>& b, const ImageShift& shift,
+           const Lattice& lattice, std::uint64_t& exact_decisions) noexcept {
+  const LatticeSteps<3> steps({shift.x, shift.y, Dim == 2 ? 0 : shift.z}, lattice);
+  if (steps.empty()) return touch(a, b, exact_decisions);
+  const RoundedMove rounded(steps);
+  const Move move{steps, error_of(b, rounded)};
+  TwoPointSets<MovedPoint<Dim>> sets;
+  for (std::size_t k = 0; k < a.size; ++k) sets.push(point_of<Dim>(a.vertices[k], move));
+  sets.first_size = sets.size;
+  for (std::size_t k = 0; k < b.size; ++k) {
+    MovedPoint<Dim> point = point_of<Dim>(b.vertices[k], move);
+    point.is_moved = true;
+    for (std::size_t axis = 0; axis < Dim; ++axis) point.near[axis] += rounded.offset[axis];
+    sets.push(point);
+  }
+  return meet(sets, exact_decisions);
+}
+
 template bool touch(const Simplex<2>&, const Simplex<2>&, std::uint64_t&) noexcept;
 template bool touch(const Simplex<3>&, const Simplex<3>&, std::uint64_t&) noexcept;
+template bool touch(const Simplex<2>&, const Simplex<2>&, const ImageShift&, const Lattice&,
+                    std::uint64_t&) noexcept;
+template bool touch(const Simplex<3>&, const Simplex<3>&, const ImageShift&, const Lattice&,
+                    std::uint64_t&) noexcept;
 
 }  // namespace abut::exact

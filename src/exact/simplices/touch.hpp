@@ -1,6 +1,9 @@
 #pragma once
 
+#include "exact/lattice.hpp"
 #include "exact/simplices/simplex.hpp"
+
+#include <abut/image_shift.hpp>
 
 #include <cstdint>
 
@@ -11,5 +14,11 @@ namespace abut::exact {
 template <int Dim>
 [[nodiscard]] bool touch(const Simplex<Dim>& a, const Simplex<Dim>& b,
                          std::uint64_t& exact_decisions) noexcept;
+
+/// The same for a and the image of b that `shift` names, whose vertices are the real numbers x + n
+/// A.
+template <int Dim>
+[[nodiscard]] bool touch(const Simplex<Dim>& a, const Simplex<Dim>& b, const ImageShift& shift,
+                         const Lattice& lattice, std::uint64_t& exact_decisions) noexcept;
 
 }  // namespace abut::exact

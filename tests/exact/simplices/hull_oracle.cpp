@@ -75,9 +75,15 @@ class WeightSearch {
 
 }  // namespace
 
-/// The weights of either set add up to 1, and along each axis both means are the same.
 template <int Dim>
 bool hulls_meet_by_rationals(const exact::Simplex<Dim>& a, const exact::Simplex<Dim>& b) {
+  return hulls_meet_by_rationals(a, b, {}, {});
+}
+
+/// The weights of either set add up to 1, and along each axis both means are the same.
+template <int Dim>
+bool hulls_meet_by_rationals(const exact::Simplex<Dim>& a, const exact::Simplex<Dim>& b,
+                             const ImageShift& shift, const exact::Lattice& lattice) {
   const std::size_t weights = a.size + b.size;
   std::vector<Row> rows(Dim + 2, Row(weights + 1));
   rows[0].back() = rows[1].back() = 1;
@@ -85,8 +91,17 @@ bool hulls_meet_by_rationals(const exact::Simplex<Dim>& a, const exact::Simplex<
     const bool of_a = k < a.size;
     rows[of_a ? 0 : 1][k] = 1;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      const double x = of_a ? a.vertices[k][axis] : b.vertices[k - a.size][axis];
-      rows[axis + 2][k] = of_a ? mpq_class(x) : mpq_class(-x);
+      mpq_class& number = rows[axis + 2][k];
+      if (of_a) {
+        number = mpq_class(a.vertices[k][axis]);
+        continue;
+      }
+      number = mpq_class(-b.vertices[k - a.size][axis]);
+      for (std::size_t vector = 0; vector < Dim; ++vector) {
+        if (!lattice.periodic[vector]) continue;
+        number -=
+            mpq_class(exact::numbers(shift)[vector]) * mpq_class(lattice.vectors[vector][axis]);
+      }
     }
   }
   return WeightSearch(std::move(rows), weights).succeeds();
@@ -94,5 +109,9 @@ bool hulls_meet_by_rationals(const exact::Simplex<Dim>& a, const exact::Simplex<
 
 template bool hulls_meet_by_rationals(const exact::Simplex<2>&, const exact::Simplex<2>&);
 template bool hulls_meet_by_rationals(const exact::Simplex<3>&, const exact::Simplex<3>&);
+template bool hulls_meet_by_rationals(const exact::Simplex<2>&, const exact::Simplex<2>&,
+                                      const ImageShift&, const exact::Lattice&);
+template bool hulls_meet_by_rationals(const exact::Simplex<3>&, const exact::Simplex<3>&,
+                                      const ImageShift&, const exact::Lattice&);
 
 }  // namespace abut::testing

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "exact/lattice.hpp"
 #include "exact/simplices/simplex.hpp"
+
+#include <abut/image_shift.hpp>
 
 namespace abut::testing {
 
@@ -11,5 +14,11 @@ namespace abut::testing {
 template <int Dim>
 [[nodiscard]] bool hulls_meet_by_rationals(const exact::Simplex<Dim>& a,
                                            const exact::Simplex<Dim>& b);
+
+/// The same for a and the image of b that `shift` names.
+template <int Dim>
+[[nodiscard]] bool hulls_meet_by_rationals(const exact::Simplex<Dim>& a,
+                                           const exact::Simplex<Dim>& b, const ImageShift& shift,
+                                           const exact::Lattice& lattice);
 
 }  // namespace abut::testing

@@ -56,12 +56,12 @@ template <int Dim>
 void compare(const Points<Dim>& p, Count& count) {
   const int expected = by_rationals(p);
   if constexpr (Dim == 2) {
-    const Hyperplane<2> line(p[0], p[1]);
+    const Hyperplane<Point<2>> line(p[0], p[1]);
     ASSERT_EQ(line.certain_side(p[2]).value_or(expected), expected);
     ASSERT_EQ(line.side(p[2], count.exact_decisions), expected);
     ASSERT_EQ(orientation_exactly(p[0], p[1], p[2]), expected);
   } else {
-    const Hyperplane<3> plane(p[0], p[1], p[2]);
+    const Hyperplane<Point<3>> plane(p[0], p[1], p[2]);
     ASSERT_EQ(plane.certain_side(p[3]).value_or(expected), expected);
     ASSERT_EQ(plane.side(p[3], count.exact_decisions), expected);
     ASSERT_EQ(orientation_exactly(p[0], p[1], p[2], p[3]), expected);

@@ -38,7 +38,7 @@ ROOMS_BELOW = {
     "history": "base exact lattice elements geometry detect walls",
     "walls/grid": "base exact kernels elements",
     "walls": "base exact/features exact kernels lattice elements lists geometry detect walls/grid",
-    "simplices": "base exact exact/simplices lists detect walls",
+    "simplices": "base exact exact/simplices elements lists detect walls",
     "device/bodies": "base exact/numbers exact lattice",
     "device": "base exact grid lattice elements device/bodies",
     "device/copies": "base device",

@@ -21,14 +21,14 @@ namespace {
 
 /// The coordinates of some points as whole numbers: over which power of two, and how wide they may
 /// become.
-struct CommonScale {
+struct IntegerScale {
   int exponent;
   int bits;
 };
 
 /// x and at most three products n A of numbers of the range: below 2^(bits + width of n + 2).
 template <int Dim>
-CommonScale scale_of(std::initializer_list<const MovedPoint<Dim>*> points) noexcept {
+IntegerScale scale_of(std::initializer_list<const MovedPoint<Dim>*> points) noexcept {
   BitRange range;
   int widest = 0;
   for (const MovedPoint<Dim>* point : points) {
@@ -84,14 +84,14 @@ int sign_of_volume(const MovedPoint<3>& a, const MovedPoint<3>& b, const MovedPo
 
 int orientation_exactly(const MovedPoint<2>& a, const MovedPoint<2>& b,
                         const MovedPoint<2>& c) noexcept {
-  const CommonScale scale = scale_of({&a, &b, &c});
+  const IntegerScale scale = scale_of({&a, &b, &c});
   return scale.bits <= most_short_bits_of_area ? sign_of_area<SmallInteger>(a, b, c, scale.exponent)
                                                : sign_of_area<BigInteger>(a, b, c, scale.exponent);
 }
 
 int orientation_exactly(const MovedPoint<3>& a, const MovedPoint<3>& b, const MovedPoint<3>& c,
                         const MovedPoint<3>& d) noexcept {
-  const CommonScale scale = scale_of({&a, &b, &c, &d});
+  const IntegerScale scale = scale_of({&a, &b, &c, &d});
   return scale.bits <= most_short_bits_of_volume
              ? sign_of_volume<SmallInteger>(a, b, c, d, scale.exponent)
              : sign_of_volume<BigInteger>(a, b, c, d, scale.exponent);

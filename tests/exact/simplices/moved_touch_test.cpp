@@ -228,6 +228,24 @@ TYPED_TEST(MovedTouchOf, AtBothEndsOfTheRange) {
   EXPECT_GT(count.exact_decisions, 10000U);
 }
 
+/// Numbers so small that products of three, in the plane of two, lose their last bits: what is a
+/// tie but for rounding is decided by what is lost.
+TYPED_TEST(MovedTouchOf, WhereProductsUnderflow) {
+  constexpr int dim = TypeParam::dim;
+  Random random(67);
+  Count count;
+  for (int k = 0; k < 2000; ++k) {
+    const int exponent =
+        -static_cast<int>(dim == 2 ? 525 + random.below(14) : 350 + random.below(9));
+    const auto draw = [&] {
+      return std::ldexp(static_cast<double>(random.below(3)) / 3.0, exponent);
+    };
+    const double length = std::ldexp(10.0 / 3.0, exponent);
+    ASSERT_NO_FATAL_FAILURE(compare(case_of<dim>(k, length, random, draw), count));
+  }
+  expect_both_answers(count);
+}
+
 /// Numbers of all sizes in one case: from the smallest to the largest.
 TYPED_TEST(MovedTouchOf, NumbersOfAllSizesTogether) {
   constexpr int dim = TypeParam::dim;

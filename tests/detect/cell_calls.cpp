@@ -26,8 +26,7 @@ void add_cell_calls(std::vector<PublicCall>& calls) {
   calls.push_back({"abut::find_simplex_contacts", "in open space",
                    [&g, view] { (void)find_simplex_contacts(view(), g.open); }});
   calls.push_back({"abut::find_simplex_contacts", "in a cell",
-                   [&g, view] { (void)find_simplex_contacts(view(), g.block); },
-                   ErrorCode::wrong_usage});
+                   [&g, view] { (void)find_simplex_contacts(view(), g.block, g.shifted); }});
   calls.push_back({"abut::find_simplex_contacts", "two sets",
                    [view] { (void)find_simplex_contacts(view(), view()); }});
   calls.push_back({"abut::find_simplex_contacts", "two sets, in open space",
@@ -35,6 +34,11 @@ void add_cell_calls(std::vector<PublicCall>& calls) {
   calls.push_back({"abut::touching", "refused",
                    [view] {
                      (void)touching(view(), view(), {0, 77});
+                   },
+                   ErrorCode::wrong_usage});
+  calls.push_back({"abut::touching", "image refused",
+                   [&g, view] {
+                     (void)touching(view(), view(), g.open, {0, 0}, {1, 0, 0});
                    },
                    ErrorCode::wrong_usage});
 }

@@ -91,7 +91,9 @@ def neighbor_lists(rows):
 
 
 # Rows that the page leaves out: they are in the table's file.
-NOT_SHOWN = {"distance", "needs_rebuild() an element", "liquid: shifts too"}
+NOT_SHOWN = {"distance", "vector", "needs_rebuild() an element", "liquid: neighbors",
+             "liquid: shifts too", "gap; normal; point of images of a mesh",
+             "gap; normal; point of images of boxes"}
 
 
 def pair_geometry(rows):

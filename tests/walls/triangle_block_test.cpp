@@ -131,7 +131,8 @@ TEST(TriangleBlock, ReachPlantedAtTheDistance) {
     const Cases cases = some_cases(100, [&] {
       TriangleCase c = case_of([&] { return random.uniform(-1.0, 1.0); });
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const int exponent = static_cast<int>(random.below(wide)) - wide / 2;
+        const int exponent =
+            static_cast<int>(random.below(static_cast<std::size_t>(wide))) - wide / 2;
         for (auto& corner : c.triangle.corner) corner[axis] = std::ldexp(corner[axis], exponent);
       }
       plant_reach(c, rational(c.sphere.center), random);

@@ -125,7 +125,7 @@ void CandidateFilter<Dim>::fill_images() {
 
 template <int Dim>
 void CandidateFilter<Dim>::run(std::size_t first_word, std::span<std::uint64_t> survivors,
-                               const QuantumSphere* slots, std::uint64_t& exact_decisions) const {
+                               const QuantumSphere* slots, UndecidedCounts& undecided) const {
   const std::span<const SlotPair> pairs = candidates_.layout.candidates();
   const std::size_t first = 64 * first_word;
   const std::size_t count = std::min(pairs.size() - first, 64 * survivors.size());
@@ -147,7 +147,7 @@ void CandidateFilter<Dim>::run(std::size_t first_word, std::span<std::uint64_t> 
                                    : CandidateVerdict{0, ~std::uint64_t{0} >> (64 - rest)};
   }
   for (std::size_t word = 0; word < survivors.size(); ++word) {
-    survivors[word] = confirm(first + 64 * word, verdicts[word], exact_decisions);
+    survivors[word] = confirm(first + 64 * word, verdicts[word], undecided);
   }
 }
 
@@ -155,20 +155,22 @@ void CandidateFilter<Dim>::run(std::size_t first_word, std::span<std::uint64_t> 
 /// accepts on the caller's numbers.
 template <int Dim>
 std::uint64_t CandidateFilter<Dim>::confirm(std::size_t first, const CandidateVerdict& verdict,
-                                            std::uint64_t& exact_decisions) const {
+                                            UndecidedCounts& undecided) const {
   std::uint64_t survivors = verdict.together;
+  std::array<exact::Sphere<Dim>, 2> room;
+  undecided.by_quanta += static_cast<std::uint64_t>(std::popcount(verdict.left_undecided));
   for (std::uint64_t rest = verdict.left_undecided; rest != 0; rest &= rest - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(rest));
     const ContactPair pair = candidates_.layout.pair_of(candidates_.layout.candidates()[first + k]);
-    const exact::Sphere<Dim> a = spheres_[pair.first];
-    const exact::Sphere<Dim> b = spheres_[pair.second];
+    const exact::Sphere<Dim>& a = spheres_.find(pair.first, room[0]);
+    const exact::Sphere<Dim>& b = spheres_.find(pair.second, room[1]);
     const bool touch =
         candidates_.shift_of == nullptr
-            ? exact::within_reach(a, b, now_.margin, exact_decisions)
+            ? exact::within_reach(a, b, now_.margin, undecided.by_doubles)
             : exact::within_reach(a, b,
                                   placing_.shift_as_given(
                                       pair, candidates_.shifts[candidates_.shift_of[first + k]]),
-                                  lattice_, now_.margin, exact_decisions);
+                                  lattice_, now_.margin, undecided.by_doubles);
     survivors |= std::uint64_t{touch} << k;
   }
   return survivors;

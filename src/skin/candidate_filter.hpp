@@ -24,6 +24,12 @@ template <int Dim>
                                            const DisplacementTracker<Dim>& placing,
                                            std::span<const ImageShift> shifts);
 
+/// How many candidates quanta and doubles left undecided.
+struct UndecidedCounts {
+  std::uint64_t by_quanta = 0;
+  std::uint64_t by_doubles = 0;
+};
+
 /// Tells which candidates are contact pairs, decided in quanta and floats, many at a time, then
 /// exactly where these leave any in doubt.
 template <int Dim>
@@ -45,9 +51,9 @@ class CandidateFilter {
   [[nodiscard]] const kernels::CandidateKernels& kernels() const noexcept { return kernels_; }
 
   /// A bit for each of the candidates of some words of 64: whether it is a contact pair. `slots`
-  /// are the elements in quanta. Adds one to `exact_decisions` for each that doubles cannot decide.
+  /// are the elements in quanta. Adds to `undecided`.
   void run(std::size_t first_word, std::span<std::uint64_t> survivors,
-           const kernels::QuantumSphere* slots, std::uint64_t& exact_decisions) const;
+           const kernels::QuantumSphere* slots, UndecidedCounts& undecided) const;
 
   /// Most words of a run.
   static constexpr std::size_t words_of_run = 128;
@@ -55,7 +61,7 @@ class CandidateFilter {
  private:
   void fill_images();
   [[nodiscard]] std::uint64_t confirm(std::size_t first, const kernels::CandidateVerdict& verdict,
-                                      std::uint64_t& exact_decisions) const;
+                                      UndecidedCounts& undecided) const;
 
   const CallNow& now_;
   const GivenSpheres<Dim>& spheres_;

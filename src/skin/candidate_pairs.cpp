@@ -24,6 +24,9 @@ constexpr std::size_t candidates_of_run = candidates_of_word * words_of_unit;
 constexpr std::uint64_t steps_of_exact_decision = 64;
 constexpr std::size_t candidates_of_unit = 64 * CandidateWriter::most;
 
+/// Of more undecided candidates, all elements are better gathered than read one by one.
+constexpr std::size_t candidates_for_an_undecided = 64;
+
 /// Shifts that can be numbered.
 constexpr double most_shifts = std::numeric_limits<ShiftNumber>::max();
 
@@ -197,7 +200,8 @@ void CandidatePairs<Dim>::fill_slots(const ElementsNow<Dim>& now,
 template <int Dim>
 double CandidatePairs<Dim>::fill_slots_with(const ElementView& given, const CallNow& now,
                                             const DisplacementTracker<Dim>& then, double allowed) {
-  if (!layout_.follows_space() || !then.anchored_in_open_space(given.size(), now.domain)) {
+  if (!layout_.follows_space() || !then.anchored_in_open_space(given.size(), now.domain) ||
+      left_undecided_ > size_ / candidates_for_an_undecided) {
     return std::numeric_limits<double>::infinity();
   }
   const grid::Bounds<Dim>& anchors = then.anchor_bounds();
@@ -220,23 +224,27 @@ void CandidatePairs<Dim>::sift(const CandidateFilter<Dim>& test, std::size_t wor
   sink.expect_workers(workers);
   const std::size_t units = (size_ + candidates_of_run - 1) / candidates_of_run;
   std::atomic<std::uint64_t> exact_decisions = 0;
+  std::atomic<std::uint64_t> left_undecided = 0;
   const auto sift_unit = [&](std::size_t worker, std::size_t unit, base::WorkCounter& work) {
-    std::uint64_t exact = 0;
+    UndecidedCounts undecided;
     const std::size_t first = unit * candidates_of_run;
     const std::size_t count = std::min<std::size_t>(candidates_of_run, size_ - first);
     std::array<std::uint64_t, words_of_unit> survivors;
     const std::size_t words = (count + candidates_of_word - 1) / candidates_of_word;
-    test.run(first / candidates_of_word, std::span(survivors).first(words), slots_.data(), exact);
+    test.run(first / candidates_of_word, std::span(survivors).first(words), slots_.data(),
+             undecided);
     CandidateWriter writer(sink, {worker, unit}, survivors.data());
     writer.write_in_order(layout_.candidates().subspan(first, count), test.kernels(),
                           [&](std::size_t k) { return shift_at(first + k); });
     writer.finish();
-    exact_decisions += exact;
-    work.did(2 * count + steps_of_exact_decision * exact);
+    exact_decisions += undecided.by_doubles;
+    left_undecided += undecided.by_quanta;
+    work.did(2 * count + steps_of_exact_decision * undecided.by_doubles);
   };
   base::for_each_index(workers, units, context.work, sift_unit);
   context.candidate_tests += size_;
   context.exact_decisions += exact_decisions;
+  left_undecided_ = left_undecided;
 }
 
 template <int Dim>
@@ -247,12 +255,12 @@ void CandidatePairs<Dim>::test(const CandidateFilter<Dim>& test, std::size_t wor
   base::make_room(survivors_, words);
   std::atomic<std::uint64_t> exact_decisions = 0;
   const auto test_unit = [&](std::size_t, std::size_t unit, base::WorkCounter& work) {
-    std::uint64_t exact = 0;
+    UndecidedCounts undecided;
     const std::size_t first = unit * words_of_unit;
     const std::size_t count = std::min(words_of_unit, words - first);
-    test.run(first, std::span(survivors_).subspan(first, count), slots_.data(), exact);
-    exact_decisions += exact;
-    work.did(candidates_of_word * count + steps_of_exact_decision * exact);
+    test.run(first, std::span(survivors_).subspan(first, count), slots_.data(), undecided);
+    exact_decisions += undecided.by_doubles;
+    work.did(candidates_of_word * count + steps_of_exact_decision * undecided.by_doubles);
   };
   base::for_each_index(workers, units, context.work, test_unit);
   context.candidate_tests += size_;

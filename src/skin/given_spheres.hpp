@@ -19,8 +19,10 @@ class GivenSpheres {
       : gathered_(gathered) {}
   explicit GivenSpheres(const ElementView& given) noexcept : given_(&given) {}
 
-  [[nodiscard]] exact::Sphere<Dim> operator[](std::size_t number) const {
-    return given_ == nullptr ? gathered_[number] : elements::sphere_at<Dim>(*given_, number);
+  /// Where the sphere lies; in `room` if it had to be read.
+  [[nodiscard]] const exact::Sphere<Dim>& find(std::size_t number, exact::Sphere<Dim>& room) const {
+    if (given_ == nullptr) return gathered_[number];
+    return room = elements::sphere_at<Dim>(*given_, number);
   }
 
  private:

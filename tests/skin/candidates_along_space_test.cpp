@@ -248,23 +248,45 @@ TEST(CandidatesAlongSpace, MayDriftOutOfTheBoxOfTheirAnchors) {
   EXPECT_EQ(detector.skin_statistics().detections, 1U);
 }
 
-/// Pairs that touch exactly are decided on the caller's numbers, however these are stored.
+/// Pairs that touch exactly are decided on the caller's numbers, however these are stored: a few,
+/// which are read where they lie, and many, for which elements are gathered.
 TEST(CandidatesAlongSpace, TiesAreReadWhereTheyLie) {
-  struct Disc {
-    float radius, x, other, y;
+  struct Ball {
+    float radius, x, other, y, z;
   };
-  std::vector<Disc> discs(many, {0.5f, 0.0f, -7.0f, 0.25f});
-  for (std::size_t k = 0; k < many; ++k) discs[k].x = static_cast<float>(k);
-  const ElementView elements(std::array{Column<float>{&discs[0].x, many, sizeof(Disc)},
-                                        Column<float>{&discs[0].y, many, sizeof(Disc)}},
-                             Column<float>{&discs[0].radius, many, sizeof(Disc)});
-  Detector detector;
-  detector.set_skin(Skin::fixed(0.3));
-  EXPECT_EQ(detector.find_contact_pairs(elements).size(), many - 1);
-  EXPECT_EQ(detector.find_contact_pairs(elements).size(), many - 1);
-  discs[700].x = std::nextafter(discs[700].x, 0.0f);
-  EXPECT_EQ(detector.find_contact_pairs(elements).size(), many - 2);
-  EXPECT_EQ(detector.skin_statistics().reuses, 2U);
+  MovingSystem system(3, many, {}, 23);
+  sort_along_space(system.scene);
+  const scenes::Scene& scene = system.scene;
+  for (const std::size_t between : {std::size_t{100}, std::size_t{3}}) {
+    std::vector<Ball> balls(many);
+    const auto read = [&](const std::vector<double>& column, std::size_t k) {
+      return static_cast<float>(column[k]);
+    };
+    for (std::size_t k = 0; k < many; ++k) {
+      balls[k] = {read(scene.radius, k), read(scene.x, k), -7.0f, read(scene.y, k),
+                  read(scene.z, k)};
+    }
+    for (std::size_t k = 0; k + 1 < many; k += between) {
+      balls[k].radius = balls[k + 1].radius = 0.25f;
+      balls[k].x = std::floor(balls[k].x);
+      balls[k + 1] = balls[k];
+      balls[k + 1].x += 0.5f;
+    }
+    const auto columns = [&](float Ball::*number) {
+      return Column<float>{&(balls[0].*number), many, sizeof(Ball)};
+    };
+    const ElementView elements(std::array{columns(&Ball::x), columns(&Ball::y), columns(&Ball::z)},
+                               columns(&Ball::radius));
+    Detector detector({.order = Order::canonical});
+    detector.set_skin(Skin::fixed(0.3));
+    for (int call = 0; call < 3; ++call) {
+      expect_as_fresh(detector, elements, Domain::open());
+      const PairList& kept = detector.find_contact_pairs(elements);
+      EXPECT_GE(kept.statistics().exact_decisions + 2, many / between);
+      balls[call == 0 ? 101 : 201].x += call == 0 ? 1e-7f : -1e-7f;
+    }
+    EXPECT_EQ(detector.skin_statistics().detections, 1U);
+  }
 }
 
 /// A row whose candidates are the next two of each. None is lost when the two largest displacements

@@ -10,6 +10,7 @@
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>
+#include <abut/error.hpp>
 #include <abut/two_sets.hpp>
 
 #include <gtest/gtest.h>

@@ -3,8 +3,11 @@
 // answers differ.
 
 #include "device/host_detection.hpp"
+#include "scenes/box_scene.hpp"
 #include "scenes/scene.hpp"
 #include "support/scene_view.hpp"
+
+#include <abut/element_view.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +70,23 @@ void compare_with_rule(std::string_view name, std::size_t count, const Domain& d
   }
 }
 
+/// Boxes of many sizes.
+void compare_boxes(std::size_t count, const Domain& domain) {
+  const scenes::BoxScene scene =
+      scenes::boxes_in(scenes::scene_named("log_uniform").make(count, 1), 2);
+  const auto& lower = scene.lower;
+  const auto& upper = scene.upper;
+  const ElementView all = boxes(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
+  HostRun run{.domain = domain, .shifts = Shifts::stored, .quantities = Quantity::gap};
+  const HostAnswer one = list_on_host(all, 0.0, run);
+  run.workers = 4;
+  const HostAnswer four = list_on_host(all, 0.0, run);
+  if (one.pairs != four.pairs || one.shifts != four.shifts || one.gaps != four.gaps ||
+      one.pairs.empty()) {
+    throw std::logic_error("four threads give other pairs of boxes");
+  }
+}
+
 void run_all() {
   // One level, several, rows that are long, and wide gaps; many pairs in doubt.
   compare("dense", 3000);
@@ -81,6 +101,8 @@ void run_all() {
   compare("dense", 1000, Domain::periodic({14.0, 14.0, 14.0}));
   compare("graded", 1000, Domain::lattice({40.0, 0.0, 0.0}, {8.0, 40.0, 0.0}, {0.0, 9.0, 40.0}));
   compare("dense", 4, Domain::periodic({0.7, 0.7, 0.7}));
+  compare_boxes(2000, Domain::open());
+  compare_boxes(500, Domain::periodic({60.0, 60.0, 60.0}));
   compare_with_rule("dense", 3000, Domain::open());
   compare_with_rule("graded", 1000, Domain::periodic({40.0, 40.0, 40.0}));
 }

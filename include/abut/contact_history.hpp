@@ -137,9 +137,10 @@ class ContactHistory {
 
   using Run = detail::ContactMatcher::Run;
 
-  /// Moves the values to their new places, in the array where they are: all memory is taken before
-  /// the first of them moves.
+  /// Moves the values to their new places, in the array where they are: all memory is taken, and
+  /// the value of a new contact made, before the first of them moves.
   void collect(PairCount count) {
+    const T fresh{};
     next_lost_.clear();
     for (const auto& lost : matcher_.lost()) {
       next_lost_.push_back({lost.first, lost.second, values_[lost.before]});
@@ -158,15 +159,24 @@ class ContactHistory {
       for (const Run& run : runs) copy(run, next_values_);
       values_.swap(next_values_);
     }
-    begin_anew_between(runs);
+    fill_between(runs, fresh);
   }
 
-  /// Where contacts become more from step to step, an eighth more than is needed: to write into
-  /// fresh memory in each step takes longer than all the rest.
   static void make_room(Values& values, PairCount count) {
-    const PairCount room = values.capacity();
-    if (room < count) values.reserve(room == 0 ? count : count + count / 8);
+    if (values.capacity() < count) reserve_to_grow(values, count);
     values.resize(std::max<PairCount>(values.size(), count));
+  }
+
+  /// Where contacts become more from step to step, an eighth more than is needed, if it can be had:
+  /// to write into fresh memory in each step takes longer than all the rest.
+  static void reserve_to_grow(Values& values, PairCount count) {
+    if (values.capacity() != 0) {
+      try {
+        return values.reserve(count + count / 8);
+      } catch (const std::bad_alloc&) {
+      }
+    }
+    values.reserve(count);
   }
 
   void copy(const Run& run, Values& to) {
@@ -174,9 +184,9 @@ class ContactHistory {
     std::memmove(to.data() + run.now, values_.data() + run.before, run.count * sizeof(T));
   }
 
-  /// Runs keep their order, so that one that moves to the front, the first of them first, writes
-  /// over nothing that is still to be read, and one that moves to the back, the last of them first,
-  /// neither; nor do those of one kind write over those of the other.
+  /// Runs keep their order and do not overlap, before or now. Those that move to the front go
+  /// first, the first of them first: what each writes over lies before all that is still to be
+  /// read. Then those that move to the back, the last of them first.
   void shift(std::span<const Run> runs) {
     for (auto run = runs.begin(); run != runs.end(); ++run) {
       if (run->now < run->before) copy(*run, values_);
@@ -186,13 +196,13 @@ class ContactHistory {
     }
   }
 
-  void begin_anew_between(std::span<const Run> runs) {
+  void fill_between(std::span<const Run> runs, const T& fresh) {
     PairCount end = 0;  // of the run before
     for (const Run& run : runs) {
-      std::fill(values_.data() + end, values_.data() + run.now, T{});
+      std::fill(values_.data() + end, values_.data() + run.now, fresh);
       end = run.now + run.count;
     }
-    std::fill(values_.data() + end, values_.data() + values_.size(), T{});
+    std::fill(values_.data() + end, values_.data() + values_.size(), fresh);
   }
 
   detail::ContactMatcher matcher_;

@@ -80,12 +80,19 @@ void make_room(Array<T>& array, std::size_t size) {
 
 /// Makes room for `size` values. An array that was used before gets an eighth more: results that
 /// grow a little from step to step would be written into fresh memory each time, which the system
-/// must find and clear, and that takes longer than writing them. What is never written to takes no
-/// memory but addresses.
+/// must find and clear, and that takes longer than writing them. What is never written to takes
+/// addresses and, as most systems are set, no memory; where the eighth cannot be had, it is not
+/// needed.
 template <class Values>
 void reserve_to_grow(Values& values, std::size_t size) {
   if (values.capacity() >= size) return;
-  values.reserve(values.capacity() == 0 ? size : size + size / 8);
+  if (values.capacity() != 0) {
+    try {
+      return values.reserve(size + size / 8);
+    } catch (const std::bad_alloc&) {
+    }
+  }
+  values.reserve(size);
 }
 
 /// Gives the memory of an array back; it is empty then.

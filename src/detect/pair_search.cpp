@@ -65,6 +65,7 @@ Statistics PairSearch::find_in(const DetectionRequest& request, PairSink& sink,
   context.progress.begin("gather", request.size());
   const UngatheredCall ungathered{request.elements, task, context, statistics};
   if (can_do_without_gathering(request) && skin_.prepare<Dim>(ungathered)) {
+    context.progress.advance(request.size());
     statistics.gather_seconds = stopwatch.lap();
     skin_.deliver<Dim>(ungathered, sink);
     statistics.search_seconds = stopwatch.lap();

@@ -26,6 +26,10 @@ namespace {
 
 constexpr std::uint64_t steps_of_candidate = 64;
 
+/// Candidates that are worth a call of the vector kernels: of large spheres beside small triangles,
+/// those of few spheres, so that memory follows one sphere and not a block of them.
+constexpr std::size_t enough_candidates = 1024;
+
 /// Shares of the reach by which the grid reaches farther than is needed: one that costs next to
 /// nothing, so that radii may grow a little, and half where a mesh has been found to change its
 /// shape.
@@ -208,17 +212,22 @@ double MeshSearch::search(const Call& call, const RestFrame& frame) {
                            std::size_t count, SearchScratch& scratch) {
     const NearSpheres near = near_wall.find(block, count, scratch.near);
     scratch.largest_radius = std::max(scratch.largest_radius, near.largest_radius);
+    const auto decide = [&] {
+      scratch.tests += scratch.candidates.size();
+      base::resize_for_overwrite(scratch.parts, scratch.candidates.size());
+      const BlockCandidates candidates{block, scratch.candidates};
+      triangles.decide(candidates, scratch.parts, scratch.found.exact_decisions);
+      toucher.touch(first, candidates, scratch.parts, scratch.found);
+      scratch.candidates.clear();
+    };
     scratch.candidates.clear();
     for (const std::uint32_t one :
          near_wall.sift(block, scratch.near, near.numbers.size(), {planes_, call.options.margin},
                         scratch.columns, scratch.kept)) {
       choose(call, block, one, scratch);
+      if (scratch.candidates.size() >= enough_candidates) decide();
     }
-    scratch.tests += scratch.candidates.size();
-    base::resize_for_overwrite(scratch.parts, scratch.candidates.size());
-    const BlockCandidates candidates{block, scratch.candidates};
-    triangles.decide(candidates, scratch.parts, scratch.found.exact_decisions);
-    toucher.touch(first, candidates, scratch.parts, scratch.found);
+    decide();
     return near.valid;
   });
   return largest_of_workers(call);

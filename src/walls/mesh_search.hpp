@@ -85,7 +85,7 @@ class MeshSearch {
     std::array<std::uint32_t, block_size> near;
     std::array<std::uint32_t, block_size> kept;
     kernels::NearColumns columns;
-    base::Array<ContactPair> candidates;  ///< of a block, by the numbers in it
+    base::Array<ContactPair> candidates;  ///< of some spheres of a block, by the numbers in it
     base::Array<std::uint8_t> parts;      ///< of the candidates
     std::uint64_t tests = 0;
     double largest_radius = 0.0;

@@ -52,7 +52,8 @@ HWY_INLINE void bring_back(const WallJob& job, Doubles (&point)[3]) {
 }
 
 /// Returns the cells of points; of those that have none the number behind the last cell, which is
-/// never occupied. The whole part is 0 a little before the first cell, too, as in WallGrid::near.
+/// never occupied. The whole part is 0 a little before the first cell, too, as in
+/// WallGrid::place_near.
 HWY_INLINE Cells cells_of(const WallJob& job, const Doubles (&point)[3]) {
   Doubles place[3];
   Mask inside = hn::FirstN(doubles, hn::MaxLanes(Tag()));

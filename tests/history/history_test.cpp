@@ -76,6 +76,21 @@ TEST(History, CarriesValuesFromStepToStep) {
   EXPECT_TRUE(history.lost().empty());
 }
 
+/// Of values that stay in one array, those that move to the back and those that move to the front
+/// go to places from which their neighbors must have gone first.
+TEST(History, ValuesMoveToTheFrontAndToTheBack) {
+  const Elements elements(12);
+  ContactHistory<int> history;
+  history.update(
+      list_of({{1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 8}, {8, 9}, {9, 10}, {10, 11}}),
+      elements.view());
+  for (std::size_t k = 0; k < 10; ++k) history.values()[k] = static_cast<int>(k) + 1;
+  history.update(list_of({{0, 1}, {1, 2}, {2, 3}, {2, 4}, {3, 4}, {7, 8}, {9, 10}, {10, 11}}),
+                 elements.view());
+  EXPECT_EQ(std::vector<int>(history.values().begin(), history.values().end()),
+            (std::vector<int>{0, 1, 2, 0, 3, 7, 9, 10}));
+}
+
 TEST(History, GoesOnWhereItIsMovedTo) {
   const Elements elements(5);
   ContactHistory<double> history;

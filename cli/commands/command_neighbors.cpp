@@ -139,7 +139,8 @@ NeighborList detect_on_device(int device, const ElementView& points,
   detection.quantities = {};
   return in_words_of_tool([&] {
     NeighborList found = DeviceSearch(device, points, detection).neighbors(domain, options.kind);
-    return options.output.empty() ? found : with_distances(found, points, domain, detection);
+    if (options.output.empty()) return found;
+    return with_distances(found, points, domain, detection);
   });
 }
 

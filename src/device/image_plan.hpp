@@ -60,7 +60,9 @@ class ImagePlan {
   [[nodiscard]] lattice::GhostWindows<Dim> windows() const;
 
   /// Of locals as given, and as they are moved, while there are no ghosts.
-  [[nodiscard]] ImageMap<Dim> map_as_given() const { return map_of(wrapper_of_all(), 1.0); }
+  [[nodiscard]] ImageMap<Dim> map_as_given() const {
+    return map_of({reduced_, cell_, {}, {shape_, given_unit_, 1.0}}, 1.0);
+  }
   [[nodiscard]] ImageMap<Dim> map_of_locals() const { return map_of(wrapper(), unit_); }
   /// Of windows().
   [[nodiscard]] ImageMap<Dim> map(const lattice::GhostWindows<Dim>& windows) const;

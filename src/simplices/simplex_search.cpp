@@ -117,7 +117,7 @@ class SimplexSearch {
     } else {
       order.join(found.pieces(), target, workers, context_.work);
     }
-    if (!are_wanted) shifts.clear();
+    if (!are_wanted) shifts = ShiftArray{};
     statistics.order_seconds = stopwatch.lap();
     statistics.contact_pairs = found.size();
     statistics.list_insertions = context_.list_insertions;

@@ -93,6 +93,7 @@ void expect_every_failure_told(const RuledElements& ruled,
     allocator.refuse_request(which);
     try {
       call(detector);
+      EXPECT_LE(allocator.requests, which) << "a refused allocation was not told";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::limit_exceeded) << error.what();
     }
@@ -132,7 +133,9 @@ TEST(FaceRuleMemory, OfTwoSetsMayFail) {
     device::Detector detector({.rule = rule.rule()}, device::on(0), allocator.functions());
     allocator.refuse_request(which);
     try {
-      detector.find_contact_pairs(first.elements(), second.elements());
+      const device::PairList found =
+          detector.find_contact_pairs(first.elements(), second.elements());
+      EXPECT_LE(allocator.requests, which) << "a refused allocation was not told";
       break;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::limit_exceeded) << error.what();

@@ -83,6 +83,21 @@ TEST(DeviceFarShifts, OfElementsFarOut) {
   EXPECT_TRUE(tells(outcome(1073741824.0, 0.1), "elements 0 and 1 pair across more"));
 }
 
+/// A number beyond 2^960 on the open axis says nothing about how many cells away the others lie:
+/// these are moved into the cell, instead of images to where they are.
+TEST(DevicePeriodicLimits, OfANumberFarOutOnTheOpenAxis) {
+  const Domain strip = Domain::periodic({1.0, unbounded});
+  for (const double cells : {1e5, 1e9}) {
+    const Scene scene =
+        scene_of(2, {{0.5, 0.0, 0, 0.25}, {0.5 + cells, 0.25, 0, 0.25}, {0.25, 1e300, 0, 0.125}});
+    EXPECT_EQ(expect_same_outcome(scene, strip), "1 pairs");
+    EXPECT_LE(count_on_host(view_of(scene), 0.0, {.domain = strip}).searched, 6U);
+  }
+  const Scene beyond =
+      scene_of(2, {{0.5, 0, 0, 0.25}, {1e11, 0, 0, 0.25}, {0.25, 1e300, 0, 0.125}});
+  EXPECT_TRUE(tells(expect_same_outcome(beyond, strip), "element 1 has x"));
+}
+
 TEST(DevicePeriodicLimits, OfCells) {
   const Domain square = Domain::periodic({1.0, 1.0});
   const auto at = [](double x, double radius) {

@@ -277,6 +277,21 @@ def test_wrong_simplices():
         abut.find_simplex_contacts(abut.Simplices([[0, np.nan], [0, 0]], [[1, 0]]))
 
 
+@pytest.mark.parametrize("dtype", [np.int32, np.int64])
+def test_cells_that_are_not_aligned(dtype):
+    square = [[0, 0], [1, 0], [0, 1], [1, 1]]
+    for wrong in (-1, 3):
+        cells = np.array([[0, 1], [1, wrong]], dtype=dtype)
+        crooked = np.frombuffer(b"." + cells.tobytes(), dtype=dtype, offset=1).reshape(2, 2)
+        assert not crooked.flags.aligned
+        simplices = abut.Simplices(square, crooked)
+        if wrong < 0:
+            with pytest.raises(abut.InputError, match="vertex -1"):
+                abut.find_simplex_contacts(simplices)
+        else:
+            assert abut.find_simplex_contacts(simplices).pairs.tolist() == [[0, 1]]
+
+
 def test_wrong_calls():
     flat = abut.Simplices([[0, 0], [1, 0]], [[0, 1]])
     solid = abut.Simplices([[0, 0, 0], [1, 0, 0]], [[0, 1]])

@@ -254,7 +254,7 @@ def whole_numbers(given: Any, dtype: type[np.generic], what: str) -> npt.NDArray
         if least < limits.min or most > limits.max:
             wrong = least if least < limits.min else most
             raise InputError(f"{what}: {wrong} is not between {limits.min} and {limits.max}")
-    return np.ascontiguousarray(array, dtype=dtype)
+    return np.require(array, dtype=dtype, requirements=("C", "A"))
 
 
 def count(given: Any, what: str) -> int | None:

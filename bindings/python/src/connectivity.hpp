@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace abut::python {
 
@@ -19,7 +20,10 @@ class HeldConnectivity {
   explicit HeldConnectivity(nb::handle cells) : buffer_(cells) {
     const bool is_table = buffer_.axes() == 2 && buffer_.is_contiguous();
     const std::size_t bytes = buffer_.number_bytes();
-    if (!is_table || (bytes != sizeof(std::int32_t) && bytes != sizeof(std::int64_t))) {
+    const bool is_whole =
+        std::string_view("iIlLqQ").find(buffer_.letter()) != std::string_view::npos;
+    if (!is_table || !is_whole ||
+        (bytes != sizeof(std::int32_t) && bytes != sizeof(std::int64_t))) {
       throw nb::type_error("a table of whole numbers with a row for each cell is needed");
     }
   }

@@ -15,8 +15,9 @@
 namespace abut::device {
 
 /// The sphere that stands for a box wherever elements are mapped to cells (exact::Elements): its
-/// center is the lower corner, its radius half of the widest side, rounded up. Halves are
-/// subtracted, since a width may exceed the largest double.
+/// center is the lower corner, its radius half of the widest side, rounded; upwards
+/// where the smallest numbers have no half. Halves are subtracted, since a width may exceed the
+/// largest double.
 template <int Dim>
 [[nodiscard]] ABUT_HD inline exact::Sphere<Dim> stand_in(const exact::Box<Dim>& box) noexcept {
   exact::Sphere<Dim> sphere{};

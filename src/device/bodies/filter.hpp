@@ -90,8 +90,8 @@ template <int Dim>
   return FilterVerdict::doubtful;
 }
 
-/// Compares boxes in double precision whose ends are off by `slack` at most. What three operations
-/// round is covered by four times as much; where sums overflow nothing is decided.
+/// Compares boxes in double precision whose ends are off by `slack` at most. What two operations
+/// round is covered by nearly four times as much; where sums overflow nothing is decided.
 template <int Dim>
 [[nodiscard]] ABUT_HD inline FilterVerdict filter(const exact::Box<Dim>& a,
                                                   const exact::Box<Dim>& b, double margin,

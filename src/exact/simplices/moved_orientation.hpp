@@ -75,6 +75,7 @@ class Hyperplane<MovedPoint<2>> {
   /// without rounding must decide.
   [[nodiscard]] int side(const MovedPoint<2>& c, std::uint64_t& exact_decisions) const noexcept {
     if (const auto certain = certain_side(c)) return *certain;
+    if (c == a_ || c == b_) return 0;
     ++exact_decisions;
     return orientation_exactly(a_, b_, c);
   }
@@ -107,6 +108,7 @@ class Hyperplane<MovedPoint<3>> {
   /// without rounding must decide.
   [[nodiscard]] int side(const MovedPoint<3>& d, std::uint64_t& exact_decisions) const noexcept {
     if (const auto certain = certain_side(d)) return *certain;
+    if (d == a_ || d == b_ || d == c_) return 0;
     ++exact_decisions;
     return orientation_exactly(a_, b_, c_, d);
   }

@@ -133,8 +133,7 @@ TEST(FaceRuleMemory, OfTwoSetsMayFail) {
     device::Detector detector({.rule = rule.rule()}, device::on(0), allocator.functions());
     allocator.refuse_request(which);
     try {
-      const device::PairList found =
-          detector.find_contact_pairs(first.elements(), second.elements());
+      detector.find_contact_pairs(first.elements(), second.elements());
       EXPECT_LE(allocator.requests, which) << "a refused allocation was not told";
       break;
     } catch (const Error& error) {

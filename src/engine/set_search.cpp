@@ -47,16 +47,21 @@ constexpr std::size_t large_set = 1 << 15;
 constexpr std::size_t least_shared_tile = 1 << 13;
 constexpr std::size_t parts_for_each = 4;
 
-/// Returns the size of cells: the reach with its margin, and never so small that counts of cells
-/// overflow.
+/// Returns the size below which positions are not known well enough, or counts of cells overflow.
 template <int Dim>
-double cell_size_for(const grid::Bounds<Dim>& bounds, const SearchInput<Dim>& input) {
-  const double reach = bounds.largest_radius + bounds.second_largest_radius + input.margin;
-  double cell = std::max({reach * tile_cell_margin, input.least_cell, smallest_cell});
+double least_cell_for(const grid::Bounds<Dim>& bounds, const SearchInput<Dim>& input) {
+  double cell = std::max(input.least_cell, smallest_cell);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     cell = std::max(cell, (bounds.upper[axis] - bounds.lower[axis]) / most_cells_along_box);
   }
   return cell;
+}
+
+/// Returns the size of cells: the reach with its margin, or the least there may be.
+template <int Dim>
+double cell_size_for(const grid::Bounds<Dim>& bounds, const SearchInput<Dim>& input) {
+  const double reach = bounds.largest_radius + bounds.second_largest_radius + input.margin;
+  return std::max(reach * tile_cell_margin, least_cell_for(bounds, input));
 }
 
 template <int Dim>
@@ -131,7 +136,8 @@ template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
   if (set.locals.empty() || set.locals.size() < input_.layer_limits.least_elements) return false;
   const SearchPlace at{nullptr, workspace_.levels, workspace_.histogram, 0};
-  if (size_cut_for(set, at) || !take_layers(set)) return false;
+  const SizeChoice choice = choose_by_size(set, at);
+  if (!choice.is_searched && (choice.cut || !take_layers(set))) return false;
   finish();
   return true;
 }
@@ -140,10 +146,14 @@ template <int Dim>
 bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
   const auto layers =
       choose_layers(set, input_, cell_size_for(set.bounds, input_), workspace_.occupancy);
-  if (!layers) return false;
+  if (layers) search_layers(set, *layers);
+  return layers.has_value();
+}
+
+template <int Dim>
+void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers) {
   LayerSearch<Dim> search(input_, workspace_, worker_count_, context_);
-  next_unit_ = search.search(set, *layers, next_unit_);
-  return true;
+  next_unit_ = search.search(set, layers, next_unit_);
 }
 
 template <int Dim>
@@ -159,20 +169,34 @@ template <int Dim>
 void SetSearch<Dim>::search(const SearchSet<Dim>& set, const SearchPlace& at) {
   if (set.locals.empty()) return;
   if (set.wanted == Wanted::pairs_of_coarse && set.coarse_elements.empty()) return;
-  if (const auto cut = size_cut_for(set, at)) return search_divided(set, *cut, at);
+  const SizeChoice choice = choose_by_size(set, at);
+  if (choice.is_searched) return;
+  if (choice.cut) return search_divided(set, *choice.cut, at);
   search_tiles(set, at);
 }
 
-/// The radius at which it pays to divide the set, if there is one.
+/// Searches the set in layers by size where that costs least; otherwise returns the radius at which
+/// it pays to divide it, if there is one.
 template <int Dim>
-std::optional<double> SetSearch<Dim>::size_cut_for(const SearchSet<Dim>& set,
-                                                   const SearchPlace& at) {
-  if (set.bounds.smallest_radius == set.bounds.largest_radius) return std::nullopt;
+auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at)
+    -> SizeChoice {
+  if (set.bounds.smallest_radius == set.bounds.largest_radius) return {};
   at.histogram.clear();
   count_radii(at.histogram, input_.elements, set.locals, work_at(at));
   count_radii(at.histogram, input_.elements, set.halo, work_at(at));
   const double volume = volume_in_cells(set.bounds, cell_size_for(set.bounds, input_));
-  return choose_size_cut<Dim>(at.histogram, sizes_of(set.bounds, input_.margin, volume));
+  const SizeDistribution sizes = sizes_of(set.bounds, input_.margin, volume);
+  const SizeClasses classes(at.histogram, sizes);
+  const SizePlan plan = plan_sizes<Dim>(classes, sizes);
+  if (at.worker == nullptr) {
+    const SizeEstimate estimate{classes, sizes, plan.cost, least_cell_for(set.bounds, input_)};
+    const auto layers = choose_layers_by_size(set, input_, estimate, workspace_.occupancy);
+    if (layers) {
+      search_layers(set, *layers);
+      return {std::nullopt, true};
+    }
+  }
+  return {plan.cut};
 }
 
 template <int Dim>
@@ -347,7 +371,8 @@ std::optional<double> SetSearch<Dim>::size_cut_in(const SearchSet<Dim>& set,
   const auto count = static_cast<double>(sorted.size());
   const double crowded_cells = count * count / static_cast<double>(sorted.squared_occupancy());
   const double volume = crowded_cells * cells.volume_in(grid, cell_size_for(sizes, input_));
-  return choose_size_cut<Dim>(at.histogram, sizes_of(sizes, input_.margin, volume));
+  const SizeDistribution distribution = sizes_of(sizes, input_.margin, volume);
+  return plan_sizes<Dim>({at.histogram, distribution}, distribution).cut;
 }
 
 template <int Dim>

@@ -62,8 +62,14 @@ class SetSearch {
 
   void finish();
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
-  [[nodiscard]] std::optional<double> size_cut_for(const SearchSet<Dim>& set,
-                                                   const SearchPlace& at);
+  void search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);
+
+  /// What came of a look at the sizes in a set.
+  struct SizeChoice {
+    std::optional<double> cut;
+    bool is_searched = false;  ///< in layers, by size
+  };
+  [[nodiscard]] SizeChoice choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at);
   void search(const SearchSet<Dim>& set, const SearchPlace& at);
   void search(const CrowdedTile& part, const SearchPlace& at);
   void search_divided(const SearchSet<Dim>& set, double cut, const SearchPlace& at);

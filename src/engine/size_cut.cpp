@@ -18,27 +18,6 @@ constexpr double cost_of_row = 15.0;
 /// A cut must promise more than the error of the estimate.
 constexpr double least_gain = 0.8;
 
-/// Lengths in cells of the largest reach.
-struct SizeClass {
-  double count;
-  double radius;  ///< upper end
-  double cut;     ///< the same as it was given
-};
-
-constexpr std::size_t most_classes = 129;
-
-/// A short array that needs no memory of its own.
-class SizeClasses {
- public:
-  void push_back(const SizeClass& one) { classes_[size_++] = one; }
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] const SizeClass& operator[](std::size_t k) const { return classes_[k]; }
-
- private:
-  std::array<SizeClass, most_classes> classes_;
-  std::size_t size_ = 0;
-};
-
 template <int Dim>
 constexpr double power(double x) {
   return Dim == 2 ? x * x : x * x * x;
@@ -90,51 +69,30 @@ class Estimate {
     return sum;
   }
 
-  SizeClasses classes_;
+  const SizeClasses& classes_;
   double margin_;
   double volume_;
 };
 
-SizeClasses occupied_classes(const RadiusHistogram& histogram, const SizeDistribution& sizes,
-                             double cell) {
-  constexpr std::size_t most = most_classes - 1;
-  const std::size_t first = RadiusHistogram::class_of(sizes.smallest_radius);
-  const std::size_t last = RadiusHistogram::class_of(sizes.largest_radius);
-  const std::size_t width = (last - first) / most + 1;
-  SizeClasses classes;
-  for (std::size_t k = first; k <= last; k += width) {
-    double count = 0.0;
-    for (std::size_t j = k; j < k + width && j <= last; ++j) count += histogram.count(j);
-    if (count == 0.0) continue;
-    const std::size_t end = std::min(k + width - 1, last);
-    const double upper_end = RadiusHistogram::upper_end(end);
-    classes.push_back({count, std::min(upper_end, sizes.largest_radius) / cell, upper_end});
-  }
-  return classes;
-}
-
 }  // namespace
 
 template <int Dim>
-std::optional<double> choose_size_cut(const RadiusHistogram& histogram,
-                                      const SizeDistribution& sizes) {
-  const double cell = 2.0 * sizes.largest_radius + sizes.margin;
-  const Estimate<Dim> estimate(occupied_classes(histogram, sizes, cell), sizes.margin / cell,
-                               sizes.volume);
+SizePlan plan_sizes(const SizeClasses& classes, const SizeDistribution& sizes) {
+  const Estimate<Dim> estimate(classes, sizes.margin / sizes.reach(), sizes.volume);
   const double division = cost_of_division * estimate.count();
-  double least = least_gain * estimate.alone(0, estimate.size());
-  std::optional<double> cut;
+  SizePlan plan{std::nullopt, estimate.alone(0, estimate.size())};
+  double least = least_gain * plan.cost;
   for (std::size_t k = 1; k < estimate.size(); ++k) {
     const double cost = division + estimate.alone(0, k) + estimate.cross_level(k) +
                         estimate.alone(k, estimate.size());
     if (cost >= least) continue;
     least = cost;
-    cut = estimate.cut_above(k - 1);
+    plan = {estimate.cut_above(k - 1), cost};
   }
-  return cut;
+  return plan;
 }
 
-template std::optional<double> choose_size_cut<2>(const RadiusHistogram&, const SizeDistribution&);
-template std::optional<double> choose_size_cut<3>(const RadiusHistogram&, const SizeDistribution&);
+template SizePlan plan_sizes<2>(const SizeClasses&, const SizeDistribution&);
+template SizePlan plan_sizes<3>(const SizeClasses&, const SizeDistribution&);
 
 }  // namespace abut::engine

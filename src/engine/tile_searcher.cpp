@@ -152,6 +152,14 @@ void TileSearcher<Dim>::search(const kernels::LayerPair& layers) {
 }
 
 template <int Dim>
+void TileSearcher<Dim>::search(const kernels::LayerStack& layers,
+                               std::span<const kernels::FarElement> far) {
+  input_->layer_kernels.search_near(layers, job_, Dim);
+  if (!far.empty()) input_->layer_kernels.search_far(layers, far.data(), far.size(), job_, Dim);
+  tell();
+}
+
+template <int Dim>
 void TileSearcher<Dim>::test_coarse(const TileFrame<Dim>& frame,
                                     std::span<const std::uint32_t> coarse_elements) {
   if (coarse_elements.empty()) return;

@@ -2,6 +2,7 @@
 
 #include "base/array.hpp"
 #include "engine/cross_level_runs.hpp"
+#include "engine/layers/far_elements.hpp"
 #include "engine/layers/sorted_layers.hpp"
 #include "engine/radius_histogram.hpp"
 #include "engine/search_set.hpp"
@@ -79,6 +80,7 @@ struct WorkerScratch {
         block(base::make_array_for_overwrite<float>(memory, 0)),
         block_number(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
         layers(memory),
+        far(memory),
         levels(memory) {}
 
   SortedTile<Dim> tile;
@@ -86,6 +88,7 @@ struct WorkerScratch {
   base::Array<float> block;  ///< scratch of the kernels
   base::Array<std::uint32_t> block_number;
   SortedLayers<Dim> layers;
+  FarElementsInReach<Dim> far;
   RecursionLevels<Dim> levels;
   RadiusHistogram histogram;
 };

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 
 namespace abut::testing {
@@ -31,11 +32,17 @@ TEST(RadiusHistogram, ClassesAreHalfAnOctaveWide) {
 }
 
 template <int Dim>
+std::optional<double> size_cut(const engine::RadiusHistogram& histogram,
+                               const engine::SizeDistribution& sizes) {
+  return engine::plan_sizes<Dim>({histogram, sizes}, sizes).cut;
+}
+
+template <int Dim>
 void expect_a_cut_between(double small, double large, int smalls, int larges) {
   const auto histogram = histogram_of({{small, smalls}, {large, larges}});
   // Dense: the small ones alone fill the box.
   const double volume = smalls * std::pow(small / large, Dim) + larges;
-  const auto cut = engine::choose_size_cut<Dim>(histogram, {large, small, 0.0, volume});
+  const auto cut = size_cut<Dim>(histogram, {large, small, 0.0, volume});
   ASSERT_TRUE(cut.has_value());
   EXPECT_GT(*cut, small);
   EXPECT_LE(*cut, large);
@@ -51,25 +58,25 @@ TEST(SizeCut, FewLargeOnesAreTakenOut) {
 TEST(SizeCut, NoneWhereSizesAreMuchTheSame) {
   for (const double large : {1.0, 1.2, 1.6}) {
     const auto histogram = histogram_of({{1.0, 5000}, {large, 5000}});
-    EXPECT_FALSE(engine::choose_size_cut<2>(histogram, {large, 1.0, 0.0, 5000.0}));
-    EXPECT_FALSE(engine::choose_size_cut<3>(histogram, {large, 1.0, 0.0, 5000.0}));
+    EXPECT_FALSE(size_cut<2>(histogram, {large, 1.0, 0.0, 5000.0}));
+    EXPECT_FALSE(size_cut<3>(histogram, {large, 1.0, 0.0, 5000.0}));
   }
 }
 
 TEST(SizeCut, NoneWhereTheMarginIsTheReach) {
   const auto histogram = histogram_of({{1e-6, 50000}, {1e-3, 50}});
-  EXPECT_FALSE(engine::choose_size_cut<3>(histogram, {1e-3, 1e-6, 1.0, 50000.0}));
+  EXPECT_FALSE(size_cut<3>(histogram, {1e-3, 1e-6, 1.0, 50000.0}));
 }
 
 TEST(SizeCut, NoneForAFewElements) {
   const auto histogram = histogram_of({{1.0, 10}, {100.0, 2}});
-  EXPECT_FALSE(engine::choose_size_cut<3>(histogram, {100.0, 1.0, 0.0, 1000.0}));
+  EXPECT_FALSE(size_cut<3>(histogram, {100.0, 1.0, 0.0, 1000.0}));
 }
 
 TEST(SizeCut, ACutLeavesElementsOnBothSides) {
   engine::RadiusHistogram histogram;
   for (int k = 0; k < 100000; ++k) histogram.add(std::ldexp(1.0 + (k % 7) / 7.0, k % 10));
-  const auto cut = engine::choose_size_cut<3>(histogram, {1023.0, 1.0, 0.0, 50.0});
+  const auto cut = size_cut<3>(histogram, {1023.0, 1.0, 0.0, 50.0});
   ASSERT_TRUE(cut.has_value());
   EXPECT_GT(*cut, 1.0);
   EXPECT_LE(*cut, 1023.0);

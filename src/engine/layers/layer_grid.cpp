@@ -17,6 +17,9 @@ constexpr int most_halvings = 2;
 /// Cells that are wider than the reach by more than this have half as many columns.
 constexpr double wide_cell = 1.5;
 
+/// Radii and margins beyond have squares that single precision does not hold.
+constexpr float most_units = 0x1p60f;
+
 /// Elements of a strip in 2D, at most, which is sorted within the nearest caches; and strips, at
 /// least, that workers may share out.
 constexpr double most_elements_of_strip = 4096.0;
@@ -91,6 +94,20 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& boun
 }
 
 template <int Dim>
+std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_cells(const grid::Bounds<Dim>& bounds,
+                                                       double margin, double cell,
+                                                       std::size_t elements) {
+  LayerGrid grid;
+  if (!grid.lay_out(bounds, cell)) return std::nullopt;
+  grid.cut_rows_by_size(margin);
+  if (!(grid.units_of(bounds.largest_radius) < most_units) || !(grid.margin_ < most_units)) {
+    return std::nullopt;
+  }
+  if constexpr (Dim == 2) grid.join_rows(elements);
+  return grid;
+}
+
+template <int Dim>
 bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double cell) {
   map_.units_of_one = units_of_cell / cell;
   std::array<std::uint32_t, Dim> cells{};
@@ -125,6 +142,42 @@ void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, do
   reach_ = static_cast<float>(units);
   margin_ = units_of(margin);
   has_equal_radii_ = bounds.smallest_radius == bounds.largest_radius;
+}
+
+template <int Dim>
+void LayerGrid<Dim>::cut_rows_by_size(double margin) {
+  column_shift_ = kernels::cell_bits - most_halvings;
+  columns_ <<= most_halvings;
+  columns_in_reach_ = kernels::near_columns;
+  reach_ = kernels::near_reach;
+  margin_ = units_of(margin);
+  has_equal_radii_ = false;
+  is_by_size_ = true;
+}
+
+template <int Dim>
+auto LayerGrid<Dim>::layers_around(const kernels::FarElement& far) const noexcept -> LayerRange {
+  // A whole number more than the reach, which no axis is longer than.
+  constexpr float longest = 0x1p31f;
+  const float reach = std::min(kernels::own_reach(far.radius, margin_), longest);
+  const auto units = static_cast<std::int64_t>(double{reach} * (1.0 + 0x1p-18)) + 1;
+  const std::int64_t position = far.position[map_.layer_axis];
+  const std::int64_t first = std::max((position - units) >> map_.layer_shift, std::int64_t{0});
+  const std::int64_t last =
+      std::min((position + units) >> map_.layer_shift, std::int64_t{layers_} - 1);
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)};
+}
+
+template <int Dim>
+void LayerGrid<Dim>::set_layers(kernels::LayerStack& layers, std::size_t k) const noexcept {
+  layers.row_axis = static_cast<int>(row_axis_);
+  layers.next_row_axis = static_cast<int>(next_row_axis_);
+  layers.layer_axis = map_.layer_axis;
+  layers.column_shift = column_shift_;
+  layers.columns = columns_;
+  layers.layer = static_cast<std::int32_t>(k);
+  layers.first_row = Dim == 2 ? static_cast<std::int32_t>(k * rows_) : 0;
+  layers.margin = margin_;
 }
 
 template <int Dim>

@@ -23,6 +23,11 @@ struct LayerLimits {
   /// The same where cells are wider than the reach needs, so that elements share them in clusters,
   /// and tiles would be cut anew around each.
   double most_joined_of_clusters = 400.0;
+  /// Cost of layers in which elements look for smaller ones, to that of other searches, up to which
+  /// they are taken: both are estimates.
+  double most_by_size = 0.95;
+  /// Other elements in an element's cell there, up to which they are: crowds are cut anew in tiles.
+  double most_crowded_by_size = 12.0;
 };
 
 /// Positions, columns, rows and layers of elements of one reach.
@@ -38,11 +43,17 @@ class LayerGrid {
   [[nodiscard]] static std::optional<LayerGrid> over(const grid::Bounds<Dim>& bounds, double margin,
                                                      double least_cell, std::size_t elements);
 
+  /// Returns the grid for elements that each look for smaller ones, in cells of any size, or none
+  /// where it would have too many cells along an axis.
+  [[nodiscard]] static std::optional<LayerGrid> of_cells(const grid::Bounds<Dim>& bounds,
+                                                         double margin, double cell,
+                                                         std::size_t elements);
+
   [[nodiscard]] const kernels::PositionMap& map() const noexcept { return map_; }
 
   /// A radius in units.
   [[nodiscard]] float units_of(double radius) const noexcept {
-    return static_cast<float>(radius * map_.units_of_one);
+    return kernels::radius_in_units(radius, map_);
   }
 
   [[nodiscard]] kernels::PositionRecord record(const exact::Sphere<Dim>& sphere,
@@ -89,8 +100,29 @@ class LayerGrid {
 
   [[nodiscard]] bool has_equal_radii() const noexcept { return has_equal_radii_; }
 
+  /// Tells whether elements look for smaller ones, each in its own reach.
+  [[nodiscard]] bool is_by_size() const noexcept { return is_by_size_; }
+
+  /// Layers in the own reach of an element, from the first to the last one.
+  struct LayerRange {
+    std::uint32_t first;
+    std::uint32_t last;
+  };
+  [[nodiscard]] LayerRange layers_around(const kernels::FarElement& far) const noexcept;
+
+  [[nodiscard]] bool is_far(float radius) const noexcept {
+    return !(kernels::own_reach(radius, margin_) < kernels::middle_reach);
+  }
+
+  [[nodiscard]] kernels::FarElement far_element(const kernels::PositionRecord& record,
+                                                float radius) const noexcept {
+    return kernels::far_element(record.position, record.number, radius, margin_);
+  }
+
   /// The fields of a pair of layers that bound the reach.
   void set_reach(kernels::LayerPair& layers) const noexcept;
+  /// The axes, rows and columns of a stack of layers around layer k.
+  void set_layers(kernels::LayerStack& layers, std::size_t k) const noexcept;
 
   /// Tells whether cells are wider than the reach needs.
   [[nodiscard]] bool has_wide_cells() const noexcept { return has_wide_cells_; }
@@ -109,6 +141,7 @@ class LayerGrid {
 
   [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double cell);
   void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double cell);
+  void cut_rows_by_size(double margin);
   void join_rows(std::size_t elements);
 
   kernels::PositionMap map_{};
@@ -123,6 +156,7 @@ class LayerGrid {
   float reach_ = 0.0f;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units
   bool has_equal_radii_ = true;
+  bool is_by_size_ = false;
   bool has_wide_cells_ = false;
 };
 

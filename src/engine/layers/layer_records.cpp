@@ -2,37 +2,35 @@
 
 #include "base/asking_workers.hpp"
 
-#include <algorithm>
-
 namespace abut::engine {
 
 template <int Dim>
 LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
     : records_(base::make_array_for_overwrite<kernels::PositionRecord>(memory, 0)),
       radii_(base::make_array_for_overwrite<float>(memory, 0)),
-      begin_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
-      cursors_(begin_) {}
+      cursors_(memory) {}
 
 template <int Dim>
 void LayerRecords<Dim>::sort(std::span<const exact::Sphere<Dim>> spheres,
                              const LayerGrid<Dim>& grid, const kernels::LayerKernels& kernels,
-                             std::size_t workers, base::WorkCounter& work) {
-  const std::size_t layers = grid.layer_count();
-  base::make_room(cursors_, workers * layers);
+                             std::size_t workers, base::WorkCounter& work, FarElements<Dim>& far) {
+  if (grid.is_by_size()) far.start(workers);
+  cursors_.start(grid.layer_count(), workers);
   base::make_room(records_, spheres.size());
   has_radii_ = !grid.has_equal_radii();
   if (has_radii_) base::make_room(radii_, spheres.size());
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
-    std::uint64_t* const counts = cursors_.data() + worker * layers;
-    std::fill_n(counts, layers, std::uint64_t{0});
+    std::uint64_t* const counts = cursors_.of(worker);
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) ++counts[grid.layer(spheres[k])];
+      if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });
   });
-  lay_out(layers, workers);
+  if (grid.is_by_size()) far.sort(grid);
+  cursors_.lay_out();
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
-    const kernels::RecordsByLayer to{cursors_.data() + worker * layers, records_.data(),
+    const kernels::RecordsByLayer to{cursors_.of(worker), records_.data(),
                                      has_radii_ ? radii_.data() : nullptr};
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
@@ -45,25 +43,6 @@ void LayerRecords<Dim>::sort(std::span<const exact::Sphere<Dim>> spheres,
       }
     });
   });
-}
-
-/// Turns counts into places.
-template <int Dim>
-void LayerRecords<Dim>::lay_out(std::size_t layers, std::size_t workers) {
-  base::make_room(begin_, layers + 1);
-  largest_ = 0;
-  std::uint64_t filled = 0;
-  for (std::size_t layer = 0; layer < layers; ++layer) {
-    begin_[layer] = filled;
-    for (std::size_t w = 0; w < workers; ++w) {
-      std::uint64_t& cursor = cursors_[w * layers + layer];
-      const std::uint64_t count = cursor;
-      cursor = filled;
-      filled += count;
-    }
-    largest_ = std::max(largest_, static_cast<std::size_t>(filled - begin_[layer]));
-  }
-  begin_[layers] = filled;
 }
 
 template class LayerRecords<2>;

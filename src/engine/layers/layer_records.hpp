@@ -2,6 +2,8 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
+#include "engine/layers/far_elements.hpp"
+#include "engine/layers/layer_cursors.hpp"
 #include "engine/layers/layer_grid.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 
@@ -21,32 +23,31 @@ struct LayerElements {
 /// from search to search.
 ///
 ///   records  | layer 0 | layer 1 | ...
-///            ^ begin[0]
 template <int Dim>
 class LayerRecords {
  public:
   explicit LayerRecords(base::MemoryMeter& memory);
 
-  /// Counts, then scatters: two passes over the elements, each shared by the workers.
+  /// Counts, then scatters: two passes over the elements, each shared by the workers. Where
+  /// elements look for smaller ones, the first pass notes the far ones.
   void sort(std::span<const exact::Sphere<Dim>> spheres, const LayerGrid<Dim>& grid,
-            const kernels::LayerKernels& kernels, std::size_t workers, base::WorkCounter& work);
+            const kernels::LayerKernels& kernels, std::size_t workers, base::WorkCounter& work,
+            FarElements<Dim>& far);
 
   [[nodiscard]] LayerElements layer(std::size_t k) const noexcept {
-    const std::size_t size = begin_[k + 1] - begin_[k];
-    LayerElements layer{std::span(records_).subspan(begin_[k], size), {}};
-    if (has_radii_) layer.radii = std::span(radii_).subspan(begin_[k], size);
+    const std::size_t begin = cursors_.begin(k);
+    const std::size_t size = cursors_.size(k);
+    LayerElements layer{std::span(records_).subspan(begin, size), {}};
+    if (has_radii_) layer.radii = std::span(radii_).subspan(begin, size);
     return layer;
   }
-  [[nodiscard]] std::size_t largest_layer() const noexcept { return largest_; }
+  [[nodiscard]] std::size_t layer_count() const noexcept { return cursors_.layers(); }
+  [[nodiscard]] std::size_t largest_layer() const noexcept { return cursors_.largest(); }
 
  private:
-  void lay_out(std::size_t layers, std::size_t workers);
-
   base::Array<kernels::PositionRecord> records_;
   base::Array<float> radii_;
-  base::Array<std::uint64_t> begin_;    ///< layers + 1
-  base::Array<std::uint64_t> cursors_;  ///< of each worker, by layer: a count, then the next place
-  std::size_t largest_ = 0;
+  LayerCursors cursors_;
   bool has_radii_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/layers/layer_search.hpp"
 
 #include "base/asking_workers.hpp"
+#include "engine/layers/cell_by_size.hpp"
 
 #include <algorithm>
 #include <span>
@@ -21,9 +22,25 @@ constexpr std::size_t integers_of_thread = 131072;
 /// Two sorted layers have places of 32 bits, and all elements might lie in them.
 constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} << 16);
 
+/// Cells are not so small that an axis would have more: positions have bits for 2,044.
+constexpr double most_cells_along_axis = 2040.0;
+
 template <int Dim>
 bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
   return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
+}
+
+template <int Dim>
+bool may_be_in_layers(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
+  const std::size_t elements = set.locals.size();
+  return !input.elements.are_boxes() && pair_with_none_but_each_other(set) &&
+         set.locals.are_the_first() && elements >= input.layer_limits.least_elements &&
+         elements <= most_elements;
+}
+
+template <int Dim>
+bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std::size_t elements) {
+  return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
 }
 
 std::size_t stretches_for(std::size_t layers, std::size_t workers) {
@@ -41,17 +58,36 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
                                             OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  if (input.elements.are_boxes() || !pair_with_none_but_each_other(set) ||
-      !set.locals.are_the_first() || elements < limits.least_elements || elements > most_elements) {
-    return std::nullopt;
-  }
+  if (!may_be_in_layers(set, input)) return std::nullopt;
   const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);
-  if (!grid || limits.least_elements_of_layer * grid->layer_count() > static_cast<double>(elements))
-    return std::nullopt;
+  if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
   const double occupancy = sample.mean_occupancy(*grid, input.elements.spheres.first(elements));
   const double joined = (occupancy - 1.0) * grid->cells_joined();
   const double most = grid->has_wide_cells() ? limits.most_joined_of_clusters : limits.most_joined;
   if (joined > most) return std::nullopt;
+  return grid;
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
+                                                    const SearchInput<Dim>& input,
+                                                    const SizeEstimate& estimate,
+                                                    OccupancySample& sample) {
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (!may_be_in_layers(set, input)) return std::nullopt;
+  const CellBySize best = choose_cell_by_size<Dim>(estimate.classes, estimate.sizes, set.bounds);
+  if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * estimate.other_cost))
+    return std::nullopt;
+  double cell = std::max(best.cell, estimate.least_cell);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const double extent = set.bounds.upper[axis] - set.bounds.lower[axis];
+    cell = std::max(cell, extent / most_cells_along_axis);
+  }
+  const auto grid = LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements);
+  if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
+  const double occupancy = sample.mean_occupancy(*grid, input.elements.spheres.first(elements));
+  if (occupancy - 1.0 > limits.most_crowded_by_size) return std::nullopt;
   return grid;
 }
 
@@ -61,7 +97,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   LayerRecords<Dim>& records = workspace_.layer_records;
   base::WorkCounter& work = workspace_.workers[0]->work();
   records.sort(input_.elements.spheres.first(set.locals.size()), grid, input_.layer_kernels,
-               worker_count_, work);
+               worker_count_, work, workspace_.far_elements);
   const std::size_t layers = grid.layer_count();
   const std::size_t workers = workers_for(grid, set.locals.size());
   const std::size_t stretches = stretches_for(layers, workers);
@@ -70,7 +106,11 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                          const auto [first, last] = base::share_of(stretch, stretches, layers);
                          TileSearcher<Dim>& worker = *workspace_.workers[w];
                          worker.begin_unit(unit + stretch);
-                         search_stretch(grid, first, last, worker, its_work);
+                         if (grid.is_by_size()) {
+                           search_stretch_by_size(grid, first, last, worker, its_work);
+                         } else {
+                           search_stretch(grid, first, last, worker, its_work);
+                         }
                          if (workers > 1) worker.finish_unit();
                        });
   context_.progress.poll();
@@ -110,10 +150,46 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
   }
 }
 
+template <int Dim>
+void LayerSearch<Dim>::search_stretch_by_size(const LayerGrid<Dim>& grid, std::size_t first,
+                                              std::size_t last, TileSearcher<Dim>& worker,
+                                              base::WorkCounter& work) {
+  const LayerRecords<Dim>& records = workspace_.layer_records;
+  SortedLayers<Dim>& sorted = worker.scratch().layers;
+  FarElementsInReach<Dim>& far = worker.scratch().far;
+  sorted.start(grid, records.largest_layer());
+  const auto sort = [&](std::size_t k, const LayerElements& elements) {
+    sorted.sort(grid, k, elements, nullptr, input_.layer_kernels, work);
+  };
+  const auto sort_layer = [&](std::size_t k) {
+    sort(k, k < grid.layer_count() ? records.layer(k) : LayerElements{});
+  };
+  if (first == 0) {
+    sort(sorted.before(0), {});
+  } else {
+    sort_layer(first - 1);
+  }
+  sort_layer(first);
+  far.start(workspace_.far_elements, first);
+  for (std::size_t k = first; k < last; ++k) {
+    sort_layer(k + 1);
+    if (k > first) far.advance(workspace_.far_elements, k);
+    work.did(far.elements().size());
+    worker.search(sorted.stack(grid, k), far.elements());
+    context_.progress.advance(records.layer(k).records.size());
+  }
+}
+
 template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const SearchInput<2>&,
                                                    double, OccupancySample&);
 template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const SearchInput<3>&,
                                                    double, OccupancySample&);
+template std::optional<LayerGrid<2>> choose_layers_by_size(const SearchSet<2>&,
+                                                           const SearchInput<2>&,
+                                                           const SizeEstimate&, OccupancySample&);
+template std::optional<LayerGrid<3>> choose_layers_by_size(const SearchSet<3>&,
+                                                           const SearchInput<3>&,
+                                                           const SizeEstimate&, OccupancySample&);
 template class LayerSearch<2>;
 template class LayerSearch<3>;
 

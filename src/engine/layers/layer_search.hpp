@@ -4,6 +4,7 @@
 #include "engine/layers/layer_grid.hpp"
 #include "engine/layers/occupancy_sample.hpp"
 #include "engine/search_set.hpp"
+#include "engine/size_classes.hpp"
 #include "engine/tile_searcher.hpp"
 #include "engine/workspace.hpp"
 
@@ -20,6 +21,22 @@ template <int Dim>
                                                           const SearchInput<Dim>& input,
                                                           double least_cell,
                                                           OccupancySample& sample);
+
+/// What is known of the sizes in a search set.
+struct SizeEstimate {
+  const SizeClasses& classes;
+  const SizeDistribution& sizes;
+  double other_cost;  ///< of the best search without layers by size, in candidate tests
+  double least_cell;
+};
+
+/// Returns the grid of layers for a search set whose spheres differ in size, each of which looks
+/// for smaller ones, if they suit it and cost less than other searches.
+template <int Dim>
+[[nodiscard]] std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
+                                                                  const SearchInput<Dim>& input,
+                                                                  const SizeEstimate& estimate,
+                                                                  OccupancySample& sample);
 
 /// Searches a search set layer by layer, by all workers, each of which takes stretches of layers
 /// that follow each other.
@@ -38,6 +55,8 @@ class LayerSearch {
   [[nodiscard]] std::size_t workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const;
   void search_stretch(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,
                       TileSearcher<Dim>& worker, base::WorkCounter& work);
+  void search_stretch_by_size(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,
+                              TileSearcher<Dim>& worker, base::WorkCounter& work);
 
   const SearchInput<Dim>& input_;
   Workspace<Dim>& workspace_;

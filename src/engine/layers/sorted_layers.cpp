@@ -34,7 +34,8 @@ SortedLayers<Dim>::SortedLayers(base::MemoryMeter& memory)
 template <int Dim>
 void SortedLayers<Dim>::lay_out(const LayerGrid<Dim>& grid, std::size_t largest_layer) noexcept {
   const std::size_t rows = grid.row_count();
-  half_ = largest_layer + rows * kernels::row_padding + tail + kernels::widest_vector;
+  parts_ = grid.is_by_size() ? 3 : 2;
+  part_ = largest_layer + rows * kernels::row_padding + tail + kernels::widest_vector;
   row_length_ = grid.column_count() + 2 * grid.columns_in_reach() + 2;
   table_size_ = (rows + 2) * row_length_;
 }
@@ -43,21 +44,20 @@ template <int Dim>
 std::size_t SortedLayers<Dim>::integers_for(const LayerGrid<Dim>& grid,
                                             std::size_t largest_layer) noexcept {
   lay_out(grid, largest_layer);
-  constexpr std::size_t integers_of_place =
-      (sizeof(kernels::PositionRecord) +
-       2 * (6 * sizeof(std::uint32_t) + sizeof(exact::Sphere<Dim>))) /
-      sizeof(std::uint32_t);
-  return 2 * table_size_ + largest_layer + half_ * integers_of_place;
+  constexpr std::size_t integers_of_place = sizeof(kernels::PositionRecord) / sizeof(std::uint32_t);
+  constexpr std::size_t integers_of_sorted = 6 + sizeof(exact::Sphere<Dim>) / sizeof(std::uint32_t);
+  return parts_ * (table_size_ + part_ * integers_of_sorted) + largest_layer +
+         part_ * integers_of_place;
 }
 
 template <int Dim>
 void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_layer) {
   has_copies_ = {};
   lay_out(grid, largest_layer);
-  base::make_room(tables_, 2 * table_size_);
+  base::make_room(tables_, parts_ * table_size_);
   base::make_room(entry_of_, largest_layer);
-  base::make_room(placed_, half_);
-  base::make_room(numbers_, lead + 2 * half_);
+  base::make_room(placed_, part_);
+  base::make_room(numbers_, lead + parts_ * part_);
   base::make_room(columns_, numbers_.size());
   if (!grid.has_equal_radii()) base::make_room(radii_, numbers_.size());
   base::make_room(positions_, 3 * numbers_.size());
@@ -70,7 +70,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
                              const kernels::LayerKernels& kernels, base::WorkCounter& work) {
   std::uint32_t* const table = this->table(k);
   count(grid, table, elements.records, work);
-  const auto begin = static_cast<std::uint32_t>(lead + k % 2 * half_);
+  const auto begin = static_cast<std::uint32_t>(lead + k % parts_ * part_);
   const std::uint32_t end = lay_out_table(grid, table, begin);
   place(elements, table, begin, work);
   pad(grid, table, placed_.data() - begin, end);
@@ -83,7 +83,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
       static_cast<int>(grid.row_axis()),
       grid.column_shift()};
   kernels.split(placed_.data(), size, columns);
-  has_copies_[k % 2] = spheres != nullptr;
+  if (!grid.is_by_size()) has_copies_[k % 2] = spheres != nullptr;
   if (spheres != nullptr) copy(spheres, begin, size, work);
   work.did(size + table_size_);
 }
@@ -148,7 +148,7 @@ template <int Dim>
 void SortedLayers<Dim>::copy(const double* spheres, std::uint32_t begin, std::size_t size,
                              base::WorkCounter& work) {
   constexpr std::size_t fetched_ahead = 48;
-  base::make_room(copies_, lead + 2 * half_);
+  base::make_room(copies_, lead + parts_ * part_);
   const auto* const packed = reinterpret_cast<const exact::Sphere<Dim>*>(spheres);
   work.in_pieces(0, size, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
@@ -189,6 +189,17 @@ kernels::LayerPair SortedLayers<Dim>::pair(const LayerGrid<Dim>& grid,
   layers.row_length = static_cast<std::uint32_t>(row_length_);
   layers.end_of_run = 2 * grid.columns_in_reach() + 1;
   grid.set_reach(layers);
+  return layers;
+}
+
+template <int Dim>
+kernels::LayerStack SortedLayers<Dim>::stack(const LayerGrid<Dim>& grid,
+                                             std::size_t k) const noexcept {
+  kernels::LayerStack layers{};
+  static_cast<kernels::LayerPair&>(layers) = pair(grid, k);
+  layers.to_below = static_cast<std::int32_t>(table(before(k)) - layers.own);
+  layers.to_next = static_cast<std::int32_t>(layers.next - layers.own);
+  grid.set_layers(layers, k);
   return layers;
 }
 

@@ -13,9 +13,10 @@
 
 namespace abut::engine {
 
-/// Two layers sorted by row and column, which take turns: while one is searched with the next, the
-/// next but one replaces it. Both stand in the same columns (kernels::LayerPair), one in each half,
-/// kept from search to search.
+/// Adjacent layers sorted by row and column, which take turns: while one is searched with its
+/// neighbors, the next one replaces the one that is not needed any more. They stand in the same
+/// columns, each in a part of its own: two, or three of elements that look for smaller ones
+/// (kernels::LayerPair, kernels::LayerStack). Kept from search to search.
 template <int Dim>
 class SortedLayers {
  public:
@@ -28,13 +29,20 @@ class SortedLayers {
   /// Makes room for layers of at most so many elements.
   void start(const LayerGrid<Dim>& grid, std::size_t largest_layer);
 
-  /// Sorts the records of layer k, by counting, into its half, with copies of their spheres unless
+  /// Sorts the records of layer k, by counting, into its part, with copies of their spheres unless
   /// `spheres`, packed, is null.
   void sort(const LayerGrid<Dim>& grid, std::size_t k, const LayerElements& elements,
             const double* spheres, const kernels::LayerKernels& kernels, base::WorkCounter& work);
 
   /// Layer k and the one above it, both of which must have been sorted.
   [[nodiscard]] kernels::LayerPair pair(const LayerGrid<Dim>& grid, std::size_t k) const noexcept;
+
+  /// Layer k, the one below and the one above it, all of which must have been sorted: `before(k)`
+  /// and k + 1 besides.
+  [[nodiscard]] kernels::LayerStack stack(const LayerGrid<Dim>& grid, std::size_t k) const noexcept;
+
+  /// The layer below k. Layer 0 has one that holds nothing.
+  [[nodiscard]] std::size_t before(std::size_t k) const noexcept { return k + parts_ - 1; }
 
  private:
   void count(const LayerGrid<Dim>& grid, std::uint32_t* table,
@@ -49,10 +57,10 @@ class SortedLayers {
            std::uint32_t end) noexcept;
 
   [[nodiscard]] std::uint32_t* table(std::size_t k) noexcept {
-    return tables_.data() + k % 2 * table_size_;
+    return tables_.data() + k % parts_ * table_size_;
   }
   [[nodiscard]] const std::uint32_t* table(std::size_t k) const noexcept {
-    return tables_.data() + k % 2 * table_size_;
+    return tables_.data() + k % parts_ * table_size_;
   }
 
   base::Array<std::uint32_t> tables_;
@@ -63,8 +71,9 @@ class SortedLayers {
   base::Array<std::uint32_t> columns_;
   base::Array<float> radii_;
   base::Array<exact::Sphere<Dim>> copies_;
-  std::array<bool, 2> has_copies_{};
-  std::size_t half_ = 0;
+  std::array<bool, 2> has_copies_{};  ///< of two layers
+  std::size_t parts_ = 2;
+  std::size_t part_ = 0;    ///< places of a layer
   std::size_t length_ = 0;  ///< of a column
   std::size_t table_size_ = 0;
   std::size_t row_length_ = 0;

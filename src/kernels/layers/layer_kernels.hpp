@@ -23,6 +23,21 @@ inline constexpr std::int32_t far_position = -(1 << 21);
 /// Bound of the error of a distance between whole positions, in units.
 inline constexpr float layer_slack = 4.0f;
 
+/// How far an element looks for others that are not larger than it, in units: what their radii, of
+/// which its own is the larger one, and the margin can reach, with room for all roundings.
+[[nodiscard]] constexpr float own_reach(float radius, float margin) noexcept {
+  return (radius + radius) + (margin + 8.0f);
+}
+
+/// Elements with a shorter own reach are *near*: they look in two rows and two layers at most.
+/// Those with a shorter one than the other are *middle*: they look in adjacent rows and layers.
+/// All others are *far*.
+inline constexpr float near_reach = 0x1p19f;
+inline constexpr float middle_reach = 0x1p20f;
+
+/// Columns on one side of an element that is near, where a column is 2^18 units.
+inline constexpr std::uint32_t near_columns = 2;
+
 /// An element as its layer sees it: in whole numbers from the lower corner of the box. In 2D the
 /// third is 0.
 struct PositionRecord {
@@ -38,6 +53,11 @@ struct PositionMap {
   int layer_axis;
   int layer_shift;
 };
+
+/// A radius in units; never -0, so that radii are ordered as their bits are.
+[[nodiscard]] inline float radius_in_units(double radius, const PositionMap& map) noexcept {
+  return static_cast<float>(radius * map.units_of_one) + 0.0f;
+}
 
 /// Records sorted by layer while they are written.
 struct RecordsByLayer {
@@ -79,6 +99,44 @@ struct LayerPair {
   float band;                ///< not less than any difference of the two squares
 };
 
+/// Three adjacent layers, sorted as two are, of elements that each look for smaller ones. A run has
+/// `near_columns` in its reach.
+struct LayerStack : LayerPair {
+  std::int32_t to_below;  ///< from the table of the own layer to that of the one below
+  std::int32_t to_next;   ///< and of the one above
+  int row_axis;           ///< along which rows go
+  int next_row_axis;      ///< from row to row
+  int layer_axis;         ///< from layer to layer
+  int column_shift;       ///< bits of a position below its column
+  std::uint32_t columns;
+  std::int32_t layer;      ///< number of the own layer
+  std::int32_t first_row;  ///< number of the first row of its strip in 2D, in 3D 0
+  float margin;            ///< in units
+};
+
+/// An element that looks for smaller ones and is not near, wherever it lies.
+struct FarElement {
+  std::int32_t position[3];
+  std::uint32_t number;
+  float radius;              ///< in units
+  float nearest;             ///< the radius and the margin, less
+  float farthest;            ///< and plus the slack
+  std::uint32_t last_layer;  ///< in which it looks
+};
+
+/// Its slack bounds the error of a distance in units: positions are converted to single precision,
+/// which rounds those of distant ones (docs/derivations/layer_sizes.md).
+[[nodiscard]] inline FarElement far_element(const std::int32_t (&position)[3], std::uint32_t number,
+                                            float radius, float margin) noexcept {
+  const float slack = layer_slack + 0x1p-20f * own_reach(radius, margin);
+  return {{position[0], position[1], position[2]},
+          number,
+          radius,
+          radius + (margin - slack),
+          radius + (margin + slack),
+          0};
+}
+
 /// The kernels of layers for one instruction set. All give the same pairs in the same order.
 struct LayerKernels {
   /// Writes the record of sphere k, whose number is first_number + k, to the next place of its
@@ -94,6 +152,14 @@ struct LayerKernels {
   /// Tests each element of the own layer against those that follow it within K columns of its own
   /// row and of the rows ahead: the next one, and three of the next layer.
   void (*search)(const LayerPair& layers, SearchJob& job, int dimensions);
+
+  /// Tests each element of the own layer that is not far against the smaller ones in its own reach:
+  /// those with a smaller radius in units, or the same and a lower number.
+  void (*search_near)(const LayerStack& layers, SearchJob& job, int dimensions);
+
+  /// Tests far elements, which may lie anywhere, against the smaller ones of the own layer.
+  void (*search_far)(const LayerStack& layers, const FarElement* far, std::size_t count,
+                     SearchJob& job, int dimensions);
 };
 
 /// `level` must be available.

@@ -4,6 +4,7 @@
 #include "kernels/layers/layer_kernels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -12,60 +13,51 @@ namespace {
 
 #include "kernels/layers/runs_of_row-inl.hpp"
 
-template <int Dim>
-class ScalarLayerTester {
- public:
-  ScalarLayerTester(const LayerPair& layers, SearchJob& job) : layers_(layers), job_(job) {}
+#include "kernels/layers/near_runs-inl.hpp"
 
-  void search() {
-    for (std::uint32_t row = 1; row <= layers_.rows; ++row) {
-      const RunsOfRow<Dim> ahead(layers_, row);
-      const Run elements = ahead.elements();
-      for (std::uint32_t p = elements.begin; p < elements.end; ++p) {
-        for (std::size_t k = 0; k < RunsOfRow<Dim>::size; ++k) {
-          test(p, ahead.run(k, p, layers_.column[p]));
-        }
-        take_now_and_then();
-      }
+#include "kernels/layers/far_runs-inl.hpp"
+
+/// Squares of a reach less and plus the slack.
+struct ReachSquares {
+  float inner;
+  float outer;
+};
+
+/// The elements of some layers, tested one by one.
+class ScalarTester {
+ protected:
+  ScalarTester(const LayerPair& layers, SearchJob& job) : layers_(layers), job_(job) {}
+
+  template <int Dim>
+  [[nodiscard]] float distance_squared(const std::int32_t (&from)[3], std::uint32_t q) const {
+    float sum = 0.0f;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto difference = static_cast<float>(layers_.position[axis][q] - from[axis]);
+      sum += difference * difference;
     }
+    return sum;
   }
 
- private:
-  void test(std::uint32_t p, const Run& run) {
-    job_.candidate_tests += run.end - run.begin;
-    for (std::uint32_t q = run.begin; q < run.end; ++q) {
-      float distance_squared = 0.0f;
-      for (int axis = 0; axis < Dim; ++axis) {
-        const auto difference =
-            static_cast<float>(layers_.position[axis][q] - layers_.position[axis][p]);
-        distance_squared += difference * difference;
-      }
-      const ReachSquares reach = squares_of(p, q);
-      if (distance_squared <= reach.outer) push(p, q, distance_squared < reach.inner);
+  void test(std::uint32_t element, std::uint32_t q, float distance_squared,
+            const ReachSquares& reach) {
+    if (distance_squared > reach.outer) return;
+    HitBuffer& to = *job_.hits;
+    if (to.found == HitBuffer::size) job_.take(job_);
+    if (!(distance_squared < reach.inner)) {
+      to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found);
     }
+    to.element[to.found] = element;
+    to.partner[to.found++] = layers_.number[q];
   }
 
-  /// Squares of the reach less and plus the slack.
-  struct ReachSquares {
-    float inner;
-    float outer;
-  };
-
-  [[nodiscard]] ReachSquares squares_of(std::uint32_t p, std::uint32_t q) const {
-    if (layers_.radius == nullptr) return {layers_.inner, layers_.outer};
-    const float other = layers_.radius[q];
-    const float nearest = std::max((layers_.radius[p] + layers_.nearest_margin) + other, 0.0f);
-    const float farthest = (layers_.radius[p] + layers_.farthest_margin) + other;
+  [[nodiscard]] static ReachSquares squares_of(float nearest_radius, float farthest_radius,
+                                               float other) {
+    const float nearest = std::max(nearest_radius + other, 0.0f);
+    const float farthest = farthest_radius + other;
     return {nearest * nearest, farthest * farthest};
   }
 
-  void push(std::uint32_t p, std::uint32_t q, bool is_sure) {
-    HitBuffer& to = *job_.hits;
-    if (to.found == HitBuffer::size) job_.take(job_);
-    if (!is_sure) to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found);
-    to.element[to.found] = layers_.number[p];
-    to.partner[to.found++] = layers_.number[q];
-  }
+  void count(const Run& run) { job_.candidate_tests += run.end - run.begin; }
 
   void take_now_and_then() {
     if (job_.candidate_tests - tests_at_take_ < tests_between_takes) return;
@@ -73,9 +65,112 @@ class ScalarLayerTester {
     job_.take(job_);
   }
 
+ private:
   const LayerPair& layers_;
   SearchJob& job_;
   std::uint64_t tests_at_take_ = job_.candidate_tests;
+};
+
+template <int Dim>
+class ScalarLayerTester : ScalarTester {
+ public:
+  ScalarLayerTester(const LayerPair& layers, SearchJob& job)
+      : ScalarTester(layers, job), layers_(layers) {}
+
+  void search() {
+    for (std::uint32_t row = 1; row <= layers_.rows; ++row) {
+      const RunsOfRow<Dim> ahead(layers_, row);
+      const Run elements = ahead.elements();
+      for (std::uint32_t p = elements.begin; p < elements.end; ++p) {
+        for (std::size_t k = 0; k < RunsOfRow<Dim>::size; ++k) {
+          test_run(p, ahead.run(k, p, layers_.column[p]));
+        }
+        take_now_and_then();
+      }
+    }
+  }
+
+ private:
+  void test_run(std::uint32_t p, const Run& run) {
+    count(run);
+    const std::int32_t from[3] = {layers_.position[0][p], layers_.position[1][p],
+                                  layers_.position[2][p]};
+    for (std::uint32_t q = run.begin; q < run.end; ++q) {
+      test(layers_.number[p], q, distance_squared<Dim>(from, q), squares(p, q));
+    }
+  }
+
+  [[nodiscard]] ReachSquares squares(std::uint32_t p, std::uint32_t q) const {
+    if (layers_.radius == nullptr) return {layers_.inner, layers_.outer};
+    return squares_of(layers_.radius[p] + layers_.nearest_margin,
+                      layers_.radius[p] + layers_.farthest_margin, layers_.radius[q]);
+  }
+
+  const LayerPair& layers_;
+};
+
+/// Elements that look for smaller ones, near and far.
+template <int Dim>
+class ScalarSmallerTester : ScalarTester {
+ public:
+  ScalarSmallerTester(const LayerStack& layers, SearchJob& job)
+      : ScalarTester(layers, job), layers_(layers) {}
+
+  void search_near() {
+    for_each_element([&](const FarElement& element, std::uint32_t p, float reach) {
+      if (reach < near_reach) search_near(element, {layers_, p, static_cast<std::int32_t>(reach)});
+    });
+    for_each_element([&](const FarElement& element, std::uint32_t, float reach) {
+      if (reach < near_reach || !(reach < middle_reach)) return;
+      for_each_run_around<Dim>(layers_, element, [&](const Run& run) { test_far(element, run); });
+      take_now_and_then();
+    });
+  }
+
+  void search_far(const FarElement& far) {
+    for_each_run<Dim>(layers_, layers_.own, layers_.layer, far,
+                      [&](const Run& run) { test_far(far, run); });
+    take_now_and_then();
+  }
+
+ private:
+  /// Calls visit(element, place, own reach) for each element of the own layer.
+  template <class Visit>
+  void for_each_element(const Visit& visit) const {
+    for (std::uint32_t row = 1; row <= layers_.rows; ++row) {
+      const Run elements = ElementsOfRow(layers_, row).elements();
+      for (std::uint32_t p = elements.begin; p < elements.end; ++p) {
+        visit(element_at(layers_, p), p, own_reach(layers_.radius[p], layers_.margin));
+      }
+    }
+  }
+
+  void search_near(const FarElement& element, const NearRuns<Dim>& runs) {
+    for (std::size_t k = 0; k < NearRuns<Dim>::size; ++k) {
+      const std::uint32_t* const first = layers_.own + runs.first[k];
+      test_run(element, {first[0], first[runs.columns[k]]}, element.radius + layers_.nearest_margin,
+               element.radius + layers_.farthest_margin);
+    }
+    take_now_and_then();
+  }
+
+  void test_far(const FarElement& element, const Run& run) {
+    test_run(element, run, element.nearest, element.farthest);
+  }
+
+  void test_run(const FarElement& from, const Run& run, float nearest, float farthest) {
+    count(run);
+    for (std::uint32_t q = run.begin; q < run.end; ++q) {
+      const float other = layers_.radius[q];
+      if (other > from.radius || (other == from.radius && layers_.number[q] >= from.number)) {
+        continue;
+      }
+      test(from.number, q, distance_squared<Dim>(from.position, q),
+           squares_of(nearest, farthest, other));
+    }
+  }
+
+  const LayerStack& layers_;
 };
 
 std::size_t scatter(const double*, std::size_t, int, const PositionMap&, std::uint32_t,
@@ -100,10 +195,34 @@ void search(const LayerPair& layers, SearchJob& job, int dimensions) {
   }
 }
 
+void search_near(const LayerStack& layers, SearchJob& job, int dimensions) {
+  if (dimensions == 2) {
+    ScalarSmallerTester<2>(layers, job).search_near();
+  } else {
+    ScalarSmallerTester<3>(layers, job).search_near();
+  }
+}
+
+template <int Dim>
+void search_far_in(const LayerStack& layers, const FarElement* far, std::size_t count,
+                   SearchJob& job) {
+  ScalarSmallerTester<Dim> tester(layers, job);
+  for (std::size_t k = 0; k < count; ++k) tester.search_far(far[k]);
+}
+
+void search_far(const LayerStack& layers, const FarElement* far, std::size_t count, SearchJob& job,
+                int dimensions) {
+  if (dimensions == 2) {
+    search_far_in<2>(layers, far, count, job);
+  } else {
+    search_far_in<3>(layers, far, count, job);
+  }
+}
+
 }  // namespace
 
 LayerKernels scalar_layer_kernels() {
-  return {scatter, split, search};
+  return {scatter, split, search, search_near, search_far};
 }
 
 }  // namespace abut::kernels

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -42,11 +43,23 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/runs_of_row-inl.hpp"
 
+#include "kernels/layers/near_runs-inl.hpp"
+
+#include "kernels/layers/far_runs-inl.hpp"
+
 #include "kernels/layers/simd_joined_runs-inl.hpp"
 
 #include "kernels/layers/simd_layer_reach-inl.hpp"
 
+#include "kernels/layers/simd_layer_probe-inl.hpp"
+
+#include "kernels/layers/simd_layer_hits-inl.hpp"
+
+#include "kernels/layers/simd_near_batch-inl.hpp"
+
 #include "kernels/layers/simd_layer_tester-inl.hpp"
+
+#include "kernels/layers/simd_far_tester-inl.hpp"
 
 #if HWY_TARGET == HWY_SCALAR
 std::size_t scatter(const double*, std::size_t, int, const PositionMap&, std::uint32_t,
@@ -90,8 +103,8 @@ class PositionLanes {
  private:
   static constexpr std::size_t width = 4 / parts;
 
-  [[nodiscard]] HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, DoubleTag> > part(const double* sphere,
-                                                                              std::size_t k) const {
+  [[nodiscard]] HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, DoubleTag>> part(const double* sphere,
+                                                                             std::size_t k) const {
     const Doubles from_lower = hn::Sub(hn::LoadU(doubles, sphere + k * width), lower_[k]);
     return hn::DemoteTo(hn::Rebind<std::int32_t, DoubleTag>(), hn::Mul(from_lower, units_[k]));
   }
@@ -120,7 +133,7 @@ std::size_t scatter_in(const double* spheres, std::size_t count, const PositionM
     const double* const sphere = spheres + k * (Dim + 1);
     hn::StoreU(hn::Or(positions.of(sphere), number), words, to.records[place].position);
     if (to.radii != nullptr) {
-      to.radii[place] = static_cast<float>(sphere[Dim] * map.units_of_one);
+      to.radii[place] = radius_in_units(sphere[Dim], map);
     }
     number = hn::Add(number, one);
   }
@@ -153,9 +166,9 @@ void split(const PositionRecord* records, std::size_t count, const LayerColumns&
 template <int Dim>
 void search_in(const LayerPair& layers, SearchJob& job) {
   if (layers.radius == nullptr) {
-    SimdLayerTester<Dim, CommonReach>(layers, job).search();
+    SimdLayerTester<AheadSearch<Dim, CommonReach>>(layers, job).search();
   } else {
-    SimdLayerTester<Dim, SummedReach>(layers, job).search();
+    SimdLayerTester<AheadSearch<Dim, SummedReach>>(layers, job).search();
   }
 }
 
@@ -164,6 +177,29 @@ void search_layers(const LayerPair& layers, SearchJob& job, int dimensions) {
     search_in<2>(layers, job);
   } else {
     search_in<3>(layers, job);
+  }
+}
+
+template <int Dim>
+void search_near_in(const LayerStack& layers, SearchJob& job) {
+  SimdLayerTester<NearSearch<Dim>>(layers, job).search();
+  SimdFarTester<Dim>(layers, job).search_middle();
+}
+
+void search_near(const LayerStack& layers, SearchJob& job, int dimensions) {
+  if (dimensions == 2) {
+    search_near_in<2>(layers, job);
+  } else {
+    search_near_in<3>(layers, job);
+  }
+}
+
+void search_far(const LayerStack& layers, const FarElement* far, std::size_t count, SearchJob& job,
+                int dimensions) {
+  if (dimensions == 2) {
+    SimdFarTester<2>(layers, job).search(far, count);
+  } else {
+    SimdFarTester<3>(layers, job).search(far, count);
   }
 }
 
@@ -176,13 +212,17 @@ namespace abut::kernels {
 HWY_EXPORT(scatter);
 HWY_EXPORT(split);
 HWY_EXPORT(search_layers);
+HWY_EXPORT(search_near);
+HWY_EXPORT(search_far);
 
 LayerKernels simd_layer_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(scatter)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(split)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(search_layers)[chosen.GetIndex()]};
+          HWY_DISPATCH_TABLE(search_layers)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(search_near)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(search_far)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

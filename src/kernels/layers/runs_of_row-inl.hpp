@@ -6,6 +6,19 @@
 //   own layer    | row y: behind the element .. column c + K | row y + 1: c - K .. c + K |
 //   next layer   | row y - 1: c - K .. c + K | row y: the same | row y + 1: the same |
 
+/// The elements of one row.
+class ElementsOfRow {
+ public:
+  ElementsOfRow(const LayerPair& layers, std::uint32_t row)
+      : table_(layers.own + std::size_t{row} * layers.row_length), length_(layers.row_length) {}
+
+  [[nodiscard]] Run elements() const { return {table_[0], table_[length_ - 1]}; }
+
+ private:
+  const std::uint32_t* table_;
+  std::size_t length_;
+};
+
 /// The tables of the rows that the elements of one row meet.
 template <int Dim>
 class RunsOfRow {

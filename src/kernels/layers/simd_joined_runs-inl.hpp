@@ -69,3 +69,8 @@ class SingleRun {
   std::uint32_t begin_;
   std::uint32_t size_;
 };
+
+/// The first `count` lanes, or all.
+[[nodiscard]] HWY_INLINE Bits lanes_before(std::uint32_t count) {
+  return count < lanes ? (1u << count) - 1 : all_lanes;
+}

@@ -3,6 +3,8 @@
 /// Spheres of one radius: the same bounds for all.
 class CommonReach {
  public:
+  static constexpr bool counts_all = true;
+
   HWY_INLINE CommonReach(const LayerPair& layers, std::uint32_t)
       : inner_(hn::Set(floats, layers.inner)), outer_(hn::Set(floats, layers.outer)) {}
 
@@ -25,10 +27,17 @@ class CommonReach {
 /// Spheres: the sum of the radii and the margin.
 class SummedReach {
  public:
+  static constexpr bool counts_all = true;
+
   HWY_INLINE SummedReach(const LayerPair& layers, std::uint32_t p)
+      : SummedReach(layers, layers.radius[p] + layers.nearest_margin,
+                    layers.radius[p] + layers.farthest_margin) {}
+
+  /// An element whose radius and margin come to that, less and plus its slack.
+  HWY_INLINE SummedReach(const LayerPair& layers, float nearest, float farthest)
       : radius_(layers.radius),
-        nearest_(hn::Set(floats, layers.radius[p] + layers.nearest_margin)),
-        farthest_(hn::Set(floats, layers.radius[p] + layers.farthest_margin)) {}
+        nearest_(hn::Set(floats, nearest)),
+        farthest_(hn::Set(floats, farthest)) {}
 
   template <class Runs>
   [[nodiscard]] HWY_INLINE Floats inner(const Runs& runs, std::size_t k) const {
@@ -46,4 +55,40 @@ class SummedReach {
   const float* radius_;
   Floats nearest_;
   Floats farthest_;
+};
+
+/// The same, of an element that looks for smaller ones only: those with a smaller radius, or with
+/// the same and a lower number.
+class SmallerReach : public SummedReach {
+ public:
+  static constexpr bool counts_all = false;
+
+  HWY_INLINE SmallerReach(const LayerStack& layers, std::uint32_t p)
+      : SummedReach(layers, p), layers_(layers) {
+    set_size(layers.radius[p], layers.number[p]);
+  }
+
+  HWY_INLINE SmallerReach(const LayerStack& layers, const FarElement& far)
+      : SummedReach(layers, far.nearest, far.farthest), layers_(layers) {
+    set_size(far.radius, far.number);
+  }
+
+  /// As whole numbers radii are ordered as they are; a lower number makes the other one less by 1.
+  template <class Runs>
+  [[nodiscard]] HWY_INLINE hn::Mask<IntegerTag> counts(const Runs& runs, std::size_t k) const {
+    const Integers radius = hn::BitCast(integers, runs.load(floats, layers_.radius, k));
+    const Integers number = hn::BitCast(integers, runs.load(numbers, layers_.number, k));
+    const Integers is_lower = hn::VecFromMask(integers, hn::Lt(number, number_));
+    return hn::Lt(hn::Add(radius, is_lower), size_);
+  }
+
+ private:
+  HWY_INLINE void set_size(float radius, std::uint32_t number) {
+    size_ = hn::BitCast(integers, hn::Set(floats, radius));
+    number_ = hn::Set(integers, static_cast<std::int32_t>(number));
+  }
+
+  const LayerStack& layers_;
+  Integers size_;
+  Integers number_;
 };

@@ -46,8 +46,8 @@ class LayerRecordsOf : public ::testing::Test {
       for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
         SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
         NobodyAsked nobody;
-        records_.sort(std::span(spheres), grid, kernels::layer_kernels(level), workers,
-                      nobody.work);
+        records_.sort(std::span(spheres), grid, kernels::layer_kernels(level), workers, nobody.work,
+                      far_);
         std::size_t largest = 0;
         for (std::size_t layer = 0; layer < expected.size(); ++layer) {
           expect_layer(expected[layer], records_.layer(layer), grid.has_equal_radii());
@@ -73,6 +73,7 @@ class LayerRecordsOf : public ::testing::Test {
 
   base::MemoryMeter memory_;
   engine::LayerRecords<its_dim> records_{memory_};
+  engine::FarElements<its_dim> far_{memory_};
   Random random_{static_cast<std::uint64_t>(31 + its_dim)};
 };
 
@@ -104,7 +105,7 @@ TYPED_TEST(LayerRecordsOf, TheHookIsAskedInBothPasses) {
   base::ProgressReporter progress(hook);
   base::WorkCounter work(progress, 0);
   this->records_.sort(std::span(spheres), this->grid_over(spheres),
-                      kernels::layer_kernels(Simd::scalar), 1, work);
+                      kernels::layer_kernels(Simd::scalar), 1, work, this->far_);
   EXPECT_GE(asked, 2 * count / (base::ProgressReporter::steps_between_calls + 8192));
 }
 

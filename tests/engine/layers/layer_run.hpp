@@ -26,7 +26,17 @@ inline constexpr engine::LayerLimits always_in_layers{
     .least_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
-    .most_joined_of_clusters = std::numeric_limits<double>::infinity()};
+    .most_joined_of_clusters = std::numeric_limits<double>::infinity(),
+    .most_by_size = 0.0};
+
+/// Elements look for smaller ones, whatever that costs. Elements of one radius are not asked.
+inline constexpr engine::LayerLimits always_by_size{
+    .least_elements = 0,
+    .least_elements_of_layer = 0.0,
+    .most_joined = 0.0,
+    .most_joined_of_clusters = 0.0,
+    .most_by_size = std::numeric_limits<double>::infinity(),
+    .most_crowded_by_size = std::numeric_limits<double>::infinity()};
 
 /// Keeps all pairs in their `as_found` order.
 class KeptPairs final : public base::PairSink {
@@ -113,9 +123,9 @@ enum class Way { layers, tiles };
 /// From every level and number of workers the pairs of `directly_checked`, in the same order as
 /// found after as many tests.
 template <int Dim>
-void expect_right_in_layers(const Spheres<Dim>& spheres, double margin = 0.0,
-                            Way way = Way::layers) {
-  engine::RowsSettings settings{margin, 1, Simd::scalar, always_in_layers};
+void expect_right_in_layers(const Spheres<Dim>& spheres, double margin = 0.0, Way way = Way::layers,
+                            const engine::LayerLimits& limits = always_in_layers) {
+  engine::RowsSettings settings{margin, 1, Simd::scalar, limits};
   const LayerRun first = run_rows<Dim>(spheres, settings);
   EXPECT_EQ(first.in_layers, way == Way::layers);
   EXPECT_TRUE(same_pairs(directly_checked<Dim>(spheres, margin), first.pairs));

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/size_classes.hpp"
+#include "grid/bounds.hpp"
+
+namespace abut::engine {
+
+/// A size of cells for layers in which elements look for smaller ones, and what the search is
+/// estimated to cost.
+struct CellBySize {
+  double cell;  ///< 0 where all elements stand in one place
+  double cost;  ///< in candidate tests, as that of SizePlan
+};
+
+/// Returns the size, of several densities that are tried, that costs least.
+template <int Dim>
+[[nodiscard]] CellBySize choose_cell_by_size(const SizeClasses& classes,
+                                             const SizeDistribution& sizes,
+                                             const grid::Bounds<Dim>& bounds);
+
+/// Returns the side of cells of which a box has so many, where an axis shorter than a cell counts
+/// as one; 0 for a point.
+template <int Dim>
+[[nodiscard]] double side_of_cells(const grid::Bounds<Dim>& bounds, double cells);
+
+}  // namespace abut::engine

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "base/array.hpp"
+#include "engine/layers/layer_cursors.hpp"
+#include "engine/layers/layer_grid.hpp"
+#include "exact/sphere.hpp"
+#include "kernels/layers/layer_kernels.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace abut::engine {
+
+/// The far elements, sorted by the first layer in which they look, and there in the order of their
+/// numbers. It keeps its memory from search to search.
+template <int Dim>
+class FarElements {
+ public:
+  explicit FarElements(base::MemoryMeter& memory)
+      : memory_(memory), elements_(empty(memory)), cursors_(memory) {}
+
+  /// Before any is noted.
+  void start(std::size_t workers);
+
+  /// Notes the far elements among some of a worker's share, share by share in ascending order.
+  void note(std::span<const exact::Sphere<Dim>> spheres, const LayerGrid<Dim>& grid,
+            std::size_t begin, std::size_t end, std::size_t worker);
+
+  /// Sorts those noted by all workers.
+  void sort(const LayerGrid<Dim>& grid);
+
+  /// Those that look in layer k, but not in the one before it.
+  [[nodiscard]] std::span<const kernels::FarElement> from(std::size_t k) const noexcept {
+    return std::span(elements_).subspan(cursors_.begin(k), cursors_.size(k));
+  }
+  /// Those that look in a layer before k.
+  [[nodiscard]] std::span<const kernels::FarElement> from_before(std::size_t k) const noexcept {
+    return std::span(elements_).first(cursors_.begin(k));
+  }
+
+ private:
+  using List = base::Array<kernels::FarElement>;
+  [[nodiscard]] static List empty(base::MemoryMeter& memory) {
+    return base::make_array_for_overwrite<kernels::FarElement>(memory, 0);
+  }
+
+  base::MemoryMeter& memory_;
+  std::vector<List> noted_;  ///< by each worker
+  List elements_;
+  LayerCursors cursors_;
+};
+
+/// The far elements that look in a layer, while one worker goes from layer to layer.
+template <int Dim>
+class FarElementsInReach {
+ public:
+  explicit FarElementsInReach(base::MemoryMeter& memory);
+
+  /// Those of layer k, whatever layer was before.
+  void start(const FarElements<Dim>& all, std::size_t k);
+  /// Those of layer k, after those of layer k - 1.
+  void advance(const FarElements<Dim>& all, std::size_t k);
+
+  [[nodiscard]] std::span<const kernels::FarElement> elements() const noexcept {
+    return std::span(elements_);
+  }
+
+ private:
+  void append(std::span<const kernels::FarElement> elements, std::size_t k);
+
+  base::Array<kernels::FarElement> elements_;
+};
+
+}  // namespace abut::engine

@@ -1,0 +1,123 @@
+// Far elements, from layer to layer: those whose own reach meets a layer, from any number of
+// workers and from any first layer in the same order.
+
+#include "engine/layers/far_elements.hpp"
+
+#include "base/memory_meter.hpp"
+#include "engine/layers/layer_scenes.hpp"
+#include "engine/random_spheres.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace abut::testing {
+namespace {
+
+template <class Dimension>
+class FarElementsOf : public ::testing::Test {
+ protected:
+  static constexpr int its_dim = Dimension::value;
+  using Grid = engine::LayerGrid<its_dim>;
+
+  void SetUp() override {
+    spheres_ = uniform_spheres<its_dim>(random_, 5000, {40.0, 41.0, 42.0});
+    for (auto& sphere : spheres_) sphere.radius = std::exp2(random_.uniform(-3.0, 3.0));
+  }
+
+  [[nodiscard]] Grid grid() const {
+    return Grid::of_cells(bounds_of<its_dim>(spheres_), 0.1, 1.5, spheres_.size()).value();
+  }
+
+  void sort(engine::FarElements<its_dim>& far, std::size_t workers) {
+    const Grid layers = grid();
+    far.start(workers);
+    for (std::size_t w = 0; w < workers; ++w) {
+      const std::size_t begin = spheres_.size() * w / workers;
+      const std::size_t end = spheres_.size() * (w + 1) / workers;
+      const std::size_t middle = (begin + end) / 2;
+      far.note(std::span(spheres_), layers, begin, middle, w);
+      far.note(std::span(spheres_), layers, middle, end, w);
+    }
+    far.sort(layers);
+  }
+
+  static std::vector<std::uint32_t> numbers(std::span<const kernels::FarElement> far) {
+    std::vector<std::uint32_t> all;
+    for (const auto& one : far) all.push_back(one.number);
+    return all;
+  }
+
+  Random random_{static_cast<std::uint64_t>(201 + its_dim)};
+  Spheres<its_dim> spheres_;
+  base::MemoryMeter memory_;
+};
+
+TYPED_TEST_SUITE(FarElementsOf, Dimensions);
+
+TYPED_TEST(FarElementsOf, ALayerHasThoseWhoseReachMeetsIt) {
+  constexpr int dim = TypeParam::value;
+  const auto grid = this->grid();
+  engine::FarElements<dim> far(this->memory_);
+  this->sort(far, 1);
+  engine::FarElementsInReach<dim> in_reach(this->memory_);
+  const std::size_t axis = static_cast<std::size_t>(grid.map().layer_axis);
+  const double lower = grid.map().lower[axis];
+  const double layer_width = std::ldexp(1.0, grid.map().layer_shift) / grid.map().units_of_one;
+  std::size_t found = 0;
+  for (std::uint32_t k = 0; k < grid.layer_count(); ++k) {
+    in_reach.start(far, k);
+    const auto listed = this->numbers(in_reach.elements());
+    found += listed.size();
+    for (std::uint32_t n = 0; n < this->spheres_.size(); ++n) {
+      const auto& sphere = this->spheres_[n];
+      const double own_reach = 2.0 * sphere.radius + 0.1;
+      const double begin = lower + layer_width * k;
+      const bool meets = sphere.center[axis] + own_reach >= begin &&
+                         sphere.center[axis] - own_reach <= begin + layer_width;
+      if (!meets || !grid.is_far(grid.units_of(sphere.radius))) continue;
+      EXPECT_TRUE(std::ranges::find(listed, n) != listed.end()) << "element " << n;
+    }
+  }
+  EXPECT_GT(found, 1000U);
+}
+
+TYPED_TEST(FarElementsOf, TheOrderDependsOnNeitherWorkersNorTheFirstLayer) {
+  constexpr int dim = TypeParam::value;
+  engine::FarElements<dim> far(this->memory_);
+  this->sort(far, 1);
+  engine::FarElementsInReach<dim> advanced(this->memory_);
+  advanced.start(far, 0);
+  for (std::uint32_t k = 0; k < this->grid().layer_count(); ++k) {
+    if (k > 0) advanced.advance(far, k);
+    engine::FarElementsInReach<dim> started(this->memory_);
+    started.start(far, k);
+    EXPECT_EQ(this->numbers(advanced.elements()), this->numbers(started.elements()));
+    for (const std::size_t workers : {2U, 3U, 7U}) {
+      engine::FarElements<dim> others(this->memory_);
+      this->sort(others, workers);
+      EXPECT_EQ(this->numbers(far.from(k)), this->numbers(others.from(k)));
+    }
+  }
+}
+
+TYPED_TEST(FarElementsOf, NoneWhereAllAreSmall) {
+  constexpr int dim = TypeParam::value;
+  for (auto& sphere : this->spheres_) sphere.radius *= 0.01;
+  engine::FarElements<dim> far(this->memory_);
+  this->sort(far, 2);
+  engine::FarElementsInReach<dim> in_reach(this->memory_);
+  for (std::uint32_t k = 0; k < this->grid().layer_count(); ++k) {
+    in_reach.start(far, k);
+    EXPECT_TRUE(in_reach.elements().empty());
+  }
+}
+
+}  // namespace
+}  // namespace abut::testing

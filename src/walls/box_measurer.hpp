@@ -3,6 +3,7 @@
 #include "elements/gathered_elements.hpp"
 #include "elements/lattice_of.hpp"
 #include "exact/box.hpp"
+#include "exact/features/box_feature.hpp"
 #include "exact/features/feature_geometry.hpp"
 #include "exact/features/solid_geometry.hpp"
 #include "exact/lattice.hpp"
@@ -16,37 +17,82 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
 
 namespace abut::walls {
 
-/// A box as a sphere outside of it sees it: its nearest corner, with both without the axes along
-/// which the center lies between the bounds. What exact::geometry_of makes of a box in open space.
-struct BoxCorner {
-  exact::Sphere<3> sphere;
-  exact::Feature corner;
-  std::array<double, 3> point;  ///< of the box that is nearest to the center
+/// Coordinates of the point of a box that is nearest to a center, as far as they are known before
+/// anything is moved.
+struct NearestCoordinates {
+  unsigned axes = 7;  ///< a bit for each axis where it is known
+  std::array<double, 3> value{};
+
+  void write_to(std::array<double, 3>& point) const noexcept {
+    if (axes == 7) {
+      point = value;
+      return;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if ((axes >> axis & 1u) != 0) point[axis] = value[axis];
+    }
+  }
 };
 
-/// Returns it, unless the center lies in the box or on it.
+/// A box as a sphere outside of it sees it: its nearest corner, with both without the axes along
+/// which the center lies between the bounds. What exact::geometry_of makes of a box.
+struct BoxCorner {
+  exact::Sphere<3> sphere{};
+  exact::Feature corner{{}, 1};
+  NearestCoordinates point;
+
+  /// As if the center lay between the bounds.
+  template <int Dim>
+  void start(const exact::Sphere<Dim>& given) noexcept {
+    sphere.radius = given.radius;
+    point.axes = 7;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      sphere.center[axis] = corner.corner[0][axis] = 0.0;
+      point.value[axis] = given.center[axis] + 0.0;
+    }
+  }
+};
+
+/// Finds it, unless the center lies in the box or on it: then it returns false.
 template <int Dim>
-[[nodiscard]] std::optional<BoxCorner> seen_corner(const exact::Sphere<Dim>& sphere,
-                                                   const exact::Box<Dim>& box) noexcept {
-  BoxCorner seen{{{}, sphere.radius}, {{}, 1}, {}};
-  bool is_inside = true;
+[[nodiscard]] bool see_corner(const exact::Sphere<Dim>& sphere, const exact::Box<Dim>& box,
+                              BoxCorner& seen) noexcept {
+  seen.start(sphere);
+  bool is_outside = false;
   for (int axis = 0; axis < Dim; ++axis) {
     const double x = sphere.center[axis];
-    const auto k = static_cast<std::size_t>(axis);
-    seen.point[k] = x + 0.0;
     if (x > box.lower[axis] && x < box.upper[axis]) continue;
     const double bound = x <= box.lower[axis] ? box.lower[axis] : box.upper[axis];
     seen.sphere.center[axis] = x;
     seen.corner.corner[0][axis] = bound;
-    seen.point[k] = bound + 0.0;
-    is_inside = is_inside && bound == x;
+    seen.point.value[static_cast<std::size_t>(axis)] = bound + 0.0;
+    is_outside = is_outside || bound != x;
   }
-  if (is_inside) return std::nullopt;
-  return seen;
+  return is_outside;
+}
+
+/// Finds that of a box that a shift moves, with the corner where it is given, unless the center
+/// lies in the box: then it returns false.
+template <int Dim>
+[[nodiscard]] bool see_corner(const exact::Sphere<Dim>& sphere, const exact::Box<Dim>& box,
+                              const ImageShift& shift, const exact::Lattice& lattice,
+                              BoxCorner& seen) noexcept {
+  std::uint64_t doubts = 0;
+  const exact::LatticeSteps<Dim> steps(shift, lattice);
+  const exact::BoxSides<Dim> sides = exact::nearest_sides(sphere, box, steps, doubts);
+  seen.start(sphere);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const int side = sides[static_cast<std::size_t>(axis)];
+    if (side == 0) continue;
+    seen.sphere.center[axis] = sphere.center[axis];
+    seen.corner.corner[0][axis] = side < 0 ? box.lower[axis] : box.upper[axis];
+    seen.point.axes &= ~(1u << axis);
+  }
+  return seen.point.axes != 7;
 }
 
 /// Measures contacts with boxes.
@@ -57,15 +103,27 @@ class BoxMeasurer {
   BoxMeasurer(const ElementView& boxes, const Domain& domain)
       : boxes_(boxes), lattice_(elements::lattice_of(domain)) {}
 
-  [[nodiscard]] exact::Box<Dim> box(const BoxContact& contact) const {
-    return elements::box_at<Dim>(boxes_, contact.box);
+  [[nodiscard]] const exact::Lattice& lattice() const noexcept { return lattice_; }
+
+  /// Finds the corner that the sphere sees, if it is outside of the box.
+  [[nodiscard]] bool see(const exact::Sphere<Dim>& sphere, const BoxContact& contact,
+                         BoxCorner& seen) const {
+    return see_corner<Dim>(sphere, elements::box_at<Dim>(boxes_, contact.box), seen);
+  }
+
+  /// The same of a box that the shift moves, with the corner where it is given.
+  [[nodiscard]] bool see(const exact::Sphere<Dim>& sphere, const BoxContact& contact,
+                         const ImageShift& shift, BoxCorner& seen) const {
+    const exact::Box<Dim> box = elements::box_at<Dim>(boxes_, contact.box);
+    return see_corner<Dim>(sphere, box, shift, lattice_, seen);
   }
 
   [[nodiscard]] exact::FeatureGeometry operator()(const exact::Sphere<Dim>& sphere,
                                                   const BoxContact& contact,
                                                   const ImageShift& shift,
                                                   Quantities wanted) const {
-    return exact::geometry_of(sphere, box(contact), shift, lattice_, wanted);
+    return exact::geometry_of(sphere, elements::box_at<Dim>(boxes_, contact.box), shift, lattice_,
+                              wanted);
   }
 
  private:

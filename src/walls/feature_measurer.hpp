@@ -21,6 +21,8 @@ class FeatureMeasurer {
   FeatureMeasurer(const TriangleMesh& mesh, const Domain& domain)
       : mesh_(mesh), lattice_(elements::lattice_of(domain)) {}
 
+  [[nodiscard]] const exact::Lattice& lattice() const noexcept { return lattice_; }
+
   [[nodiscard]] exact::Feature feature(const MeshContact& contact) const {
     return corners_of(mesh_, contact.feature);
   }

@@ -20,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 namespace abut::walls {
@@ -47,73 +46,106 @@ struct WallContacts {
   [[nodiscard]] ImageShift shift(std::size_t k) const noexcept {
     return shifts.empty() ? ImageShift{} : shifts[k];
   }
+  [[nodiscard]] bool is_moved(std::size_t k) const noexcept {
+    return !shifts.empty() && (shifts[k].x | shifts[k].y | shifts[k].z) != 0;
+  }
 };
 
 using FeatureContacts = WallContacts<FeatureMeasurer, MeshContact>;
 template <int Dim>
 using BoxContacts = WallContacts<BoxMeasurer<Dim>, BoxContact>;
 
-/// The corners of the feature, or 0 where a shift moves it.
-[[nodiscard]] inline int corners_in_place(const FeatureContacts& given, std::size_t k) noexcept {
-  return given.shift(k) == ImageShift{} ? corner_count(given.contacts[k].feature.kind) : 0;
-}
+/// Which contacts of a block are measured together.
+class ContactGroups {
+ public:
+  void clear() noexcept { occurring_ = 0; }
+  void add(std::size_t k, unsigned group) noexcept {
+    group_[k] = static_cast<std::uint8_t>(group);
+    occurring_ |= 1u << group;
+  }
+  [[nodiscard]] bool has(unsigned group) const noexcept { return (occurring_ >> group & 1u) != 0; }
+  [[nodiscard]] bool is_in(std::size_t k, unsigned group) const noexcept {
+    return group_[k] == group;
+  }
 
-/// Measures the contacts of a block: features of each kind together, what is moved and what vectors
-/// leave open one by one.
+ private:
+  std::array<std::uint8_t, kernels::most_features> group_;
+  unsigned occurring_ = 0;
+};
+
+/// Measures the contacts of a block: features of each kind together, those that a shift moves
+/// apart, and what vectors leave open one by one.
 template <class SphereOf>
 void measure_block(const FeatureContacts& given, std::size_t begin, std::size_t end,
                    const PairGeometrySpans& geometry, FeatureBlock& block, SphereOf&& sphere_of) {
   const Quantities wanted = geometry::wanted_by(geometry);
-  const auto measure_one = [&](std::size_t k) {
-    const MeshContact& contact = given.contacts[k];
-    store(given.measurer(sphere_of(contact.sphere), contact, given.shift(k), wanted), k, geometry);
-  };
+  ContactGroups groups;
   for (std::size_t k = begin; k < end; ++k) {
-    if (corners_in_place(given, k) == 0) measure_one(k);
+    const auto corners = static_cast<unsigned>(corner_count(given.contacts[k].feature.kind));
+    groups.add(k - begin, 2 * corners + (given.is_moved(k) ? 1 : 0));
   }
-  for (int corners = 1; corners <= 3; ++corners) {
+  for (unsigned group = 2; group < 8; ++group) {
+    if (!groups.has(group)) continue;
     block.clear();
     for (std::size_t k = begin; k < end; ++k) {
-      if (corners_in_place(given, k) != corners) continue;
-      block.add(k, sphere_of(given.contacts[k].sphere), given.measurer.feature(given.contacts[k]));
+      if (!groups.is_in(k - begin, group)) continue;
+      const MeshContact& contact = given.contacts[k];
+      block.add(k, sphere_of(contact.sphere), given.measurer.feature(contact));
+      if (group % 2 == 1) block.move_last(given.shifts[k]);
     }
-    for (const std::size_t k : block.measure(corners)) measure_one(k);
+    for (const std::size_t k : block.measure(static_cast<int>(group / 2))) {
+      const MeshContact& contact = given.contacts[k];
+      store(given.measurer(sphere_of(contact.sphere), contact, given.shift(k), wanted), k,
+            geometry);
+    }
   }
 }
 
-/// Measures the contacts of a block: boxes in open space together, by the corners that spheres see,
-/// the others and what vectors leave open one by one.
+/// The contacts of a block with boxes, those that a shift moves or the others: together by the
+/// corners that spheres see, those in boxes and what vectors leave open one by one.
 template <int Dim, class SphereOf>
-void measure_block(const BoxContacts<Dim>& given, std::size_t begin, std::size_t end,
-                   const PairGeometrySpans& geometry, FeatureBlock& block, SphereOf&& sphere_of) {
+void measure_boxes(const BoxContacts<Dim>& given, std::size_t begin, std::size_t end,
+                   bool are_moved, const PairGeometrySpans& geometry, FeatureBlock& block,
+                   SphereOf&& sphere_of) {
   const Quantities wanted = geometry::wanted_by(geometry);
   const auto measure_one = [&](std::size_t k) {
     const BoxContact& contact = given.contacts[k];
     store(given.measurer(sphere_of(contact.sphere), contact, given.shift(k), wanted), k, geometry);
   };
   std::array<std::size_t, kernels::most_features> places;
-  std::array<Vector, kernels::most_features> points;
+  std::array<NearestCoordinates, kernels::most_features> points;
+  BoxCorner seen;
   std::size_t count = 0;
   block.clear();
   for (std::size_t k = begin; k < end; ++k) {
-    std::optional<BoxCorner> seen;
-    if (given.shift(k) == ImageShift{}) {
-      const BoxContact& contact = given.contacts[k];
-      seen = seen_corner<Dim>(sphere_of(contact.sphere), given.measurer.box(contact));
-    }
-    if (!seen) {
+    if (given.is_moved(k) != are_moved) continue;
+    const BoxContact& contact = given.contacts[k];
+    const auto sphere = sphere_of(contact.sphere);
+    const bool is_outside = are_moved ? given.measurer.see(sphere, contact, given.shifts[k], seen)
+                                      : given.measurer.see(sphere, contact, seen);
+    if (!is_outside) {
       measure_one(k);
       continue;
     }
-    block.add(k, seen->sphere, seen->corner);
+    block.add(k, seen.sphere, seen.corner);
+    if (are_moved) block.move_last(given.shifts[k], seen.point.axes);
     places[count] = k;
-    points[count++] = seen->point;
+    points[count++] = seen.point;
   }
   const std::span<const std::size_t> open = block.measure(1);
   for (std::size_t k = 0; k < count && !geometry.points.empty(); ++k) {
-    geometry.points[places[k]] = points[k];
+    points[k].write_to(geometry.points[places[k]]);
   }
   for (const std::size_t k : open) measure_one(k);
+}
+
+template <int Dim, class SphereOf>
+void measure_block(const BoxContacts<Dim>& given, std::size_t begin, std::size_t end,
+                   const PairGeometrySpans& geometry, FeatureBlock& block, SphereOf&& sphere_of) {
+  bool some_are_moved = false;
+  for (std::size_t k = begin; k < end; ++k) some_are_moved = some_are_moved || given.is_moved(k);
+  measure_boxes(given, begin, end, false, geometry, block, sphere_of);
+  if (some_are_moved) measure_boxes(given, begin, end, true, geometry, block, sphere_of);
 }
 
 /// Fills the arrays that are not empty, one entry for each contact, with the bits of
@@ -125,7 +157,7 @@ void measure_contacts(const Given& given, const PairGeometrySpans& geometry,
   constexpr std::uint64_t steps_of_measuring = 16;
   base::for_each_share(given.workers, work, [&](std::size_t share, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(share, given.workers, given.contacts.size());
-    FeatureBlock block(given.level, geometry);
+    FeatureBlock block(given.level, geometry, given.measurer.lattice());
     for (std::size_t begin = first; begin < last; begin += kernels::most_features) {
       const std::size_t end = std::min(begin + kernels::most_features, last);
       its_work.did(steps_of_measuring * (end - begin));

@@ -200,6 +200,38 @@ TEST(MeasureWalls, OfBoxesIsThatOfEachContact) {
   }
 }
 
+/// The bound of a box that a shift moves.
+mpq_class moved_bound(double bound, const ImageShift& shift, const Domain& domain,
+                      std::size_t axis) {
+  const double origin[3] = {};
+  return mpq_class(bound) - moved_back(origin, shift, lattice_of(domain))[axis];
+}
+
+TEST(MeasureWalls, OfBoxesInAllKindsOfDomains) {
+  for (const int dimensions : {2, 3}) {
+    const BallsAndSolids scene = some_boxes(1626, dimensions);
+    const Domain oblique = Domain::lattice({8.0, 0.5}, {-0.7, 7.0});
+    const Domain straight = Domain::periodic({8.0, 6.1, unbounded});
+    for (const Domain& domain : {Domain::open(), dimensions == 2 ? oblique : cell,
+                                 dimensions == 2 ? Domain::periodic({8.0, 6.1}) : straight}) {
+      const Options options{.shifts = Shifts::stored, .quantities = all_quantities, .margin = 0.2};
+      const BoxContactList list = find_box_contacts(scene.balls(), scene.solids(), domain, options);
+      ASSERT_GE(list.size(), 20U);
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        const auto [sphere, box, feature] = list[k];
+        RationalPoint center, lower, upper;
+        for (std::size_t axis = 0; axis < scene.axes(); ++axis) {
+          center[axis] = scene.center[axis][sphere];
+          lower[axis] = moved_bound(scene.lower[axis][box], list.shifts()[k], domain, axis);
+          upper[axis] = moved_bound(scene.upper[axis][box], list.shifts()[k], domain, axis);
+        }
+        const WallGeometry expected = geometry_of_box(center, lower, upper, scene.axes());
+        ASSERT_EQ(fault_of(entry(list, k), expected, scene.radius[sphere]), "") << "contact " << k;
+      }
+    }
+  }
+}
+
 /// Centers between the bounds of boxes, on them and beyond, at a scale; flat boxes, too.
 BallsAndSolids boxes_of_scale(std::uint64_t seed, int dimensions, double scale) {
   BallsAndSolids scene = some_boxes(seed, dimensions);
@@ -218,31 +250,89 @@ bool have_same_bits(const Numbers& a, const Numbers& b) {
          std::memcmp(a.data(), b.data(), a.size() * sizeof(typename Numbers::value_type)) == 0;
 }
 
+void expect_same_bits(const PairGeometry& found, const PairGeometry& expected) {
+  EXPECT_TRUE(have_same_bits(found.gaps, expected.gaps));
+  EXPECT_TRUE(have_same_bits(found.normals, expected.normals));
+  EXPECT_TRUE(have_same_bits(found.points, expected.points));
+  EXPECT_TRUE(have_same_bits(found.distances, expected.distances));
+  EXPECT_TRUE(have_same_bits(found.vectors, expected.vectors));
+}
+
+/// Measures contacts at every level and with several threads, as the scalar code does. Contacts are
+/// among images, too, if the list has shifts.
+template <class Wall, class List>
+void expect_same_bits_at_every_level(const ElementView& balls, const Wall& wall, const List& list,
+                                     const Domain& domain) {
+  const PairGeometry expected =
+      measure(balls, wall, list, all_quantities, domain, {.simd = Simd::scalar});
+  for (const Simd level : simd_levels()) {
+    if (!available(level)) continue;
+    SCOPED_TRACE(name_of(level));
+    for (const int threads : {1, 3}) {
+      const Options options{.threads = threads, .simd = level};
+      expect_same_bits(measure(balls, wall, list, all_quantities, domain, options), expected);
+    }
+  }
+}
+
+/// Open space, cells along the axes and others, as wide as some of the boxes are apart.
+std::vector<Domain> domains_of_scale(int dimensions, double scale) {
+  const double a = 8.0 * scale, b = 7.3 * scale, c = 6.1 * scale, d = 0.7 * scale;
+  if (dimensions == 2) {
+    return {Domain::open(), Domain::periodic({a, b}), Domain::lattice({a, d}, {-d, b})};
+  }
+  return {Domain::open(), Domain::periodic({a, unbounded, c}), Domain::periodic({a, b, c}),
+          Domain::lattice({a, 0.0, 0.0}, {d, b, 0.0}, {-d, 0.4 * d, c})};
+}
+
+std::size_t count_of_moved(std::span<const ImageShift> shifts) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(shifts, [](const ImageShift& shift) { return shift != ImageShift{}; }));
+}
+
 TEST(MeasureWalls, OfBoxesHasTheBitsOfOneContactAtEveryLevel) {
+  std::size_t moved = 0;
   for (const int dimensions : {2, 3}) {
     for (const double scale : {1.0, 0.7, 0x1p-300, 0x1p300, 0x1p-99, 0x1p70, 0x1p-1060}) {
+      SCOPED_TRACE(scale);
       const BallsAndSolids scene = boxes_of_scale(1624, dimensions, scale);
-      const BoxContactList list = find_box_contacts(scene.balls(), scene.solids());
-      ASSERT_GT(list.size(), 20U);
-      PairGeometry expected = measure(scene.balls(), scene.solids(), list, all_quantities,
-                                      Domain::open(), {.simd = Simd::scalar});
-      for (const Simd level : simd_levels()) {
-        if (!available(level)) continue;
-        const Options options{.simd = level};
-        const PairGeometry found =
-            measure(scene.balls(), scene.solids(), list, all_quantities, Domain::open(), options);
-        EXPECT_TRUE(have_same_bits(found.gaps, expected.gaps)) << name_of(level) << ' ' << scale;
-        EXPECT_TRUE(have_same_bits(found.normals, expected.normals))
-            << name_of(level) << ' ' << scale;
-        EXPECT_TRUE(have_same_bits(found.points, expected.points))
-            << name_of(level) << ' ' << scale;
-        EXPECT_TRUE(have_same_bits(found.distances, expected.distances))
-            << name_of(level) << ' ' << scale;
-        EXPECT_TRUE(have_same_bits(found.vectors, expected.vectors))
-            << name_of(level) << ' ' << scale;
+      for (const Domain& domain : domains_of_scale(dimensions, scale)) {
+        const BoxContactList list =
+            find_box_contacts(scene.balls(), scene.solids(), domain, {.shifts = Shifts::stored});
+        ASSERT_GT(list.size(), 20U);
+        expect_same_bits_at_every_level(scene.balls(), scene.solids(), list, domain);
+        moved += count_of_moved(list.shifts());
       }
     }
   }
+  EXPECT_GT(moved, 500U);
+}
+
+TEST(MeasureWalls, OfMeshesHasTheBitsOfOneContactAtEveryLevel) {
+  Random random(1625);
+  std::size_t moved = 0;
+  for (const double scale : {1.0, 0.7, 0x1p-300, 0x1p70}) {
+    SCOPED_TRACE(scale);
+    MeshArrays arrays = soup(random, 30, 60, 8);
+    std::vector<Ball> balls = balls_in(random, 200, 8);
+    shake(arrays, balls, random);
+    for (Point& vertex : arrays.vertices) {
+      for (double& x : vertex) x *= scale;
+    }
+    for (Ball& ball : balls) {
+      for (double& x : ball.center) x *= scale;
+      ball.radius *= scale;
+    }
+    const TriangleMesh mesh = arrays.mesh();
+    for (const Domain& domain : domains_of_scale(3, scale)) {
+      const MeshContactList list =
+          find_mesh_contacts(view_of(balls), mesh, domain, {.shifts = Shifts::stored});
+      ASSERT_GT(list.size(), 100U);
+      expect_same_bits_at_every_level(view_of(balls), mesh, list, domain);
+      moved += count_of_moved(list.shifts());
+    }
+  }
+  EXPECT_GT(moved, 500U);
 }
 
 TEST(MeasureWalls, RefusesWhatDoesNotFit) {

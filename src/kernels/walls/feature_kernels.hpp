@@ -17,9 +17,20 @@ struct FeatureColumns {
   double corner[3][3][most_features];  ///< of each corner its coordinates
 };
 
+/// Components of what is given are 0 or at least so large: then no error of a product underflows,
+/// so that splitting and fusing give the same one.
+inline constexpr double smallest_given = 0x1p-200;
+
+/// What moves the features: n A.
+struct FeatureMoves {
+  double lattice[3][3];  ///< rows; 0, or from smallest_given to exact::largest_input
+  std::int32_t number[3][3][most_features];  ///< along each axis, how often each row is added
+};
+
 /// Contacts with features of one kind to measure, and where the results go; nullptr: not wanted.
 struct FeatureJob {
   const FeatureColumns* columns;
+  const FeatureMoves* moves;  ///< nullptr: no feature is moved
   std::size_t count;
   double* gaps;
   double* distances;

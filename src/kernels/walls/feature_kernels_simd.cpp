@@ -23,9 +23,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #include "kernels/simd_center_line-inl.hpp"
 
-/// Components are 0 or at least so large: then no error of a product underflows, so that splitting
-/// and fusing give the same one. Of what is given and of the products of these.
-constexpr double smallest_given = 0x1p-200;
+#include "kernels/walls/moved_corner-inl.hpp"
+
+/// As smallest_given, of products.
 constexpr double smallest_product = 0x1p-260;
 
 /// Bands of doubles, relative to the largest components: of the place along a segment, and of that
@@ -65,41 +65,66 @@ struct ContactLanes {
 
   Doubles center[3];
   Doubles radius;
-  Doubles corner[3];    ///< the first
-  VectorLanes towards;  ///< from the center to it
+  Doubles corner[3];    ///< the first, if it is the only one
+  VectorLanes towards;  ///< from the center to the first
   VectorLanes edge[2];  ///< from it to the others
   Mask certain;
 };
 
-/// Loads the contacts from k on; certain are those whose numbers are ordinary.
-HWY_INLINE ContactLanes load_contacts(const FeatureColumns& columns, int corners, std::size_t k) {
-  ContactLanes lanes_of;
-  lanes_of.radius = hn::LoadU(doubles, columns.radius + k);
-  Doubles largest = lanes_of.radius;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Doubles x = hn::LoadU(doubles, columns.center[axis] + k);
-    const Doubles first = hn::LoadU(doubles, columns.corner[0][axis] + k);
-    lanes_of.center[axis] = x;
-    lanes_of.corner[axis] = first;
-    lanes_of.towards.component[axis] = two_sum(first, hn::Neg(x));
-    largest = hn::Max(largest, hn::Max(hn::Abs(x), hn::Abs(first)));
-    for (int other = 1; other < corners; ++other) {
-      const Doubles end = hn::LoadU(doubles, columns.corner[other][axis] + k);
-      lanes_of.edge[other - 1].component[axis] = two_sum(end, hn::Neg(first));
-      largest = hn::Max(largest, hn::Abs(end));
-    }
-  }
-  const Doubles least = hn::Set(doubles, exact::smallest_length);
-  Mask certain = hn::And(hn::Le(largest, hn::Set(doubles, exact::largest_input)),
-                         hn::Ge(largest_of(lanes_of.towards), least));
-  certain = hn::And(certain, are_products_exact(lanes_of.towards, smallest_given));
+/// Finds the first corner, moved, and the way there along an axis.
+HWY_INLINE void move_corner(const FeatureMoves& moves, int corners, int axis, std::size_t k,
+                            ContactLanes& contacts) {
+  SumLanes sum(contacts.corner[axis]);
+  add_moves(moves, axis, k, sum);
+  if (corners == 1) contacts.corner[axis] = rounded(sum, contacts.certain).high;
+  sum.add(hn::Neg(contacts.center[axis]));
+  contacts.towards.component[axis] = rounded(sum, contacts.certain);
+}
+
+/// Loads the contacts from k on along an axis. Returns the largest number among them.
+template <bool AreMoved>
+HWY_INLINE Doubles load_along(const FeatureJob& job, int corners, int axis, std::size_t k,
+                              ContactLanes& contacts) {
+  const FeatureColumns& columns = *job.columns;
+  const Doubles x = hn::LoadU(doubles, columns.center[axis] + k);
+  const Doubles first = hn::LoadU(doubles, columns.corner[0][axis] + k);
+  Doubles largest = hn::Max(hn::Abs(x), hn::Abs(first));
   for (int other = 1; other < corners; ++other) {
-    const VectorLanes& edge = lanes_of.edge[other - 1];
+    const Doubles end = hn::LoadU(doubles, columns.corner[other][axis] + k);
+    contacts.edge[other - 1].component[axis] = two_sum(end, hn::Neg(first));
+    largest = hn::Max(largest, hn::Abs(end));
+  }
+  contacts.center[axis] = x;
+  contacts.corner[axis] = first;
+  if constexpr (AreMoved) {
+    move_corner(*job.moves, corners, axis, k, contacts);
+  } else {
+    contacts.towards.component[axis] = two_sum(first, hn::Neg(x));
+  }
+  return largest;
+}
+
+/// Loads the contacts from k on; certain are those whose numbers are ordinary.
+template <bool AreMoved>
+HWY_INLINE ContactLanes load_contacts(const FeatureJob& job, int corners, std::size_t k) {
+  const Doubles most = hn::Set(doubles, exact::largest_input);
+  const Doubles least = hn::Set(doubles, exact::smallest_length);
+  ContactLanes contacts;
+  contacts.radius = hn::LoadU(doubles, job.columns->radius + k);
+  contacts.certain = hn::Le(contacts.radius, most);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Doubles largest = load_along<AreMoved>(job, corners, axis, k, contacts);
+    contacts.certain = hn::And(contacts.certain, hn::Le(largest, most));
+  }
+  Mask certain = hn::And(contacts.certain, hn::Ge(largest_of(contacts.towards), least));
+  certain = hn::And(certain, are_products_exact(contacts.towards, smallest_given));
+  for (int other = 1; other < corners; ++other) {
+    const VectorLanes& edge = contacts.edge[other - 1];
     certain = hn::And(certain, hn::Ge(largest_of(edge), least));
     certain = hn::And(certain, are_products_exact(edge, smallest_given));
   }
-  lanes_of.certain = certain;
-  return lanes_of;
+  contacts.certain = certain;
+  return contacts;
 }
 
 /// The vector to the nearest point and the bound of its error, relative to its length.
@@ -266,11 +291,11 @@ HWY_INLINE Mask write_all(const FeatureJob& job, int corners, std::size_t k,
   return certain;
 }
 
-template <int Corners>
+template <int Corners, bool AreMoved>
 std::size_t measure_features(const FeatureJob& job, std::uint32_t* open, std::size_t& open_count) {
   std::size_t k = 0;
   for (; k + lanes <= job.count; k += lanes) {
-    const ContactLanes contacts = load_contacts(*job.columns, Corners, k);
+    const ContactLanes contacts = load_contacts<AreMoved>(job, Corners, k);
     Mask certain = contacts.certain;
     const NearestLanes found = Corners == 1   ? to_corner(contacts)
                                : Corners == 2 ? to_line(contacts, certain)
@@ -286,11 +311,17 @@ std::size_t measure_features(const FeatureJob& job, std::uint32_t* open, std::si
   return k;
 }
 
+template <int Corners>
+std::size_t measure_some(const FeatureJob& job, std::uint32_t* open, std::size_t& open_count) {
+  return job.moves == nullptr ? measure_features<Corners, false>(job, open, open_count)
+                              : measure_features<Corners, true>(job, open, open_count);
+}
+
 std::size_t measure_each(const FeatureJob& job, int corners, std::uint32_t* open,
                          std::size_t& open_count) {
-  if (corners == 1) return measure_features<1>(job, open, open_count);
-  return corners == 2 ? measure_features<2>(job, open, open_count)
-                      : measure_features<3>(job, open, open_count);
+  if (corners == 1) return measure_some<1>(job, open, open_count);
+  return corners == 2 ? measure_some<2>(job, open, open_count)
+                      : measure_some<3>(job, open, open_count);
 }
 
 }  // namespace abut::kernels::HWY_NAMESPACE

@@ -129,16 +129,29 @@ TEST(NearWall, NamesTheSameSpheresWithEveryInstructionSet) {
   }
 }
 
+/// Points that all lie in cells.
+Spheres spheres_in_cells(std::size_t count, scenes::Random& random) {
+  Spheres spheres(count);
+  for (auto& sphere : spheres) {
+    for (double& x : sphere.center) x = random.uniform(0.0, 1.0);
+  }
+  return spheres;
+}
+
+/// Among spheres in cells, whose numbers are not looked at one by one, and among others.
 TEST(NearWall, LooksAtSpheresUpToTheFirstThatIsNotValid) {
   scenes::Random random(1512);
   base::MemoryMeter memory;
   walls::WallGrid grid(memory);
   build(grid, 40, 1.0);
-  const walls::RestFrame frame(some_mesh(1.0), 0.0);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double wrong[] = {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity};
-  for (std::size_t round = 0; round < 200; ++round) {
-    Spheres spheres = some_spheres(61, 1.0, random);
+  for (std::size_t round = 0; round < 400; ++round) {
+    TriangleMesh mesh = some_mesh(1.0);
+    if (round % 16 > 7)
+      mesh.move({{{{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}}, {1, 0, 0}});
+    const walls::RestFrame frame(mesh, 0.0);
+    Spheres spheres = round < 200 ? some_spheres(61, 1.0, random) : spheres_in_cells(150, random);
     for (auto& sphere : spheres) sphere.radius = random.uniform(0.0, 0.5);
     const std::size_t bad = random.below(spheres.size());
     const std::size_t field = round % 4;

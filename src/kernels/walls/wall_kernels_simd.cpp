@@ -51,28 +51,33 @@ HWY_INLINE void bring_back(const WallJob& job, Doubles (&point)[3]) {
   }
 }
 
+/// The cells of points, and where the points lie in any.
+struct FoundCells {
+  HWY_INLINE FoundCells() {}
+
+  Cells number;
+  Mask inside;
+};
+
 /// Returns the cells of points; of those that have none the number behind the last cell, which is
 /// never occupied. The whole part is 0 a little before the first cell, too, as in
-/// WallGrid::place_near.
-HWY_INLINE Cells cells_of(const WallJob& job, const Doubles (&point)[3]) {
-  Doubles place[3];
-  Mask inside = hn::FirstN(doubles, hn::MaxLanes(Tag()));
-  for (int axis = 0; axis < 3; ++axis) {
-    place[axis] = hn::Mul(hn::Sub(point[axis], hn::Set(doubles, job.origin[axis])),
-                          hn::Set(doubles, job.cells_per_length[axis]));
+/// WallGrid::place_near. There are less than 2^28 cells, so that doubles number them exactly.
+HWY_INLINE FoundCells find_cells(const WallJob& job, const Doubles (&point)[3]) {
+  FoundCells found;
+  Doubles number = hn::Zero(doubles);
+  found.inside = hn::FirstN(doubles, hn::MaxLanes(Tag()));
+  for (int axis = 2; axis >= 0; --axis) {
+    const Doubles place = hn::Mul(hn::Sub(point[axis], hn::Set(doubles, job.origin[axis])),
+                                  hn::Set(doubles, job.cells_per_length[axis]));
     const Doubles size = hn::Set(doubles, static_cast<double>(job.size[axis]));
-    const Mask within =
-        hn::And(hn::Gt(place[axis], hn::Set(doubles, -1.0)), hn::Lt(place[axis], size));
-    inside = hn::And(inside, within);
+    found.inside = hn::And(found.inside, hn::Gt(place, hn::Set(doubles, -1.0)));
+    found.inside = hn::And(found.inside, hn::Lt(place, size));
+    number = axis == 2 ? hn::Trunc(place) : hn::Add(hn::Mul(number, size), hn::Trunc(place));
   }
   const std::int32_t nowhere = job.size[0] * job.size[1] * job.size[2];
-  const Doubles x =
-      hn::IfThenElse(inside, place[0], hn::Set(doubles, static_cast<double>(nowhere)));
-  const auto index = [&](Doubles along) {
-    return hn::DemoteTo(whole, hn::IfThenElseZero(inside, along));
-  };
-  const Cells row = hn::Add(hn::Mul(index(place[2]), hn::Set(whole, job.size[1])), index(place[1]));
-  return hn::Add(hn::Mul(row, hn::Set(whole, job.size[0])), hn::DemoteTo(whole, x));
+  number = hn::IfThenElse(found.inside, number, hn::Set(doubles, static_cast<double>(nowhere)));
+  found.number = hn::DemoteTo(whole, number);
+  return found;
 }
 
 using IndexTag = hn::RebindToSigned<Tag>;
@@ -118,7 +123,7 @@ HWY_INLINE void look_up(const WallJob& job, const std::uint32_t* near, std::size
     point[axis] = hn::GatherIndex(doubles, job.spheres.center[axis], at);
   }
   if (job.is_moved) bring_back(job, point);
-  const Places place = places_of(job, cells_of(job, point));
+  const Places place = places_of(job, find_cells(job, point).number);
   hn::StoreU(place, all_places, columns.place + k);
   for (std::size_t lane = 0; lane < hn::MaxLanes(Tag()); ++lane) {
     __builtin_prefetch(job.planes + columns.place[k + lane]);
@@ -178,15 +183,13 @@ HWY_INLINE const void* ahead_of(const double* column, std::size_t k) {
                                        (k + ahead) * sizeof(double));
 }
 
-/// Loads the spheres from number k on. Returns whether all of them are valid.
-HWY_INLINE bool load(const ElementColumns& columns, std::size_t k, Doubles (&point)[3],
-                     Doubles& radius) {
+/// Tells whether the spheres from number k on are valid.
+HWY_INLINE bool are_valid(const ElementColumns& columns, std::size_t k) {
   const Doubles largest = hn::Set(doubles, std::numeric_limits<double>::max());
-  radius = hn::LoadU(doubles, columns.radius + k);
+  const Doubles radius = hn::LoadU(doubles, columns.radius + k);
   Mask valid = hn::And(hn::Ge(radius, hn::Zero(doubles)), hn::Le(radius, largest));
-  for (int axis = 0; axis < 3; ++axis) {
-    point[axis] = hn::LoadU(doubles, columns.center[axis] + k);
-    valid = hn::And(valid, hn::Le(hn::Abs(point[axis]), largest));
+  for (const double* column : columns.center) {
+    valid = hn::And(valid, hn::Le(hn::Abs(hn::LoadU(doubles, column + k)), largest));
   }
   return hn::AllTrue(doubles, valid);
 }
@@ -209,28 +212,70 @@ HWY_INLINE std::size_t add_occupied(const WallJob& job, const std::int32_t* cell
   return count;
 }
 
+/// What is known of some spheres.
+struct BlockFinds {
+  HWY_INLINE BlockFinds() {}
+
+  Doubles largest;  ///< radius
+  Mask sure;  ///< lies in a cell and has a radius that is not negative: its numbers are finite
+};
+
+/// Writes the cells of whole vectors of spheres from `begin` to `end`.
+HWY_INLINE BlockFinds look_at(const WallJob& job, std::size_t begin, std::size_t end,
+                              std::int32_t* cells) {
+  constexpr std::size_t lanes = hn::MaxLanes(Tag());
+  BlockFinds seen;
+  seen.largest = hn::Zero(doubles);
+  seen.sure = hn::FirstN(doubles, lanes);
+  for (std::size_t k = begin; k < end; k += lanes) {
+    if (k % doubles_of_line == 0) {
+      for (const double* column : job.spheres.center) __builtin_prefetch(ahead_of(column, k));
+      __builtin_prefetch(ahead_of(job.spheres.radius, k));
+    }
+    Doubles point[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis] = hn::LoadU(doubles, job.spheres.center[axis] + k);
+    }
+    const Doubles radius = hn::LoadU(doubles, job.spheres.radius + k);
+    if (job.is_moved) bring_back(job, point);
+    const FoundCells found = find_cells(job, point);
+    hn::StoreU(found.number, whole, cells + (k - begin));
+    seen.largest = hn::Max(seen.largest, radius);
+    seen.sure = hn::And(seen.sure, hn::And(found.inside, hn::Ge(radius, hn::Zero(doubles))));
+  }
+  return seen;
+}
+
+/// Returns the end of the whole vectors of valid spheres, and the largest radius of these.
+HWY_INLINE std::size_t end_of_valid(const WallJob& job, std::size_t begin, std::size_t end,
+                                    Doubles& largest) {
+  largest = hn::Zero(doubles);
+  std::size_t k = begin;
+  for (; k < end && are_valid(job.spheres, k); k += hn::MaxLanes(Tag())) {
+    largest = hn::Max(largest, hn::LoadU(doubles, job.spheres.radius + k));
+  }
+  return k;
+}
+
 std::size_t find_near(const WallJob& job, std::uint32_t* near, WallFinds& finds) {
   constexpr std::size_t lanes = hn::MaxLanes(Tag());
+  const Doubles most = hn::Set(doubles, std::numeric_limits<double>::max());
+  const std::size_t whole_vectors = job.count / lanes * lanes;
   std::size_t count = finds.near;
   Doubles largest = hn::Set(doubles, finds.largest_radius);
   std::size_t k = 0;
-  bool are_valid = true;
-  while (are_valid && k + lanes <= job.count) {
+  while (k < whole_vectors) {
     std::int32_t cells[cells_ahead];
-    const std::size_t begin = k;
-    for (; k < begin + cells_ahead && k + lanes <= job.count; k += lanes) {
-      Doubles point[3], radius;
-      if (k % doubles_of_line == 0) {
-        for (const double* column : job.spheres.center) __builtin_prefetch(ahead_of(column, k));
-        __builtin_prefetch(ahead_of(job.spheres.radius, k));
-      }
-      are_valid = load(job.spheres, k, point, radius);
-      if (HWY_UNLIKELY(!are_valid)) break;
-      largest = hn::Max(largest, radius);
-      if (job.is_moved) bring_back(job, point);
-      hn::StoreU(cells_of(job, point), whole, cells + (k - begin));
+    const std::size_t end = HWY_MIN(k + cells_ahead, whole_vectors);
+    BlockFinds seen = look_at(job, k, end, cells);
+    std::size_t valid = end;
+    if (!hn::AllTrue(doubles, hn::And(seen.sure, hn::Le(seen.largest, most)))) {
+      valid = end_of_valid(job, k, end, seen.largest);
     }
-    count = add_occupied(job, cells, begin, k, near, count);
+    largest = hn::Max(largest, seen.largest);
+    count = add_occupied(job, cells, k, valid, near, count);
+    k = valid;
+    if (valid < end) break;
   }
   finds = {count, hn::GetLane(hn::MaxOfLanes(doubles, largest)), 0};
   return k;

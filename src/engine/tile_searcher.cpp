@@ -152,8 +152,8 @@ void TileSearcher<Dim>::search(const kernels::LayerPair& layers) {
 }
 
 template <int Dim>
-void TileSearcher<Dim>::search(const kernels::LayerStack& layers,
-                               std::span<const kernels::FarElement> far) {
+void TileSearcher<Dim>::search(const kernels::ThreeLayers& layers,
+                               std::span<const kernels::FarSphere> far) {
   input_->layer_kernels.search_near(layers, job_, Dim);
   if (!far.empty()) input_->layer_kernels.search_far(layers, far.data(), far.size(), job_, Dim);
   tell();

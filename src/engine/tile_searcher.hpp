@@ -64,7 +64,7 @@ class TileSearcher {
   void search(const kernels::LayerPair& layers);
 
   /// Finds the smaller partners of the layer's near elements, and in this layer those of far ones.
-  void search(const kernels::LayerStack& layers, std::span<const kernels::FarElement> far);
+  void search(const kernels::ThreeLayers& layers, std::span<const kernels::FarSphere> far);
 
   /// Tells whether most elements of the layer searched last had an undecided pair, as on lattices.
   [[nodiscard]] bool has_many_undecided() const noexcept { return job_.has_many_undecided; }

@@ -2,7 +2,7 @@
 
 #include "base/array.hpp"
 #include "engine/cross_level_runs.hpp"
-#include "engine/layers/far_elements.hpp"
+#include "engine/layers/far_spheres.hpp"
 #include "engine/layers/sorted_layers.hpp"
 #include "engine/radius_histogram.hpp"
 #include "engine/search_set.hpp"
@@ -88,7 +88,7 @@ struct WorkerScratch {
   base::Array<float> block;  ///< scratch of the kernels
   base::Array<std::uint32_t> block_number;
   SortedLayers<Dim> layers;
-  FarElementsInReach<Dim> far;
+  FarSpheresInReach<Dim> far;
   RecursionLevels<Dim> levels;
   RadiusHistogram histogram;
 };

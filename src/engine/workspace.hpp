@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/memory_meter.hpp"
-#include "engine/layers/far_elements.hpp"
+#include "engine/layers/far_spheres.hpp"
 #include "engine/layers/layer_records.hpp"
 #include "engine/layers/occupancy_sample.hpp"
 #include "engine/tile_searcher.hpp"
@@ -18,7 +18,7 @@ namespace abut::engine {
 template <int Dim>
 struct Workspace {
   explicit Workspace(base::MemoryMeter& meter)
-      : memory(meter), levels(meter), layer_records(meter), far_elements(meter), occupancy(meter) {}
+      : memory(meter), levels(meter), layer_records(meter), far_spheres(meter), occupancy(meter) {}
 
   void expect_workers(std::size_t count) {
     while (workers.size() < count) {
@@ -29,7 +29,7 @@ struct Workspace {
   base::MemoryMeter& memory;
   RecursionLevels<Dim> levels;  ///< for search sets that all workers search together
   LayerRecords<Dim> layer_records;
-  FarElements<Dim> far_elements;
+  FarSpheres<Dim> far_spheres;
   OccupancySample occupancy;
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;

@@ -156,7 +156,7 @@ void LayerGrid<Dim>::cut_rows_by_size(double margin) {
 }
 
 template <int Dim>
-auto LayerGrid<Dim>::layers_around(const kernels::FarElement& far) const noexcept -> LayerRange {
+auto LayerGrid<Dim>::layers_around(const kernels::FarSphere& far) const noexcept -> LayerRange {
   // A whole number more than the reach, which no axis is longer than.
   constexpr float longest = 0x1p31f;
   const float reach = std::min(kernels::own_reach(far.radius, margin_), longest);
@@ -169,7 +169,7 @@ auto LayerGrid<Dim>::layers_around(const kernels::FarElement& far) const noexcep
 }
 
 template <int Dim>
-void LayerGrid<Dim>::set_layers(kernels::LayerStack& layers, std::size_t k) const noexcept {
+void LayerGrid<Dim>::set_layers(kernels::ThreeLayers& layers, std::size_t k) const noexcept {
   layers.row_axis = static_cast<int>(row_axis_);
   layers.next_row_axis = static_cast<int>(next_row_axis_);
   layers.layer_axis = map_.layer_axis;

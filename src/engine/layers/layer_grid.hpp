@@ -108,21 +108,21 @@ class LayerGrid {
     std::uint32_t first;
     std::uint32_t last;
   };
-  [[nodiscard]] LayerRange layers_around(const kernels::FarElement& far) const noexcept;
+  [[nodiscard]] LayerRange layers_around(const kernels::FarSphere& far) const noexcept;
 
   [[nodiscard]] bool is_far(float radius) const noexcept {
     return !(kernels::own_reach(radius, margin_) < kernels::middle_reach);
   }
 
-  [[nodiscard]] kernels::FarElement far_element(const kernels::PositionRecord& record,
-                                                float radius) const noexcept {
-    return kernels::far_element(record.position, record.number, radius, margin_);
+  [[nodiscard]] kernels::FarSphere far_sphere(const kernels::PositionRecord& record,
+                                              float radius) const noexcept {
+    return kernels::far_sphere(record.position, record.number, radius, margin_);
   }
 
   /// The fields of a pair of layers that bound the reach.
   void set_reach(kernels::LayerPair& layers) const noexcept;
-  /// The axes, rows and columns of a stack of layers around layer k.
-  void set_layers(kernels::LayerStack& layers, std::size_t k) const noexcept;
+  /// The axes, rows and columns of three layers around layer k.
+  void set_layers(kernels::ThreeLayers& layers, std::size_t k) const noexcept;
 
   /// Tells whether cells are wider than the reach needs.
   [[nodiscard]] bool has_wide_cells() const noexcept { return has_wide_cells_; }

@@ -13,7 +13,7 @@ LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
 template <int Dim>
 void LayerRecords<Dim>::sort(std::span<const exact::Sphere<Dim>> spheres,
                              const LayerGrid<Dim>& grid, const kernels::LayerKernels& kernels,
-                             std::size_t workers, base::WorkCounter& work, FarElements<Dim>& far) {
+                             std::size_t workers, base::WorkCounter& work, FarSpheres<Dim>& far) {
   if (grid.is_by_size()) far.start(workers);
   cursors_.start(grid.layer_count(), workers);
   base::make_room(records_, spheres.size());

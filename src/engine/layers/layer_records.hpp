@@ -2,7 +2,7 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
-#include "engine/layers/far_elements.hpp"
+#include "engine/layers/far_spheres.hpp"
 #include "engine/layers/layer_cursors.hpp"
 #include "engine/layers/layer_grid.hpp"
 #include "kernels/layers/layer_kernels.hpp"
@@ -32,7 +32,7 @@ class LayerRecords {
   /// elements look for smaller ones, the first pass notes the far ones.
   void sort(std::span<const exact::Sphere<Dim>> spheres, const LayerGrid<Dim>& grid,
             const kernels::LayerKernels& kernels, std::size_t workers, base::WorkCounter& work,
-            FarElements<Dim>& far);
+            FarSpheres<Dim>& far);
 
   [[nodiscard]] LayerElements layer(std::size_t k) const noexcept {
     const std::size_t begin = cursors_.begin(k);

@@ -97,7 +97,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   LayerRecords<Dim>& records = workspace_.layer_records;
   base::WorkCounter& work = workspace_.workers[0]->work();
   records.sort(input_.elements.spheres.first(set.locals.size()), grid, input_.layer_kernels,
-               worker_count_, work, workspace_.far_elements);
+               worker_count_, work, workspace_.far_spheres);
   const std::size_t layers = grid.layer_count();
   const std::size_t workers = workers_for(grid, set.locals.size());
   const std::size_t stretches = stretches_for(layers, workers);
@@ -156,7 +156,7 @@ void LayerSearch<Dim>::search_stretch_by_size(const LayerGrid<Dim>& grid, std::s
                                               base::WorkCounter& work) {
   const LayerRecords<Dim>& records = workspace_.layer_records;
   SortedLayers<Dim>& sorted = worker.scratch().layers;
-  FarElementsInReach<Dim>& far = worker.scratch().far;
+  FarSpheresInReach<Dim>& far = worker.scratch().far;
   sorted.start(grid, records.largest_layer());
   const auto sort = [&](std::size_t k, const LayerElements& elements) {
     sorted.sort(grid, k, elements, nullptr, input_.layer_kernels, work);
@@ -170,12 +170,12 @@ void LayerSearch<Dim>::search_stretch_by_size(const LayerGrid<Dim>& grid, std::s
     sort_layer(first - 1);
   }
   sort_layer(first);
-  far.start(workspace_.far_elements, first);
+  far.start(workspace_.far_spheres, first);
   for (std::size_t k = first; k < last; ++k) {
     sort_layer(k + 1);
-    if (k > first) far.advance(workspace_.far_elements, k);
+    if (k > first) far.advance(workspace_.far_spheres, k);
     work.did(far.elements().size());
-    worker.search(sorted.stack(grid, k), far.elements());
+    worker.search(sorted.three_layers(grid, k), far.elements());
     context_.progress.advance(records.layer(k).records.size());
   }
 }

@@ -193,9 +193,9 @@ kernels::LayerPair SortedLayers<Dim>::pair(const LayerGrid<Dim>& grid,
 }
 
 template <int Dim>
-kernels::LayerStack SortedLayers<Dim>::stack(const LayerGrid<Dim>& grid,
-                                             std::size_t k) const noexcept {
-  kernels::LayerStack layers{};
+kernels::ThreeLayers SortedLayers<Dim>::three_layers(const LayerGrid<Dim>& grid,
+                                                     std::size_t k) const noexcept {
+  kernels::ThreeLayers layers{};
   static_cast<kernels::LayerPair&>(layers) = pair(grid, k);
   layers.to_below = static_cast<std::int32_t>(table(before(k)) - layers.own);
   layers.to_next = static_cast<std::int32_t>(layers.next - layers.own);

@@ -16,7 +16,7 @@ namespace abut::engine {
 /// Adjacent layers sorted by row and column, which take turns: while one is searched with its
 /// neighbors, the next one replaces the one that is not needed any more. They stand in the same
 /// columns, each in a part of its own: two, or three of elements that look for smaller ones
-/// (kernels::LayerPair, kernels::LayerStack). Kept from search to search.
+/// (kernels::LayerPair, kernels::ThreeLayers). Kept from search to search.
 template <int Dim>
 class SortedLayers {
  public:
@@ -39,7 +39,8 @@ class SortedLayers {
 
   /// Layer k, the one below and the one above it, all of which must have been sorted: `before(k)`
   /// and k + 1 besides.
-  [[nodiscard]] kernels::LayerStack stack(const LayerGrid<Dim>& grid, std::size_t k) const noexcept;
+  [[nodiscard]] kernels::ThreeLayers three_layers(const LayerGrid<Dim>& grid,
+                                                  std::size_t k) const noexcept;
 
   /// The layer below k. Layer 0 has one that holds nothing.
   [[nodiscard]] std::size_t before(std::size_t k) const noexcept { return k + parts_ - 1; }

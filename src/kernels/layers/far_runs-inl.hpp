@@ -28,8 +28,8 @@ struct PieceRange {
 /// the layer, and `layer` its number. Where the ball cuts few rows, all runs are as long as the
 /// longest.
 template <int Dim, class Test>
-void for_each_run(const LayerStack& layers, const std::uint32_t* table, std::int32_t layer,
-                  const FarElement& far, const Test& test) {
+void for_each_run(const ThreeLayers& layers, const std::uint32_t* table, std::int32_t layer,
+                  const FarSphere& far, const Test& test) {
   constexpr std::int64_t few_rows = 4;
   constexpr double room = 1.0 + 0x1p-18;
   const double reach = double{own_reach(far.radius, layers.margin)} * room;
@@ -59,15 +59,15 @@ void for_each_run(const LayerStack& layers, const std::uint32_t* table, std::int
 }
 
 /// The element at place p.
-[[nodiscard]] inline FarElement element_at(const LayerStack& layers, std::uint32_t p) {
+[[nodiscard]] inline FarSphere element_at(const ThreeLayers& layers, std::uint32_t p) {
   const std::int32_t position[3] = {layers.position[0][p], layers.position[1][p],
                                     layers.position[2][p]};
-  return far_element(position, layers.number[p], layers.radius[p], layers.margin);
+  return far_sphere(position, layers.number[p], layers.radius[p], layers.margin);
 }
 
 /// The numbers of the pieces 2^shift wide that a middle element's reach cuts.
-struct PiecesAround {
-  PiecesAround(std::int32_t position, std::int32_t reach, int shift)
+struct NearPieces {
+  NearPieces(std::int32_t position, std::int32_t reach, int shift)
       : first((position - reach) >> shift), last((position + reach) >> shift) {}
 
   std::int32_t first;
@@ -77,9 +77,9 @@ struct PiecesAround {
 /// The same for a middle element of the own layer, and all three layers: of adjacent rows in
 /// adjacent layers, each as long as the element's own reach.
 template <int Dim, class Test>
-void for_each_run_around(const LayerStack& layers, const FarElement& element, const Test& test) {
+void for_each_run_around(const ThreeLayers& layers, const FarSphere& element, const Test& test) {
   const auto reach = static_cast<std::int32_t>(own_reach(element.radius, layers.margin));
-  const PiecesAround columns(element.position[layers.row_axis], reach, layers.column_shift);
+  const NearPieces columns(element.position[layers.row_axis], reach, layers.column_shift);
   const std::int32_t begin = std::max(columns.first, 0) + std::int32_t{near_columns};
   const std::int32_t end = std::min(columns.last, static_cast<std::int32_t>(layers.columns) - 1) +
                            1 + std::int32_t{near_columns};
@@ -89,7 +89,7 @@ void for_each_run_around(const LayerStack& layers, const FarElement& element, co
     const std::uint32_t* const of_row = layers.own + (table + row * length);
     test(Run{of_row[begin], of_row[end]});
   };
-  const PiecesAround rows(element.position[layers.next_row_axis], reach, cell_bits);
+  const NearPieces rows(element.position[layers.next_row_axis], reach, cell_bits);
   const std::int32_t first_row = rows.first - layers.first_row + 1;
   const std::int32_t last_row = rows.last - layers.first_row + 1;
   if constexpr (Dim == 2) {
@@ -104,7 +104,7 @@ void for_each_run_around(const LayerStack& layers, const FarElement& element, co
       }
     }
   } else {
-    const PiecesAround cut(element.position[layers.layer_axis], reach, cell_bits);
+    const NearPieces cut(element.position[layers.layer_axis], reach, cell_bits);
     for (std::int32_t layer = cut.first; layer <= cut.last; ++layer) {
       const std::int32_t table = layer == layers.layer  ? 0
                                  : layer < layers.layer ? layers.to_below

@@ -101,7 +101,7 @@ struct LayerPair {
 
 /// Three adjacent layers, sorted as two are, of elements that each look for smaller ones. A run has
 /// `near_columns` in its reach.
-struct LayerStack : LayerPair {
+struct ThreeLayers : LayerPair {
   std::int32_t to_below;  ///< from the table of the own layer to that of the one below
   std::int32_t to_next;   ///< and of the one above
   int row_axis;           ///< along which rows go
@@ -115,7 +115,7 @@ struct LayerStack : LayerPair {
 };
 
 /// An element that looks for smaller ones and is not near, wherever it lies.
-struct FarElement {
+struct FarSphere {
   std::int32_t position[3];
   std::uint32_t number;
   float radius;              ///< in units
@@ -126,8 +126,8 @@ struct FarElement {
 
 /// Its slack bounds the error of a distance in units: positions are converted to single precision,
 /// which rounds those of distant ones (docs/derivations/layer_sizes.md).
-[[nodiscard]] inline FarElement far_element(const std::int32_t (&position)[3], std::uint32_t number,
-                                            float radius, float margin) noexcept {
+[[nodiscard]] inline FarSphere far_sphere(const std::int32_t (&position)[3], std::uint32_t number,
+                                          float radius, float margin) noexcept {
   const float slack = layer_slack + 0x1p-20f * own_reach(radius, margin);
   return {{position[0], position[1], position[2]},
           number,
@@ -155,10 +155,10 @@ struct LayerKernels {
 
   /// Tests each element of the own layer that is not far against the smaller ones in its own reach:
   /// those with a smaller radius in units, or the same and a lower number.
-  void (*search_near)(const LayerStack& layers, SearchJob& job, int dimensions);
+  void (*search_near)(const ThreeLayers& layers, SearchJob& job, int dimensions);
 
   /// Tests far elements, which may lie anywhere, against the smaller ones of the own layer.
-  void (*search_far)(const LayerStack& layers, const FarElement* far, std::size_t count,
+  void (*search_far)(const ThreeLayers& layers, const FarSphere* far, std::size_t count,
                      SearchJob& job, int dimensions);
 };
 

@@ -113,21 +113,21 @@ class ScalarLayerTester : ScalarTester {
 template <int Dim>
 class ScalarSmallerTester : ScalarTester {
  public:
-  ScalarSmallerTester(const LayerStack& layers, SearchJob& job)
+  ScalarSmallerTester(const ThreeLayers& layers, SearchJob& job)
       : ScalarTester(layers, job), layers_(layers) {}
 
   void search_near() {
-    for_each_element([&](const FarElement& element, std::uint32_t p, float reach) {
+    for_each_element([&](const FarSphere& element, std::uint32_t p, float reach) {
       if (reach < near_reach) search_near(element, {layers_, p, static_cast<std::int32_t>(reach)});
     });
-    for_each_element([&](const FarElement& element, std::uint32_t, float reach) {
+    for_each_element([&](const FarSphere& element, std::uint32_t, float reach) {
       if (reach < near_reach || !(reach < middle_reach)) return;
       for_each_run_around<Dim>(layers_, element, [&](const Run& run) { test_far(element, run); });
       take_now_and_then();
     });
   }
 
-  void search_far(const FarElement& far) {
+  void search_far(const FarSphere& far) {
     for_each_run<Dim>(layers_, layers_.own, layers_.layer, far,
                       [&](const Run& run) { test_far(far, run); });
     take_now_and_then();
@@ -145,7 +145,7 @@ class ScalarSmallerTester : ScalarTester {
     }
   }
 
-  void search_near(const FarElement& element, const NearRuns<Dim>& runs) {
+  void search_near(const FarSphere& element, const NearRuns<Dim>& runs) {
     for (std::size_t k = 0; k < NearRuns<Dim>::size; ++k) {
       const std::uint32_t* const first = layers_.own + runs.first[k];
       test_run(element, {first[0], first[runs.columns[k]]}, element.radius + layers_.nearest_margin,
@@ -154,11 +154,11 @@ class ScalarSmallerTester : ScalarTester {
     take_now_and_then();
   }
 
-  void test_far(const FarElement& element, const Run& run) {
+  void test_far(const FarSphere& element, const Run& run) {
     test_run(element, run, element.nearest, element.farthest);
   }
 
-  void test_run(const FarElement& from, const Run& run, float nearest, float farthest) {
+  void test_run(const FarSphere& from, const Run& run, float nearest, float farthest) {
     count(run);
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
       const float other = layers_.radius[q];
@@ -170,7 +170,7 @@ class ScalarSmallerTester : ScalarTester {
     }
   }
 
-  const LayerStack& layers_;
+  const ThreeLayers& layers_;
 };
 
 std::size_t scatter(const double*, std::size_t, int, const PositionMap&, std::uint32_t,
@@ -195,7 +195,7 @@ void search(const LayerPair& layers, SearchJob& job, int dimensions) {
   }
 }
 
-void search_near(const LayerStack& layers, SearchJob& job, int dimensions) {
+void search_near(const ThreeLayers& layers, SearchJob& job, int dimensions) {
   if (dimensions == 2) {
     ScalarSmallerTester<2>(layers, job).search_near();
   } else {
@@ -204,13 +204,13 @@ void search_near(const LayerStack& layers, SearchJob& job, int dimensions) {
 }
 
 template <int Dim>
-void search_far_in(const LayerStack& layers, const FarElement* far, std::size_t count,
+void search_far_in(const ThreeLayers& layers, const FarSphere* far, std::size_t count,
                    SearchJob& job) {
   ScalarSmallerTester<Dim> tester(layers, job);
   for (std::size_t k = 0; k < count; ++k) tester.search_far(far[k]);
 }
 
-void search_far(const LayerStack& layers, const FarElement* far, std::size_t count, SearchJob& job,
+void search_far(const ThreeLayers& layers, const FarSphere* far, std::size_t count, SearchJob& job,
                 int dimensions) {
   if (dimensions == 2) {
     search_far_in<2>(layers, far, count, job);

@@ -181,12 +181,12 @@ void search_layers(const LayerPair& layers, SearchJob& job, int dimensions) {
 }
 
 template <int Dim>
-void search_near_in(const LayerStack& layers, SearchJob& job) {
+void search_near_in(const ThreeLayers& layers, SearchJob& job) {
   SimdLayerTester<NearSearch<Dim>>(layers, job).search();
   SimdFarTester<Dim>(layers, job).search_middle();
 }
 
-void search_near(const LayerStack& layers, SearchJob& job, int dimensions) {
+void search_near(const ThreeLayers& layers, SearchJob& job, int dimensions) {
   if (dimensions == 2) {
     search_near_in<2>(layers, job);
   } else {
@@ -194,7 +194,7 @@ void search_near(const LayerStack& layers, SearchJob& job, int dimensions) {
   }
 }
 
-void search_far(const LayerStack& layers, const FarElement* far, std::size_t count, SearchJob& job,
+void search_far(const ThreeLayers& layers, const FarSphere* far, std::size_t count, SearchJob& job,
                 int dimensions) {
   if (dimensions == 2) {
     SimdFarTester<2>(layers, job).search(far, count);

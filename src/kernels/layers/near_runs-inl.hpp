@@ -14,7 +14,7 @@ template <int Dim>
 struct NearRuns {
   static constexpr std::size_t size = Dim == 2 ? 2 : 4;
 
-  NearRuns(const LayerStack& layers, std::uint32_t p, std::int32_t reach) {
+  NearRuns(const ThreeLayers& layers, std::uint32_t p, std::int32_t reach) {
     const auto length = static_cast<std::int32_t>(layers.row_length);
     const std::int32_t along_row = layers.position[layers.row_axis][p];
     const std::int32_t first_column = (along_row - reach) >> layers.column_shift;

@@ -4,7 +4,7 @@
 template <int Dim>
 class SimdFarTester {
  public:
-  HWY_INLINE SimdFarTester(const LayerStack& layers, SearchJob& job)
+  HWY_INLINE SimdFarTester(const ThreeLayers& layers, SearchJob& job)
       : layers_(layers), hits_(layers, job) {}
 
   /// The middle elements of the own layer, in all three layers.
@@ -22,7 +22,7 @@ class SimdFarTester {
   }
 
   /// Far elements in the own layer.
-  HWY_INLINE void search(const FarElement* far, std::size_t count) {
+  HWY_INLINE void search(const FarSphere* far, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
       for_each_run<Dim>(layers_, layers_.own, layers_.layer, far[k],
                         [&](const Run& run) { add(far[k], run); });
@@ -34,13 +34,13 @@ class SimdFarTester {
   using Probe = LayerProbe<Dim, SmallerReach>;
 
   /// A vector of candidates, or less, that an element is to meet.
-  struct Errand {
-    const FarElement* element;
+  struct RunJob {
+    const FarSphere* element;
     std::uint32_t begin;
     std::uint32_t size;
   };
   static constexpr auto vector_size = static_cast<std::uint32_t>(lanes);
-  static constexpr std::uint32_t most_errands = 256;
+  static constexpr std::uint32_t most_jobs = 256;
   static constexpr std::size_t most_middle = 32;
 
   [[nodiscard]] HWY_INLINE Bits middle_from(std::uint32_t p) const {
@@ -53,68 +53,68 @@ class SimdFarTester {
 
   HWY_INLINE void look_around(std::uint32_t p) {
     if (HWY_UNLIKELY(middle_count_ == most_middle)) {
-      run_errands();
+      run_jobs();
       middle_count_ = 0;
     }
-    FarElement& element = middle_[middle_count_++];
+    FarSphere& element = middle_[middle_count_++];
     element = element_at(layers_, p);
     for_each_run_around<Dim>(layers_, element, [&](const Run& run) { add(element, run); });
   }
 
   /// Most runs are no longer than two vectors. Empty ones are overwritten, without a branch.
-  HWY_INLINE void add(const FarElement& element, Run run) {
+  HWY_INLINE void add(const FarSphere& element, Run run) {
     hits_.count_tests(run.end - run.begin);
     while (HWY_UNLIKELY(run.end - run.begin > 2 * vector_size)) {
-      errands_[errand_count_++] = {&element, run.begin, vector_size};
+      jobs_[job_count_++] = {&element, run.begin, vector_size};
       run.begin += vector_size;
-      run_errands_if_full();
+      run_jobs_if_full();
     }
     const std::uint32_t size = run.end - run.begin;
-    errands_[errand_count_] = {&element, run.begin, std::min(size, vector_size)};
-    errand_count_ += size > 0 ? 1 : 0;
-    errands_[errand_count_] = {&element, run.begin + vector_size, size - vector_size};
-    errand_count_ += size > vector_size ? 1 : 0;
-    run_errands_if_full();
+    jobs_[job_count_] = {&element, run.begin, std::min(size, vector_size)};
+    job_count_ += size > 0 ? 1 : 0;
+    jobs_[job_count_] = {&element, run.begin + vector_size, size - vector_size};
+    job_count_ += size > vector_size ? 1 : 0;
+    run_jobs_if_full();
   }
 
-  HWY_INLINE void run_errands_if_full() {
-    if (HWY_UNLIKELY(errand_count_ > most_errands - 2)) run_errands();
+  HWY_INLINE void run_jobs_if_full() {
+    if (HWY_UNLIKELY(job_count_ > most_jobs - 2)) run_jobs();
   }
 
-  /// First which errands have hits, then the hits: two loops whose branches can be foreseen.
-  HWY_NOINLINE void run_errands() {
-    std::uint32_t with_hits[most_errands + 1];
+  /// First which jobs have hits, then the hits: two loops whose branches can be foreseen.
+  HWY_NOINLINE void run_jobs() {
+    std::uint32_t with_hits[most_jobs + 1];
     std::uint32_t count = 0;
-    for (std::uint32_t k = 0; k < errand_count_; ++k) {
+    for (std::uint32_t k = 0; k < job_count_; ++k) {
       with_hits[count] = k;
-      count += test(errands_[k]) != 0 ? 1 : 0;
+      count += test(jobs_[k]) != 0 ? 1 : 0;
     }
-    for (std::uint32_t k = 0; k < count; ++k) add_hits(errands_[with_hits[k]]);
-    errand_count_ = 0;
+    for (std::uint32_t k = 0; k < count; ++k) add_hits(jobs_[with_hits[k]]);
+    job_count_ = 0;
     hits_.take_now_and_then();
   }
 
   HWY_INLINE void finish() {
-    run_errands();
+    run_jobs();
     hits_.finish();
   }
 
-  [[nodiscard]] HWY_INLINE Bits test(const Errand& errand) const {
-    const SingleRun run({errand.begin, errand.begin + errand.size});
-    const Probe probe = probe_of(errand);
+  [[nodiscard]] HWY_INLINE Bits test(const RunJob& job) const {
+    const SingleRun run({job.begin, job.begin + job.size});
+    const Probe probe = probe_of(job);
     return hits_of(probe, run, probe.distance_squared(run, 0));
   }
 
-  HWY_INLINE void add_hits(const Errand& errand) {
-    const SingleRun run({errand.begin, errand.begin + errand.size});
-    const Probe probe = probe_of(errand);
+  HWY_INLINE void add_hits(const RunJob& job) {
+    const SingleRun run({job.begin, job.begin + job.size});
+    const Probe probe = probe_of(job);
     const Floats squares = probe.distance_squared(run, 0);
-    hits_.add(errand.element->number, 0, run, 0, hits_of(probe, run, squares),
+    hits_.add(job.element->number, 0, run, 0, hits_of(probe, run, squares),
               probe.is_sure(run, 0, squares));
   }
 
-  [[nodiscard]] HWY_INLINE Probe probe_of(const Errand& errand) const {
-    return {layers_, errand.element->position, SmallerReach(layers_, *errand.element)};
+  [[nodiscard]] HWY_INLINE Probe probe_of(const RunJob& job) const {
+    return {layers_, job.element->position, SmallerReach(layers_, *job.element)};
   }
 
   [[nodiscard]] static HWY_INLINE Bits hits_of(const Probe& probe, const SingleRun& run,
@@ -122,10 +122,10 @@ class SimdFarTester {
     return probe.hits(run, 0, squares) & lanes_before(run.size());
   }
 
-  const LayerStack& layers_;
+  const ThreeLayers& layers_;
   LayerHits hits_;
-  std::uint32_t errand_count_ = 0;
+  std::uint32_t job_count_ = 0;
   std::size_t middle_count_ = 0;
-  FarElement middle_[most_middle];
-  Errand errands_[most_errands];
+  FarSphere middle_[most_middle];
+  RunJob jobs_[most_jobs];
 };

@@ -63,12 +63,12 @@ class SmallerReach : public SummedReach {
  public:
   static constexpr bool counts_all = false;
 
-  HWY_INLINE SmallerReach(const LayerStack& layers, std::uint32_t p)
+  HWY_INLINE SmallerReach(const ThreeLayers& layers, std::uint32_t p)
       : SummedReach(layers, p), layers_(layers) {
     set_size(layers.radius[p], layers.number[p]);
   }
 
-  HWY_INLINE SmallerReach(const LayerStack& layers, const FarElement& far)
+  HWY_INLINE SmallerReach(const ThreeLayers& layers, const FarSphere& far)
       : SummedReach(layers, far.nearest, far.farthest), layers_(layers) {
     set_size(far.radius, far.number);
   }
@@ -88,7 +88,7 @@ class SmallerReach : public SummedReach {
     number_ = hn::Set(integers, static_cast<std::int32_t>(number));
   }
 
-  const LayerStack& layers_;
+  const ThreeLayers& layers_;
   Integers size_;
   Integers number_;
 };

@@ -2,11 +2,11 @@
 // simd_joined_runs-inl.hpp.
 
 /// Elements that meet what is ahead of them: in their own layer and the next one.
-template <int Dim, class ItsReach>
+template <int Dim, class SphereReach>
 class AheadSearch {
  public:
   using Layers = LayerPair;
-  using Probe = LayerProbe<Dim, ItsReach>;
+  using Probe = LayerProbe<Dim, SphereReach>;
   using Row = RunsOfRow<Dim>;
   static constexpr std::size_t runs = Row::size;
   /// Tells whether it cannot be foreseen which elements have hits, so that they are listed.
@@ -23,9 +23,9 @@ class AheadSearch {
       return elements_.begin + k;
     }
 
-    class Runs {
+    class RunsAhead {
      public:
-      HWY_INLINE Runs(const Row& row, std::uint32_t p, std::uint32_t column)
+      HWY_INLINE RunsAhead(const Row& row, std::uint32_t p, std::uint32_t column)
           : row_(row), p_(p), column_(column) {}
       template <std::size_t k>
       [[nodiscard]] HWY_INLINE Run run() const {
@@ -37,7 +37,7 @@ class AheadSearch {
       std::uint32_t p_;
       std::uint32_t column_;
     };
-    [[nodiscard]] HWY_INLINE Runs runs_of(std::uint32_t k) const {
+    [[nodiscard]] HWY_INLINE RunsAhead runs_of(std::uint32_t k) const {
       return {row_, place(k), layers_.column[place(k)]};
     }
 
@@ -52,7 +52,7 @@ class AheadSearch {
 template <int Dim>
 class NearSearch {
  public:
-  using Layers = LayerStack;
+  using Layers = ThreeLayers;
   using Probe = LayerProbe<Dim, SmallerReach>;
   using Row = ElementsOfRow;
   static constexpr std::size_t runs = NearBatch<Dim>::runs;
@@ -60,7 +60,7 @@ class NearSearch {
 
   class Batch : public NearBatch<Dim> {
    public:
-    HWY_INLINE Batch(const LayerStack& layers, const Row&, const Run& elements)
+    HWY_INLINE Batch(const ThreeLayers& layers, const Row&, const Run& elements)
         : NearBatch<Dim>(layers, elements) {}
   };
 };
@@ -154,7 +154,7 @@ class SimdLayerTester {
                          std::uint64_t& tests) const {
     const auto runs = elements.runs_of(k);
     Probe probe = Probe::at(layers_, elements.place(k));
-    Filtered all;
+    VectorHits all;
     filter_vector<0>(probe, runs, number, all);
     if constexpr (vectors > 1) filter_vector<1>(probe, runs, number, all);
     if constexpr (vectors > 2) filter_vector<2>(probe, runs, number, all);
@@ -165,7 +165,7 @@ class SimdLayerTester {
   }
 
   /// What the vectors of an element have come to.
-  struct Filtered {
+  struct VectorHits {
     Bits hits = 0;
     std::uint32_t size = 0;
     std::uint32_t excess = 0;  ///< 2 candidates or more where one of them has too many
@@ -173,7 +173,7 @@ class SimdLayerTester {
 
   template <std::size_t v, class Runs>
   static HWY_INLINE void filter_vector(Probe& probe, const Runs& runs, std::uint32_t* number,
-                                       Filtered& all) {
+                                       VectorHits& all) {
     const auto lanes_of = [&](const auto& joined) {
       all.hits |= probe.test(joined, number + v * candidates) << (v * candidates);
       all.size += joined.size();

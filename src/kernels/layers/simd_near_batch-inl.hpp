@@ -8,7 +8,7 @@ class NearBatch {
   static constexpr std::uint32_t most = 64;
 
   /// The near elements among those of a row, `most` or fewer.
-  HWY_INLINE NearBatch(const LayerStack& layers, const Run& elements)
+  HWY_INLINE NearBatch(const ThreeLayers& layers, const Run& elements)
       : table_(layers.own), begin_(elements.begin) {
     const std::uint32_t count = elements.end - elements.begin;
     for (std::uint32_t k = 0; k < count; k += lanes) set_up(layers, k, count - k);
@@ -17,9 +17,9 @@ class NearBatch {
   [[nodiscard]] HWY_INLINE std::uint32_t size() const { return size_; }
   [[nodiscard]] HWY_INLINE std::uint32_t place(std::uint32_t k) const { return begin_ + list_[k]; }
 
-  class Runs {
+  class RunsAt {
    public:
-    HWY_INLINE Runs(const NearBatch& batch, std::uint32_t at) : batch_(batch), at_(at) {}
+    HWY_INLINE RunsAt(const NearBatch& batch, std::uint32_t at) : batch_(batch), at_(at) {}
     template <std::size_t k>
     [[nodiscard]] HWY_INLINE Run run() const {
       const std::uint32_t* const first = batch_.table_ + batch_.first_[k][at_];
@@ -30,10 +30,10 @@ class NearBatch {
     const NearBatch& batch_;
     std::uint32_t at_;
   };
-  [[nodiscard]] HWY_INLINE Runs runs_of(std::uint32_t k) const { return {*this, list_[k]}; }
+  [[nodiscard]] HWY_INLINE RunsAt runs_of(std::uint32_t k) const { return {*this, list_[k]}; }
 
  private:
-  HWY_INLINE void set_up(const LayerStack& layers, std::uint32_t k, std::uint32_t left) {
+  HWY_INLINE void set_up(const ThreeLayers& layers, std::uint32_t k, std::uint32_t left) {
     const std::uint32_t p = begin_ + k;
     const Floats radius = hn::LoadU(floats, layers.radius + p);
     const Floats reach = hn::Add(hn::Add(radius, radius), hn::Set(floats, layers.margin + 8.0f));
@@ -67,7 +67,7 @@ class NearBatch {
     }
   }
 
-  HWY_INLINE void cross_strips(const LayerStack& layers, std::uint32_t k, Integers row) {
+  HWY_INLINE void cross_strips(const ThreeLayers& layers, std::uint32_t k, Integers row) {
     const auto rows = static_cast<std::int32_t>(layers.rows);
     const std::int32_t strip = rows * static_cast<std::int32_t>(layers.row_length);
     const auto move_where = [&](std::size_t run, hn::Mask<IntegerTag> where, std::int32_t by) {
@@ -79,7 +79,7 @@ class NearBatch {
     move_where(1, hn::Eq(row, hn::Set(integers, rows - 1)), layers.to_next - strip);
   }
 
-  HWY_INLINE void set_up_other_layer(const LayerStack& layers, std::uint32_t k,
+  HWY_INLINE void set_up_other_layer(const ThreeLayers& layers, std::uint32_t k,
                                      Integers across_layers, Integers half) {
     const Integers first_layer = hn::ShiftRight<cell_bits>(hn::Sub(across_layers, half));
     const Integers last_layer = hn::ShiftRight<cell_bits>(hn::Add(across_layers, half));

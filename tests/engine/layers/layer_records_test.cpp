@@ -73,7 +73,7 @@ class LayerRecordsOf : public ::testing::Test {
 
   base::MemoryMeter memory_;
   engine::LayerRecords<its_dim> records_{memory_};
-  engine::FarElements<its_dim> far_{memory_};
+  engine::FarSpheres<its_dim> far_{memory_};
   Random random_{static_cast<std::uint64_t>(31 + its_dim)};
 };
 

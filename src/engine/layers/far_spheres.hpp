@@ -15,9 +15,9 @@ namespace abut::engine {
 /// The far elements, sorted by the first layer in which they look, and there in the order of their
 /// numbers. It keeps its memory from search to search.
 template <int Dim>
-class FarElements {
+class FarSpheres {
  public:
-  explicit FarElements(base::MemoryMeter& memory)
+  explicit FarSpheres(base::MemoryMeter& memory)
       : memory_(memory), elements_(empty(memory)), cursors_(memory) {}
 
   /// Before any is noted.
@@ -31,18 +31,18 @@ class FarElements {
   void sort(const LayerGrid<Dim>& grid);
 
   /// Those that look in layer k, but not in the one before it.
-  [[nodiscard]] std::span<const kernels::FarElement> from(std::size_t k) const noexcept {
+  [[nodiscard]] std::span<const kernels::FarSphere> from(std::size_t k) const noexcept {
     return std::span(elements_).subspan(cursors_.begin(k), cursors_.size(k));
   }
   /// Those that look in a layer before k.
-  [[nodiscard]] std::span<const kernels::FarElement> from_before(std::size_t k) const noexcept {
+  [[nodiscard]] std::span<const kernels::FarSphere> from_before(std::size_t k) const noexcept {
     return std::span(elements_).first(cursors_.begin(k));
   }
 
  private:
-  using List = base::Array<kernels::FarElement>;
+  using List = base::Array<kernels::FarSphere>;
   [[nodiscard]] static List empty(base::MemoryMeter& memory) {
-    return base::make_array_for_overwrite<kernels::FarElement>(memory, 0);
+    return base::make_array_for_overwrite<kernels::FarSphere>(memory, 0);
   }
 
   base::MemoryMeter& memory_;
@@ -53,23 +53,23 @@ class FarElements {
 
 /// The far elements that look in a layer, while one worker goes from layer to layer.
 template <int Dim>
-class FarElementsInReach {
+class FarSpheresInReach {
  public:
-  explicit FarElementsInReach(base::MemoryMeter& memory);
+  explicit FarSpheresInReach(base::MemoryMeter& memory);
 
   /// Those of layer k, whatever layer was before.
-  void start(const FarElements<Dim>& all, std::size_t k);
+  void start(const FarSpheres<Dim>& all, std::size_t k);
   /// Those of layer k, after those of layer k - 1.
-  void advance(const FarElements<Dim>& all, std::size_t k);
+  void advance(const FarSpheres<Dim>& all, std::size_t k);
 
-  [[nodiscard]] std::span<const kernels::FarElement> elements() const noexcept {
+  [[nodiscard]] std::span<const kernels::FarSphere> elements() const noexcept {
     return std::span(elements_);
   }
 
  private:
-  void append(std::span<const kernels::FarElement> elements, std::size_t k);
+  void append(std::span<const kernels::FarSphere> elements, std::size_t k);
 
-  base::Array<kernels::FarElement> elements_;
+  base::Array<kernels::FarSphere> elements_;
 };
 
 }  // namespace abut::engine

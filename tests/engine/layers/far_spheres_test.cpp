@@ -1,7 +1,7 @@
 // Far elements, from layer to layer: those whose own reach meets a layer, from any number of
 // workers and from any first layer in the same order.
 
-#include "engine/layers/far_elements.hpp"
+#include "engine/layers/far_spheres.hpp"
 
 #include "base/memory_meter.hpp"
 #include "engine/layers/layer_scenes.hpp"
@@ -21,7 +21,7 @@ namespace abut::testing {
 namespace {
 
 template <class Dimension>
-class FarElementsOf : public ::testing::Test {
+class FarSpheresOf : public ::testing::Test {
  protected:
   static constexpr int its_dim = Dimension::value;
   using Grid = engine::LayerGrid<its_dim>;
@@ -35,7 +35,7 @@ class FarElementsOf : public ::testing::Test {
     return Grid::of_cells(bounds_of<its_dim>(spheres_), 0.1, 1.5, spheres_.size()).value();
   }
 
-  void sort(engine::FarElements<its_dim>& far, std::size_t workers) {
+  void sort(engine::FarSpheres<its_dim>& far, std::size_t workers) {
     const Grid layers = grid();
     far.start(workers);
     for (std::size_t w = 0; w < workers; ++w) {
@@ -48,7 +48,7 @@ class FarElementsOf : public ::testing::Test {
     far.sort(layers);
   }
 
-  static std::vector<std::uint32_t> numbers(std::span<const kernels::FarElement> far) {
+  static std::vector<std::uint32_t> numbers(std::span<const kernels::FarSphere> far) {
     std::vector<std::uint32_t> all;
     for (const auto& one : far) all.push_back(one.number);
     return all;
@@ -59,14 +59,14 @@ class FarElementsOf : public ::testing::Test {
   base::MemoryMeter memory_;
 };
 
-TYPED_TEST_SUITE(FarElementsOf, Dimensions);
+TYPED_TEST_SUITE(FarSpheresOf, Dimensions);
 
-TYPED_TEST(FarElementsOf, ALayerHasThoseWhoseReachMeetsIt) {
+TYPED_TEST(FarSpheresOf, ALayerHasThoseWhoseReachMeetsIt) {
   constexpr int dim = TypeParam::value;
   const auto grid = this->grid();
-  engine::FarElements<dim> far(this->memory_);
+  engine::FarSpheres<dim> far(this->memory_);
   this->sort(far, 1);
-  engine::FarElementsInReach<dim> in_reach(this->memory_);
+  engine::FarSpheresInReach<dim> in_reach(this->memory_);
   const std::size_t axis = static_cast<std::size_t>(grid.map().layer_axis);
   const double lower = grid.map().lower[axis];
   const double layer_width = std::ldexp(1.0, grid.map().layer_shift) / grid.map().units_of_one;
@@ -88,31 +88,31 @@ TYPED_TEST(FarElementsOf, ALayerHasThoseWhoseReachMeetsIt) {
   EXPECT_GT(found, 1000U);
 }
 
-TYPED_TEST(FarElementsOf, TheOrderDependsOnNeitherWorkersNorTheFirstLayer) {
+TYPED_TEST(FarSpheresOf, TheOrderDependsOnNeitherWorkersNorTheFirstLayer) {
   constexpr int dim = TypeParam::value;
-  engine::FarElements<dim> far(this->memory_);
+  engine::FarSpheres<dim> far(this->memory_);
   this->sort(far, 1);
-  engine::FarElementsInReach<dim> advanced(this->memory_);
+  engine::FarSpheresInReach<dim> advanced(this->memory_);
   advanced.start(far, 0);
   for (std::uint32_t k = 0; k < this->grid().layer_count(); ++k) {
     if (k > 0) advanced.advance(far, k);
-    engine::FarElementsInReach<dim> started(this->memory_);
+    engine::FarSpheresInReach<dim> started(this->memory_);
     started.start(far, k);
     EXPECT_EQ(this->numbers(advanced.elements()), this->numbers(started.elements()));
     for (const std::size_t workers : {2U, 3U, 7U}) {
-      engine::FarElements<dim> others(this->memory_);
+      engine::FarSpheres<dim> others(this->memory_);
       this->sort(others, workers);
       EXPECT_EQ(this->numbers(far.from(k)), this->numbers(others.from(k)));
     }
   }
 }
 
-TYPED_TEST(FarElementsOf, NoneWhereAllAreSmall) {
+TYPED_TEST(FarSpheresOf, NoneWhereAllAreSmall) {
   constexpr int dim = TypeParam::value;
   for (auto& sphere : this->spheres_) sphere.radius *= 0.01;
-  engine::FarElements<dim> far(this->memory_);
+  engine::FarSpheres<dim> far(this->memory_);
   this->sort(far, 2);
-  engine::FarElementsInReach<dim> in_reach(this->memory_);
+  engine::FarSpheresInReach<dim> in_reach(this->memory_);
   for (std::uint32_t k = 0; k < this->grid().layer_count(); ++k) {
     in_reach.start(far, k);
     EXPECT_TRUE(in_reach.elements().empty());

@@ -1,0 +1,73 @@
+#include "engine/layers/far_spheres.hpp"
+
+#include <cstdint>
+
+namespace abut::engine {
+
+template <int Dim>
+void FarSpheres<Dim>::start(std::size_t workers) {
+  while (noted_.size() < workers) noted_.push_back(empty(memory_));
+  for (List& list : noted_) list.clear();
+}
+
+template <int Dim>
+void FarSpheres<Dim>::note(std::span<const exact::Sphere<Dim>> spheres, const LayerGrid<Dim>& grid,
+                           std::size_t begin, std::size_t end, std::size_t worker) {
+  List& list = noted_[worker];
+  for (std::size_t k = begin; k < end; ++k) {
+    const float radius = grid.units_of(spheres[k].radius);
+    if (!grid.is_far(radius)) continue;
+    list.push_back(grid.far_sphere(grid.record(spheres[k], static_cast<std::uint32_t>(k)), radius));
+  }
+}
+
+template <int Dim>
+void FarSpheres<Dim>::sort(const LayerGrid<Dim>& grid) {
+  cursors_.start(grid.layer_count(), 1);
+  std::uint64_t* const cursors = cursors_.of(0);
+  for (List& list : noted_) {
+    for (kernels::FarSphere& far : list) {
+      const auto layers = grid.layers_around(far);
+      far.last_layer = layers.last;
+      ++cursors[layers.first];
+    }
+  }
+  cursors_.lay_out();
+  base::make_room(elements_, cursors_.total());
+  for (const List& list : noted_) {
+    for (const kernels::FarSphere& far : list) {
+      elements_[cursors[grid.layers_around(far).first]++] = far;
+    }
+  }
+}
+
+template <int Dim>
+FarSpheresInReach<Dim>::FarSpheresInReach(base::MemoryMeter& memory)
+    : elements_(base::make_array_for_overwrite<kernels::FarSphere>(memory, 0)) {}
+
+template <int Dim>
+void FarSpheresInReach<Dim>::start(const FarSpheres<Dim>& all, std::size_t k) {
+  elements_.clear();
+  append(all.from_before(k), k);
+  append(all.from(k), k);
+}
+
+template <int Dim>
+void FarSpheresInReach<Dim>::advance(const FarSpheres<Dim>& all, std::size_t k) {
+  std::erase_if(elements_, [&](const kernels::FarSphere& far) { return far.last_layer < k; });
+  append(all.from(k), k);
+}
+
+template <int Dim>
+void FarSpheresInReach<Dim>::append(std::span<const kernels::FarSphere> elements, std::size_t k) {
+  for (const kernels::FarSphere& far : elements) {
+    if (far.last_layer >= k) elements_.push_back(far);
+  }
+}
+
+template class FarSpheres<2>;
+template class FarSpheres<3>;
+template class FarSpheresInReach<2>;
+template class FarSpheresInReach<3>;
+
+}  // namespace abut::engine

@@ -41,6 +41,11 @@ class CandidateLayout {
   [[nodiscard]] const ElementIndex* elements() const noexcept {
     return follows_space_ ? nullptr : elements_.data();
   }
+  /// The slot of each element, at least slot_count() where it has none; null where slots are
+  /// elements.
+  [[nodiscard]] const std::uint32_t* slots_of_elements() const noexcept {
+    return follows_space_ ? nullptr : slot_of_.data();
+  }
   [[nodiscard]] ContactPair pair_of(const SlotPair& slots) const noexcept {
     if (follows_space_) return {slots.first, slots.second};
     return {elements_[slots.first], elements_[slots.second]};

@@ -200,7 +200,7 @@ void CandidatePairs<Dim>::fill_slots(const ElementsNow<Dim>& now,
 template <int Dim>
 double CandidatePairs<Dim>::fill_slots_with(const ElementView& given, const CallNow& now,
                                             const DisplacementTracker<Dim>& then, double allowed) {
-  if (!layout_.follows_space() || !then.anchored_in_open_space(given.size(), now.domain) ||
+  if (!then.anchored_in_open_space(given.size(), now.domain) ||
       left_undecided_ > size_ / candidates_for_an_undecided) {
     return std::numeric_limits<double>::infinity();
   }
@@ -209,8 +209,12 @@ double CandidatePairs<Dim>::fill_slots_with(const ElementView& given, const Call
   quanta_ = Quanta<Dim>(anchors.largest_half_width() + 3.0 * radius_and_more + now.margin,
                         anchors.middle());
   base::make_room(slots_, layout_.slot_count());
-  return follow<Dim>({given, then.anchors(), quanta_, {slots_.data(), layout_.slot_count()}}, now,
-                     allowed);
+  return follow<Dim>({given,
+                      then.anchors(),
+                      quanta_,
+                      {slots_.data(), layout_.slot_count()},
+                      layout_.slots_of_elements()},
+                     now, allowed);
 }
 
 /// Tests candidates whose order is canonical, and writes those that are contact pairs at once.
@@ -254,17 +258,20 @@ void CandidatePairs<Dim>::test(const CandidateFilter<Dim>& test, std::size_t wor
   const std::size_t units = (words + words_of_unit - 1) / words_of_unit;
   base::make_room(survivors_, words);
   std::atomic<std::uint64_t> exact_decisions = 0;
+  std::atomic<std::uint64_t> left_undecided = 0;
   const auto test_unit = [&](std::size_t, std::size_t unit, base::WorkCounter& work) {
     UndecidedCounts undecided;
     const std::size_t first = unit * words_of_unit;
     const std::size_t count = std::min(words_of_unit, words - first);
     test.run(first, std::span(survivors_).subspan(first, count), slots_.data(), undecided);
     exact_decisions += undecided.by_doubles;
+    left_undecided += undecided.by_quanta;
     work.did(candidates_of_word * count + steps_of_exact_decision * undecided.by_doubles);
   };
   base::for_each_index(workers, units, context.work, test_unit);
   context.candidate_tests += size_;
   context.exact_decisions += exact_decisions;
+  left_undecided_ = left_undecided;
 }
 
 /// shift_at(k) is the image shift of candidate k in canonical order.

@@ -62,8 +62,8 @@ class CandidatePairs {
 
   /// Brings elements into slots as they are read, and tells how much closer two of them may have
   /// come; infinity, and no slots, where that exceeds `allowed`, an element is invalid, or slots
-  /// are not to be filled so: only where numbers follow open space, and few candidates were
-  /// undecided in the call before.
+  /// are not to be filled so: only in open space, and where few candidates were undecided in the
+  /// call before.
   [[nodiscard]] double fill_slots_with(const ElementView& given, const CallNow& now,
                                        const DisplacementTracker<Dim>& then, double allowed);
 
@@ -87,7 +87,7 @@ class CandidatePairs {
   lists::FoundPairs found_;
   bool periodic_ = false;
   PairCount size_ = 0;
-  std::uint64_t left_undecided_ = 0;  ///< candidates in order, in the last call
+  std::uint64_t left_undecided_ = 0;  ///< candidates, in the last call
   CandidateLayout layout_;
   base::Array<ShiftNumber> found_shifts_;      ///< only while candidates are put in order
   base::Array<kernels::QuantumSphere> slots_;  ///< elements as they are placed now

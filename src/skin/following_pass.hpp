@@ -7,18 +7,20 @@
 
 #include <abut/element_view.hpp>
 
+#include <cstdint>
 #include <span>
 
 namespace abut::skin {
 
-/// Spheres of an open domain as the caller gives them, their anchors, and the slots of which each
-/// is the sphere of the same number.
+/// Spheres of an open domain as the caller gives them, their anchors, and the slots they go to.
 template <int Dim>
 struct FollowedElements {
   const ElementView& given;
   std::span<const exact::Sphere<Dim>> anchors;
   const Quanta<Dim>& quanta;
   std::span<kernels::QuantumSphere> slots;
+  const std::uint32_t*
+      slot_of;  ///< of each sphere, not in `slots` where it has none; null: its own
 };
 
 /// Reads the spheres once, and while they are in the cache measures how far each is from its anchor

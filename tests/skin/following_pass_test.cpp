@@ -14,13 +14,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace abut::testing {
@@ -119,7 +123,7 @@ void expect_the_same(std::size_t count, double growth) {
         const skin::CallNow call{domain, 0.0, workers, simd, work};
         std::vector<kernels::QuantumSphere> slots(count);
         const auto follow = [&](double allowed) {
-          return skin::follow<Dim>({given, then, quanta, slots}, call, allowed);
+          return skin::follow<Dim>({given, then, quanta, slots, nullptr}, call, allowed);
         };
         ASSERT_EQ(follow(1.0), approach) << name_of(simd);
         for (std::size_t k = 0; k < count; ++k) {
@@ -143,6 +147,53 @@ TEST(FollowingPass, TellsWhatTheTrackerTells) {
       expect_the_same<2>(count, growth);
       expect_the_same<3>(count, growth);
       if (::testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+/// A slot for most elements, in any order; the others have none.
+std::vector<std::uint32_t> slots_anywhere(std::size_t count, std::size_t& slot_count,
+                                          scenes::Random& random) {
+  std::vector<std::uint32_t> slot_of(count, std::numeric_limits<std::uint32_t>::max());
+  slot_count = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (random.below(8) > 0) slot_of[k] = static_cast<std::uint32_t>(slot_count++);
+  }
+  for (std::size_t k = count; k > 1; --k) std::swap(slot_of[k - 1], slot_of[random.below(k)]);
+  return slot_of;
+}
+
+/// Whatever stood in the slots; behind the last one nothing is written.
+TEST(FollowingPass, FillsSlotsAnywhere) {
+  base::ProgressReporter progress;
+  base::WorkCounter work(progress, 0);
+  const Domain domain = Domain::open();
+  for (const std::size_t count : {1u, 63u, 512u, 513u, 2000u}) {
+    scenes::Random random(count);
+    const Spheres<3> then = spheres_somewhere<3>(count, random);
+    Spheres<3> now = then;
+    move(0.01, now, random);
+    const Columns<3> columns(now);
+    const auto quanta = some_quanta<3>();
+    std::size_t slot_count = 0;
+    const std::vector<std::uint32_t> slot_of = slots_anywhere(count, slot_count, random);
+    for (const Simd simd : simd_levels()) {
+      if (!available(simd)) continue;
+      for (const std::size_t workers : {1u, 3u}) {
+        const skin::CallNow call{domain, 0.0, workers, simd, work};
+        std::vector<kernels::QuantumSphere> slots(slot_count + 1, {{-1, -1, -1}, -1});
+        const std::span used = std::span(slots).first(slot_count);
+        const double approach =
+            skin::follow<3>({columns.view(), then, quanta, used, slot_of.data()}, call, infinite);
+        EXPECT_EQ(approach, approach_of<3>(then, now, work));
+        for (std::size_t k = 0; k < count; ++k) {
+          if (slot_of[k] >= slot_count) continue;
+          const kernels::QuantumSphere expected = quanta.of(now[k]), found = slots[slot_of[k]];
+          ASSERT_TRUE(std::ranges::equal(found.center, expected.center)) << k;
+          ASSERT_EQ(found.radius, expected.radius) << k;
+        }
+        EXPECT_EQ(slots.back().radius, -1);
+      }
     }
   }
 }
@@ -175,7 +226,8 @@ TEST(FollowingPass, LeavesWhatIsStrangeToOthers) {
         const Columns<3> columns(now);
         const auto quanta = some_quanta<3>();
         const double most = std::numeric_limits<double>::max();
-        ASSERT_EQ(skin::follow<3>({columns.view(), then, quanta, slots}, call, most), infinite);
+        ASSERT_EQ(skin::follow<3>({columns.view(), then, quanta, slots, nullptr}, call, most),
+                  infinite);
       }
     }
   }

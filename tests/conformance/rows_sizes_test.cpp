@@ -62,7 +62,7 @@ void check(const Scene& scene, const Domain& domain) {
   }
   // Cells of the largest reach, and a division by size, take more tests, for ghosts, too.
   const Statistics statistics = count_contact_pairs(view_of(scene), domain, options);
-  EXPECT_LT(statistics.candidate_tests, 25 * count);
+  EXPECT_LT(statistics.candidate_tests, 40 * count);
 }
 
 TEST(RowsSizes, Block) {

@@ -43,6 +43,7 @@ ROOMS_BELOW = {
     "device": "base exact grid lattice elements device/bodies",
     "device/copies": "base device",
     "device/cuda": "base exact device/bodies device",
+    "device/host": "base device",
 }
 CORE = {"include/abut": set()} | {
     f"src/{room}": {"include/abut"} | {f"src/{other}" for other in below.split()}

@@ -2,7 +2,7 @@
 
 #include "device/frame.hpp"
 
-#include "device/host_executor.hpp"
+#include "device/host/host_executor.hpp"
 #include "device/levels.hpp"
 
 #include "device/axis_stretches.hpp"

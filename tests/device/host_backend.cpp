@@ -6,7 +6,7 @@
 #include "device/backend.hpp"
 #include "device/bodies/decide_images.hpp"
 #include "device/columns_of.hpp"
-#include "device/host_executor.hpp"
+#include "device/host/host_executor.hpp"
 #include "device/kept_memory.hpp"
 #include "device/periodic_pipeline.hpp"
 #include "device/pipeline.hpp"

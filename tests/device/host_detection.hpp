@@ -1,7 +1,7 @@
 #pragma once
 
 #include "device/device_request.hpp"
-#include "device/host_executor.hpp"
+#include "device/host/host_executor.hpp"
 #include "support/oracle.hpp"
 
 #include <abut/domain.hpp>

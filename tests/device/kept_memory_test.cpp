@@ -3,7 +3,7 @@
 #include "device/kept_memory.hpp"
 
 #include "device/block_places.hpp"
-#include "device/host_executor.hpp"
+#include "device/host/host_executor.hpp"
 
 #include "scenes/random.hpp"
 #include "support/error_expectations.hpp"

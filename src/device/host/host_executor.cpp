@@ -1,4 +1,4 @@
-#include "device/host_executor.hpp"
+#include "device/host/host_executor.hpp"
 
 #include "base/page_memory.hpp"
 

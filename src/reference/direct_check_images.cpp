@@ -11,8 +11,8 @@
 #include "base/opposite_shift.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/image_decider.hpp"
+#include "lattice/image_window.hpp"
 #include "lattice/reduced_lattice.hpp"
-#include "reference/image_window.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -40,12 +40,12 @@ class Checker {
 
   void check(std::size_t i, std::size_t j) {
     count_step();
-    ImageWindow window = window_of(i, j);
+    lattice::ImageWindow window = window_of(i, j);
     if (window.is_empty()) return;
     lattice::require_narrow_window(window.farthest());
     const lattice::ImageNumbers middle = window.middle();
     if (i == j) window.first[0] = 0;
-    for_each_image(window, middle, [&](const lattice::ImageNumbers& numbers) {
+    lattice::for_each_image(window, middle, [&](const lattice::ImageNumbers& numbers) {
       count_step();
       // Of (i, i, n) and (i, i, -n) one is a pair: look at one of them, name the positive one.
       if (i == j && numbers <= lattice::ImageNumbers{}) return;
@@ -65,7 +65,7 @@ class Checker {
     if (++steps_ % steps_between_polls == 0) context_.progress.poll();
   }
 
-  [[nodiscard]] ImageWindow window_of(std::size_t i, std::size_t j) const noexcept {
+  [[nodiscard]] lattice::ImageWindow window_of(std::size_t i, std::size_t j) const noexcept {
     const auto& [spheres, boxes] = elements_;
     return elements_.are_boxes() ? windows_.of(boxes[i], boxes[j], margin_)
                                  : windows_.of(spheres[i], spheres[j], margin_);
@@ -73,7 +73,7 @@ class Checker {
 
   exact::Elements<Dim> elements_;
   lattice::ReducedLattice<Dim> reduced_;
-  ImageWindows<Dim> windows_;
+  lattice::ImageWindows<Dim> windows_;
   lattice::ImageDecider<Dim> decider_;
   double margin_;
   base::ImagePairWriter& pairs_;

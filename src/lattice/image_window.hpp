@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/host_device.hpp"
 #include "exact/box.hpp"
 #include "exact/sphere.hpp"
 #include "lattice/reduced_lattice.hpp"
@@ -10,28 +11,28 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace abut::reference {
+namespace abut::lattice {
 
 /// The numbers of basis vectors that may bring an image within reach: a block of whole numbers,
 /// ends included; (0, 0, 0) alone where nothing is periodic.
 struct ImageWindow {
-  lattice::ImageNumbers first{};
-  lattice::ImageNumbers last{};
+  ImageNumbers first{};
+  ImageNumbers last{};
 
-  [[nodiscard]] bool is_empty() const noexcept {
+  [[nodiscard]] ABUT_HD bool is_empty() const noexcept {
     return first[0] > last[0] || first[1] > last[1] || first[2] > last[2];
   }
 
   /// The largest of the numbers, by magnitude.
-  [[nodiscard]] double farthest() const noexcept {
+  [[nodiscard]] ABUT_HD double farthest() const noexcept {
     std::int64_t result = 0;
     for (std::size_t k = 0; k < 3; ++k) result = std::max({result, -first[k], last[k]});
     return static_cast<double>(result);
   }
 
   /// The numbers half way between the ends.
-  [[nodiscard]] lattice::ImageNumbers middle() const noexcept {
-    lattice::ImageNumbers result{};
+  [[nodiscard]] ImageNumbers middle() const noexcept {
+    ImageNumbers result{};
     for (std::size_t k = 0; k < 3; ++k) result[k] = first[k] + (last[k] - first[k]) / 2;
     return result;
   }
@@ -48,21 +49,22 @@ void for_each_number(const ImageWindow& window, std::size_t k, std::int64_t star
 /// the middle of the window they were looked for in; its corners, which hold none, may be larger
 /// than anyone can wait for. From the middle on, a limit to the number of pairs ends it at once.
 template <class Body>
-void for_each_image(const ImageWindow& window, const lattice::ImageNumbers& start, Body&& body) {
+void for_each_image(const ImageWindow& window, const ImageNumbers& start, Body&& body) {
   for_each_number(window, 0, start[0], [&](std::int64_t m0) {
     for_each_number(window, 1, start[1], [&](std::int64_t m1) {
       for_each_number(window, 2, start[2], [&](std::int64_t m2) {
-        body(lattice::ImageNumbers{m0, m1, m2});
+        body(ImageNumbers{m0, m1, m2});
       });
     });
   });
 }
 
 /// Farther out than any image shift can be; windows end there.
-constexpr double farthest_number = 0x1p40;
+inline constexpr double farthest_number = 0x1p40;
 
-[[nodiscard]] inline double cut(double number) noexcept {
-  return number >= -farthest_number ? std::min(number, farthest_number) : -farthest_number;
+[[nodiscard]] ABUT_HD inline double cut(double number) noexcept {
+  if (!(number >= -farthest_number)) return -farthest_number;
+  return number < farthest_number ? number : farthest_number;
 }
 
 // WHY NO IMAGE IS MISSED. Let d be the difference of the centers, g_k the dual vectors as computed,
@@ -91,11 +93,13 @@ constexpr double farthest_number = 0x1p40;
 template <int Dim>
 class ImageWindows {
  public:
-  /// `lattice` must live on.
-  explicit ImageWindows(const lattice::ReducedLattice<Dim>& lattice)
-      : lattice_(lattice), half_scale_(0.5 * lattice.scale) {
-    for (std::size_t k = 0; k < lattice.count; ++k) {
-      for (std::size_t l = 0; l < lattice.count; ++l) error_[k][l] = error_of(k, l);
+  /// For elements that are given times `unit`, a power of two, and the margin as well.
+  explicit ImageWindows(const ReducedLattice<Dim>& lattice, double unit = 1.0) noexcept
+      : count_(lattice.count), half_scale_(0.5 * lattice.scale / unit) {
+    for (std::size_t k = 0; k < count_; ++k) {
+      dual_[k] = lattice.dual[k];
+      dual_length_[k] = lattice.dual_length[k];
+      for (std::size_t l = 0; l < count_; ++l) error_[k][l] = error_of(lattice, k, l);
       for (std::size_t axis = 0; axis < Dim; ++axis) {
         leads_along_[axis] = leads_along_[axis] || lattice.dual[k][axis] != 0.0;
       }
@@ -103,8 +107,8 @@ class ImageWindows {
   }
 
   /// The window of b's images around a.
-  [[nodiscard]] ImageWindow of(const exact::Sphere<Dim>& a, const exact::Sphere<Dim>& b,
-                               double margin) const noexcept {
+  [[nodiscard]] ABUT_HD ImageWindow of(const exact::Sphere<Dim>& a, const exact::Sphere<Dim>& b,
+                                       double margin) const noexcept {
     const double half_reach = a.radius * half_scale_ + b.radius * half_scale_ + half(margin);
     HalfDifference difference;
     difference.span = half_reach;
@@ -113,12 +117,12 @@ class ImageWindows {
       difference.center[axis] = half(a.center[axis]) - half(b.center[axis]);
       difference.span += std::fabs(difference.center[axis]);
     }
-    return window(difference, [&](std::size_t k) { return lattice_.dual_length[k] * half_reach; });
+    return window(difference, [&](std::size_t k) { return dual_length_[k] * half_reach; });
   }
 
   /// Returns the window of two boxes.
-  [[nodiscard]] ImageWindow of(const exact::Box<Dim>& a, const exact::Box<Dim>& b,
-                               double margin) const noexcept {
+  [[nodiscard]] ABUT_HD ImageWindow of(const exact::Box<Dim>& a, const exact::Box<Dim>& b,
+                                       double margin) const noexcept {
     HalfDifference difference;
     double half_reach[Dim] = {};
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -133,26 +137,30 @@ class ImageWindows {
     return window(difference, [&](std::size_t k) {
       double bound = 0.0;
       for (std::size_t axis = 0; axis < Dim; ++axis) {
-        bound += std::fabs(lattice_.dual[k][axis]) * half_reach[axis];
+        bound += std::fabs(dual_[k][axis]) * half_reach[axis];
       }
       return bound;
     });
   }
 
  private:
+  /// A number for each vector; 0 behind the last one.
+  using Vector = std::array<double, Dim>;
+
   /// Half of the difference of two elements, and its reach, from which a window is made.
   struct HalfDifference {
-    std::array<double, Dim> center{};  ///< of a less that of b
-    double span = 0.0;                 ///< |d| + R, at least
+    Vector center{};    ///< of a less that of b
+    double span = 0.0;  ///< |d| + R, at least
   };
 
-  [[nodiscard]] double half(double number) const noexcept { return number * half_scale_; }
+  [[nodiscard]] ABUT_HD double half(double number) const noexcept { return number * half_scale_; }
 
-  [[nodiscard]] double error_of(std::size_t k, std::size_t l) const noexcept {
+  [[nodiscard]] static double error_of(const ReducedLattice<Dim>& lattice, std::size_t k,
+                                       std::size_t l) noexcept {
     double product = 0.0;
     double weight = 0.0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      const double term = lattice_.dual[k][axis] * (lattice_.vectors[l][axis] * lattice_.scale);
+      const double term = lattice.dual[k][axis] * (lattice.vectors[l][axis] * lattice.scale);
       product += term;
       weight += std::fabs(term);
     }
@@ -165,28 +173,31 @@ class ImageWindows {
     double number = 0.0;
     double width = 0.0;
   };
+  using Places = std::array<Place, Dim>;
 
   /// half_bound(k) is half of a bound of |g_k . v|.
   template <class HalfBound>
-  [[nodiscard]] ImageWindow window(const HalfDifference& difference,
-                                   HalfBound&& half_bound) const noexcept {
-    std::array<Place, Dim> places;
-    std::array<double, Dim> most{};  // of the numbers, by magnitude
-    for (std::size_t k = 0; k < lattice_.count; ++k) {
+  [[nodiscard]] ABUT_HD ImageWindow window(const HalfDifference& difference,
+                                           HalfBound&& half_bound) const noexcept {
+    Places places;
+    Vector most{};  // of the numbers, by magnitude
+    for (std::size_t k = 0; k < Dim; ++k) {
+      if (k >= count_) break;
       double magnitude = 0.0;
       for (std::size_t axis = 0; axis < Dim; ++axis) {
-        const double term = 2.0 * lattice_.dual[k][axis] * difference.center[axis];
+        const double term = 2.0 * dual_[k][axis] * difference.center[axis];
         places[k].number += term;
         magnitude += std::fabs(term);
       }
       places[k].width = 2.0 * half_bound(k) * (1.0 + 0x1p-40) + 0x1p-48 * magnitude + 0x1p-40;
-      most[k] = lattice_.dual_length[k] * (2.0 * difference.span);
+      most[k] = dual_length_[k] * (2.0 * difference.span);
     }
     while (lower(most, places)) {
     }
     ImageWindow window;
-    for (std::size_t k = 0; k < lattice_.count; ++k) {
-      const double width = width_of(k, places[k], most);
+    for (std::size_t k = 0; k < Dim; ++k) {
+      if (k >= count_) break;
+      const double width = width_of(k, places, most);
       window.first[k] = static_cast<std::int64_t>(std::ceil(cut(places[k].number - width)));
       window.last[k] = static_cast<std::int64_t>(std::floor(cut(places[k].number + width)));
     }
@@ -194,25 +205,24 @@ class ImageWindows {
   }
 
   /// The whole width, with numbers up to `most` on the other sides.
-  [[nodiscard]] double width_of(std::size_t k, const Place& place,
-                                const std::array<double, Dim>& most) const noexcept {
-    double width = place.width;
-    for (std::size_t l = 0; l < lattice_.count; ++l) {
+  [[nodiscard]] ABUT_HD double width_of(std::size_t k, const Places& places,
+                                        const Vector& most) const noexcept {
+    double width = places[k].width;
+    for (std::size_t l = 0; l < Dim; ++l) {
       if (l == k || error_[k][l] == 0.0) continue;
       width += 2.0 * error_[k][l] * most[l];
     }
-    return width + 2.0 * error_[k][k] * (std::fabs(place.number) + width);
+    return width + 2.0 * error_[k][k] * (std::fabs(places[k].number) + width);
   }
 
   /// Puts the windows in place of bounds that are far above them. Returns whether there were any
   /// that may matter.
-  [[nodiscard]] bool lower(std::array<double, Dim>& most,
-                           const std::array<Place, Dim>& places) const noexcept {
+  [[nodiscard]] ABUT_HD bool lower(Vector& most, const Places& places) const noexcept {
     constexpr double far_more_than_any = 0x1p36;
     bool lowered = false;
-    for (std::size_t k = 0; k < lattice_.count; ++k) {
+    for (std::size_t k = 0; k < Dim; ++k) {
       if (!(most[k] > far_more_than_any)) continue;
-      const double bound = std::fabs(places[k].number) + width_of(k, places[k], most);
+      const double bound = std::fabs(places[k].number) + width_of(k, places, most);
       if (!(bound < 0.5 * most[k])) continue;
       most[k] = bound;
       lowered = true;
@@ -220,10 +230,12 @@ class ImageWindows {
     return lowered;
   }
 
-  const lattice::ReducedLattice<Dim>& lattice_;
+  std::size_t count_;  ///< vectors
   double half_scale_;
+  std::array<Vector, Dim> dual_{};
+  Vector dual_length_{};
   std::array<bool, Dim> leads_along_{};
-  std::array<std::array<double, Dim>, Dim> error_{};
+  std::array<Vector, Dim> error_{};
 };
 
-}  // namespace abut::reference
+}  // namespace abut::lattice

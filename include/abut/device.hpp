@@ -66,6 +66,8 @@ struct MemoryPlan {
   std::uint64_t image_bytes = 0;   ///< bytes more in a periodic domain
   /// Bytes more where shifts are stored, or gaps are measured in a periodic domain.
   std::uint64_t shift_bytes = 0;
+  /// Bytes more where the reach is about as long as a periodic cell or longer.
+  std::uint64_t long_reach_bytes = 0;
   std::uint64_t quantity_bytes = 0;  ///< bytes more where gaps are measured
   std::uint64_t rule_bytes = 0;      ///< bytes more of the table and the exclusions of a rule
   /// Scratch memory of sorts and scans: a bound by what is known of them, as only a device can

@@ -3,7 +3,6 @@
 #include "device/bodies/box_columns.hpp"
 #include "device/bodies/check.hpp"
 #include "device/bodies/joined_columns.hpp"
-#include "device/bodies/periodic_elements.hpp"
 #include "device/bodies/size_class.hpp"
 #include "device/bodies/sphere_columns.hpp"
 #include "device/executor.hpp"
@@ -63,20 +62,6 @@ template <class Columns, class E>
                                  std::uint32_t number) {
   if (elements.is_in_first(number)) return whole_on_host(executor, elements.first, number);
   return whole_on_host(executor, elements.second, number - elements.first.count);
-}
-
-/// The number of the element that a sphere of a search is, or is an image of.
-template <int Dim, class T, class E>
-[[nodiscard]] std::uint32_t element_on_host(E&, const SphereColumns<Dim, T>&, std::uint32_t k) {
-  return k;
-}
-template <class Given, class E>
-[[nodiscard]] std::uint32_t element_on_host(E& executor, const PeriodicElements<Given>& spheres,
-                                            std::uint32_t k) {
-  if (k < spheres.elements.count) return k;
-  lattice::Ghost ghost{};
-  executor.copy_to_host(&ghost, spheres.ghosts + (k - spheres.elements.count), 1);
-  return ghost.element;
 }
 
 template <int Dim, class T>

@@ -46,6 +46,7 @@ class ContactSearch {
   }
 
   [[nodiscard]] const PartnerCount& totals() const noexcept { return totals_; }
+  [[nodiscard]] const Spheres& elements() const noexcept { return elements_; }
 
   /// Writes totals().certain pairs, unless `certain` is null, and totals().doubtful pairs.
   void write(ContactPair* certain, ContactPair* doubtful) {

@@ -2,9 +2,6 @@
 
 #include "device/axis_stretches.hpp"
 #include "device/bodies/check.hpp"
-#include "device/bodies/decide.hpp"
-#include "device/bodies/directory.hpp"
-#include "device/bodies/larger.hpp"
 #include "device/bodies/place.hpp"
 #include "device/checked_elements.hpp"
 #include "device/contact_search.hpp"
@@ -13,9 +10,7 @@
 #include "device/found_list.hpp"
 #include "device/frame.hpp"
 #include "device/levels.hpp"
-#include "lattice/check_range.hpp"
-
-#include <abut/pair.hpp>
+#include "device/pair_decision.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -36,30 +31,23 @@ class Detection {
       : executor_(executor),
         spheres_(spheres),
         extent_(extent),
-        request_(request),
-        settings_(settings) {}
+        settings_(settings),
+        decision_(executor, request) {}
 
   /// All contact pairs, in no order.
   void list(FoundList<E>& found) {
     found.searched = spheres_.count;
-    search([&](auto& contacts) { write_and_decide(contacts, found); });
+    search([&](auto& contacts) { decision_.list(contacts, found); });
   }
 
   /// Their number. Only pairs in doubt take memory.
   void count(FoundList<E>& found) {
     found.searched = spheres_.count;
-    search([&](auto& contacts) {
-      const PartnerCount totals = contacts.totals();
-      Buffer<ContactPair, E> doubtful(executor_, totals.doubtful);
-      contacts.write(nullptr, doubtful.data());
-      decide(doubtful.data(), totals.doubtful);
-      Buffer<ContactPair, E> kept(executor_, totals.doubtful);
-      found.count = totals.certain + keep_contacts(doubtful.data(), kept.data(), totals.doubtful);
-      found.exact_decisions = totals.doubtful;
-      found.candidate_tests = totals.tests;
-    });
-    require_count(found.count, request_.max_pairs);
+    search([&](auto& contacts) { decision_.count(contacts, found); });
   }
+
+  /// In which the numbers of pairs are told.
+  [[nodiscard]] const Spheres& spheres() const noexcept { return spheres_; }
 
  private:
   using Stretches = AxisStretches<Spheres, E>;
@@ -123,47 +111,11 @@ class Detection {
     return extents;
   }
 
-  template <class Contacts>
-  void write_and_decide(Contacts& contacts, FoundList<E>& found) {
-    const PartnerCount totals = contacts.totals();
-    require_count(totals.certain, request_.max_pairs);
-    found.pairs = Buffer<ContactPair, E>(executor_, totals.certain + totals.doubtful);
-    ContactPair* const doubtful = found.pairs.data() + totals.certain;
-    contacts.write(found.pairs.data(), doubtful);
-    decide(doubtful, totals.doubtful);
-    Buffer<ContactPair, E> copy(executor_, totals.doubtful);
-    const std::uint64_t kept = keep_contacts(doubtful, copy.data(), totals.doubtful);
-    executor_.for_each(kept, CopyEntry<ContactPair>{copy.data(), doubtful});
-    found.count = totals.certain + kept;
-    found.exact_decisions = totals.doubtful;
-    found.candidate_tests = totals.tests;
-    require_count(found.count, request_.max_pairs);
-  }
-
-  void decide(ContactPair* doubtful, std::uint64_t count) {
-    executor_.for_each(count, DecideMost<Spheres>{spheres_, request_.margin, doubtful});
-    executor_.for_each(count, DecideOpen<Spheres>{spheres_, request_.margin, doubtful});
-    if (count == 0 || spheres_.decides_all()) return;
-    const std::uint64_t open =
-        executor_.reduce(count, PlaceOfOpenPair::no_place, PlaceOfOpenPair{doubtful}, Smaller{});
-    if (open == PlaceOfOpenPair::no_place) return;
-    ContactPair pair{};
-    executor_.copy_to_host(&pair, doubtful + open, 1);
-    lattice::refuse_shift(element_on_host(executor_, spheres_, pair.first),
-                          element_on_host(executor_, spheres_, pair.second));
-  }
-
-  [[nodiscard]] std::uint64_t keep_contacts(const ContactPair* pairs, ContactPair* kept,
-                                            std::uint64_t count) {
-    // Waits: how many are contacts is the length of the list, which may not pass a limit.
-    return count == 0 ? 0 : executor_.select(pairs, kept, count, ContactTester{});
-  }
-
   E& executor_;
   Spheres spheres_;
   Extent<Dim> extent_;
-  DeviceRequest request_;
   SearchSettings settings_;
+  PairDecision<E> decision_;
 };
 
 }  // namespace abut::device

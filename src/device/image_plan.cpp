@@ -37,6 +37,16 @@ double unit_of(const lattice::ReducedLattice<Dim>& lattice, double largest) {
   return lattice.count == 0 ? 1.0 : lattice::unit_of_moved(lattice, largest);
 }
 
+/// Brings reaches near 1, unless that would make the largest number too large, or the unit together
+/// with the one that all is given times. All lengths are times that unit.
+double unit_of_reach(double radius, double margin, double largest, double given_unit) {
+  constexpr int farthest = 1000;
+  const double longest = std::max(radius, margin);
+  if (longest == 0.0) return 1.0;
+  const int most = farthest - std::max(std::ilogb(given_unit), std::ilogb(largest));
+  return std::ldexp(1.0, std::clamp(-std::ilogb(longest), -farthest, most));
+}
+
 /// Counts by size, the smallest class first, of radii times a unit.
 struct SizesOfCounts {
   SizeCounts counts;
@@ -69,6 +79,9 @@ ImagePlan<Dim>::ImagePlan(Shape shape, const exact::Lattice& given, const Extent
           reduced_for<Dim>(shape, given_unit_ == 1.0 ? given : lattice::times(given, given_unit_))),
       cell_(reduced_, 1.0),
       unit_(unit_of(reduced_, grid::largest_number(bounds_, margin) * given_unit_)),
+      unit_of_checks_(unit_of_reach(bounds_.largest_radius * given_unit_, margin_,
+                                    grid::largest_number(bounds_, margin) * given_unit_,
+                                    given_unit_)),
       size_cut_(HUGE_VAL) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (!given_.periodic[k]) given_.vectors[k] = {};
@@ -120,11 +133,24 @@ lattice::GhostWindows<Dim> ImagePlan<Dim>::windows() const {
   const lattice::GhostWindows<Dim> windows = windows_in(cell_of_locals(), unit_);
   for (std::size_t side = 0; side < cell_.count; ++side) {
     lattice::require_narrow_window(windows.of_large.most_cells(side));
-    if (!(windows.of_large.most_cells(side) <= lattice::most_cells_away)) {
-      lattice::refuse_number_of_images();
-    }
   }
   return windows;
+}
+
+template <int Dim>
+ImageMap<Dim> ImagePlan<Dim>::map_of_basis() const {
+  ImageMap<Dim> map =
+      map_of({reduced_, cell_, {}, {shape_, given_unit_, unit_of_checks_}}, unit_of_checks_);
+  map.shifts_always_fit = false;
+  for (std::size_t k = 0; k < reduced_.count; ++k) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      map.steps[k][axis] = reduced_.vectors[k][axis] * unit_of_checks_;
+    }
+    for (std::size_t l = 0; l < reduced_.count; ++l) {
+      map.shift_of_side[k][reduced_.axis_of[l]] = reduced_.to_given[k][l];
+    }
+  }
+  return map;
 }
 
 template <int Dim>

@@ -56,7 +56,7 @@ class ImagePlan {
   [[nodiscard]] bool needs_extent_of_locals() const noexcept { return moves_any_ || unit_ != 1.0; }
   void take_extent_of_locals(const lattice::CellExtent<Dim>& extent) noexcept { extent_ = extent; }
 
-  /// Which images are ghosts. Throws where they cannot be told apart, or numbered.
+  /// Which images are ghosts. Throws where they cannot be told apart.
   [[nodiscard]] lattice::GhostWindows<Dim> windows() const;
 
   /// Of locals as given, and as they are moved, while there are no ghosts.
@@ -64,11 +64,17 @@ class ImagePlan {
     return map_of({reduced_, cell_, {}, {shape_, given_unit_, 1.0}}, 1.0);
   }
   [[nodiscard]] ImageMap<Dim> map_of_locals() const { return map_of(wrapper(), unit_); }
+  /// Of elements as given, times unit_of_checks(), and images by vectors of the reduced basis.
+  [[nodiscard]] ImageMap<Dim> map_of_basis() const;
+  /// A power of two, beside given_unit(): squares of reaches are far from both ends of the range of
+  /// exponents then.
+  [[nodiscard]] double unit_of_checks() const noexcept { return unit_of_checks_; }
   /// Of windows().
   [[nodiscard]] ImageMap<Dim> map(const lattice::GhostWindows<Dim>& windows) const;
   /// How far the distance of two positions may be off, times unit().
   [[nodiscard]] double slack(const lattice::GhostWindows<Dim>& windows) const;
   [[nodiscard]] double margin() const noexcept { return margin_ * unit_; }
+  [[nodiscard]] double margin_of_checks() const noexcept { return margin_ * unit_of_checks_; }
 
  private:
   [[nodiscard]] ImageMap<Dim> map_of(const lattice::Wrapper<Dim>& wrapper, double unit) const {
@@ -85,6 +91,7 @@ class ImagePlan {
   lattice::ReducedLattice<Dim> reduced_;
   lattice::OrthogonalCell<Dim> cell_;
   double unit_;
+  double unit_of_checks_;
   double size_cut_;
   lattice::CellExtent<Dim> extent_;
   lattice::AlongSides<Dim> along_{};

@@ -8,7 +8,11 @@
 #include "device/image_plan.hpp"
 #include "device/partner_search.hpp"
 #include "lattice/check_range.hpp"
+#include "lattice/ghost_windows.hpp"
+#include "lattice/image_window.hpp"
+#include "lattice/orthogonal_cell.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -41,6 +45,17 @@ class ImageSearch {
     slack_ = plan_.slack(windows);
     list_ghosts(windows);
   }
+
+  /// True if the reach is about as long as the cell or longer, so that there are far more images
+  /// than elements. Nothing is listed then: pairs are to be checked one by one.
+  [[nodiscard]] bool reach_is_long() const noexcept { return reach_is_long_; }
+  [[nodiscard]] CheckedElements<Given> checked_elements() const {
+    return {elements_, plan_.map_of_basis(), nullptr, nullptr, elements_.count};
+  }
+  [[nodiscard]] lattice::ImageWindows<Dim> windows_of_pairs() const {
+    return lattice::ImageWindows<Dim>(plan_.reduced(), plan_.unit_of_checks());
+  }
+  [[nodiscard]] double margin_of_checks() const noexcept { return plan_.margin_of_checks(); }
 
   [[nodiscard]] const Spheres& spheres() const noexcept { return *spheres_; }
   /// What the search is asked for, in the unit of its spheres.
@@ -99,17 +114,32 @@ class ImageSearch {
         Spheres{elements_, plan_.map(windows), cells_moved_.data(), nullptr, elements_.count});
     const std::uint64_t count = elements_.count;
     const Buffer<std::uint64_t, E> places(executor_, count + 1);
-    executor_.for_each(count + 1, CountGhosts<Spheres>{*spheres_, windows, places.data()});
+    executor_.for_each(
+        count + 1, CountGhosts<Spheres>{*spheres_, windows, most_ghosts_of_one(), places.data()});
     const std::uint64_t ghosts = sum_before_each(executor_, places.data(), count);
-    if (static_cast<double>(count) + static_cast<double>(ghosts) >
-        lattice::most_locals_and_ghosts) {
-      lattice::refuse_number_of_images();
-    }
+    reach_is_long_ =
+        static_cast<double>(ghosts) > lattice::ghosts_of_long_reach * static_cast<double>(count);
+    if (reach_is_long_) return;
+    require_countable(windows, ghosts);
     ghosts_ = Buffer<lattice::Ghost, E>(executor_, ghosts);
     executor_.for_each(count,
                        WriteGhosts<Spheres>{*spheres_, windows, places.data(), ghosts_.data()});
     spheres_->ghosts = ghosts_.data();
     spheres_->count = static_cast<std::uint32_t>(count + ghosts);
+  }
+
+  /// If one element has more, the reach is long, whatever the others have.
+  [[nodiscard]] std::uint64_t most_ghosts_of_one() const noexcept {
+    return static_cast<std::uint64_t>(lattice::ghosts_of_long_reach) * elements_.count + 1;
+  }
+
+  void require_countable(const lattice::GhostWindows<Dim>& windows, std::uint64_t ghosts) const {
+    bool few = static_cast<double>(elements_.count) + static_cast<double>(ghosts) <=
+               lattice::most_locals_and_ghosts;
+    for (std::size_t side = 0; side < windows.of_large.sides(); ++side) {
+      few = few && windows.of_large.most_cells(side) <= lattice::most_cells_away;
+    }
+    if (!few) lattice::refuse_number_of_images();
   }
 
   E& executor_;
@@ -119,6 +149,7 @@ class ImageSearch {
   Buffer<lattice::Ghost, E> ghosts_;
   std::optional<Spheres> spheres_;
   double slack_ = 0.0;
+  bool reach_is_long_ = false;
 };
 
 }  // namespace abut::device

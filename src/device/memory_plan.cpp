@@ -52,6 +52,7 @@ MemoryPlan plan(std::uint64_t elements, PairCount pairs, const PairRule& rule) {
   plan.gap_bytes = elements * stretch_bytes;
   plan.scratch_bytes = (elements + pairs) / keys_of_scratch_byte + fixed_scratch_bytes;
   plan.image_bytes = elements * sizeof(lattice::Ghost);
+  plan.long_reach_bytes = pairs * sizeof(lattice::GhostOf<std::int64_t>);
   plan.quantity_bytes = pairs * sizeof(double);
   plan.rule_bytes = bytes_of(rule);
   plan.shift_bytes = pairs * bytes_with_shift - plan.pair_bytes;

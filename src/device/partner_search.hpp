@@ -2,9 +2,11 @@
 
 #include "device/bodies/partners.hpp"
 #include "device/executor.hpp"
+#include "device/found_list.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace abut::device {
 
@@ -19,12 +21,14 @@ std::uint64_t sum_before_each(E& executor, std::uint64_t* counts, std::uint64_t 
 
 /// Counts the partners of each item of a search and gives each item its places: count, then fill,
 /// so that no capacity need be guessed. Searches of more items than `at_a_time` are counted part by
-/// part, and once more when pairs are written, so that memory does not follow the items.
+/// part, and once more when pairs are written, so that memory does not follow the items. Throws
+/// Error{limit_exceeded} as soon as a part makes the certain pairs more than `most_pairs`.
 template <class Search, class E>
 class PartnerSearch {
  public:
   PartnerSearch(E& executor, const Search& search, std::uint64_t first_item, std::uint64_t items,
-                std::uint64_t at_a_time)
+                std::uint64_t at_a_time,
+                std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max())
       : executor_(executor),
         search_(search),
         first_item_(first_item),
@@ -33,14 +37,14 @@ class PartnerSearch {
         certain_(executor, part_ + 1),
         doubtful_(executor, part_ + 1),
         counted_(executor, 1) {
-    if (items_ == 0) return;
-    executor_.reduce_into(&counted_.data()->tests, items_, std::uint64_t{0},
-                          TestsOfItem<Search>{search_, first_item_}, SumOfTwo{});
     for (std::uint64_t first = 0; first < items_; first += part_) {
+      executor_.reduce_into(&counted_.data()->tests, items_of_part(first), std::uint64_t{0},
+                            TestsOfItem<Search>{search_, first_item_ + first}, SumOfTwo{});
       const PartnerCount part = count(first);
       totals_.certain += part.certain;
       totals_.doubtful += part.doubtful;
-      totals_.tests = part.tests;
+      totals_.tests += part.tests;
+      require_count(totals_.certain, most_pairs);
     }
   }
 
@@ -48,10 +52,17 @@ class PartnerSearch {
 
   /// Writes totals().certain pairs, unless `certain` is null, and totals().doubtful pairs.
   void write(ContactPair* certain, ContactPair* doubtful) {
+    write_by(certain, doubtful, [](const FillPartners<Search>& fill) { return fill; });
+  }
+
+  /// Does that by the bodies that body_of makes of FillPartners.
+  template <class BodyOf>
+  void write_by(ContactPair* certain, ContactPair* doubtful, const BodyOf& body_of) {
     for (std::uint64_t first = 0; first < items_; first += part_) {
       const PartnerCount part = part_ < items_ ? count(first) : totals_;
-      executor_.for_each(items_of_part(first), FillPartners<Search>{search_, first_item_ + first,
-                                                                    places(), certain, doubtful});
+      executor_.for_each(
+          items_of_part(first),
+          body_of(FillPartners<Search>{search_, first_item_ + first, places(), certain, doubtful}));
       if (certain != nullptr) certain += part.certain;
       doubtful += part.doubtful;
     }
@@ -87,7 +98,7 @@ class PartnerSearch {
   std::uint64_t part_;
   Buffer<std::uint64_t, E> certain_;
   Buffer<std::uint64_t, E> doubtful_;
-  Buffer<PartnerCount, E> counted_;  ///< sums of a part, the tests of all items
+  Buffer<PartnerCount, E> counted_;  ///< sums of a part
   PartnerCount totals_;
 };
 

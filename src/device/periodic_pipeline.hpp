@@ -8,6 +8,7 @@
 #include "device/executor.hpp"
 #include "device/finish_list.hpp"
 #include "device/found_list.hpp"
+#include "device/image_check.hpp"
 #include "device/image_search.hpp"
 #include "device/rule_arrays.hpp"
 
@@ -36,9 +37,9 @@ class PeriodicPipeline {
   /// All contact pairs, in canonical order, in the form that is asked for.
   [[nodiscard]] FoundList<E> list() {
     FoundList<E> found;
-    detect([&](auto& detection, const auto& spheres) {
+    detect([&](auto& detection) {
       detection.list(found);
-      name(spheres, found);
+      name(detection.spheres(), found);
     });
     finish_list(executor_, elements_, elements_.first.count, request_, progress_, found);
     return found;
@@ -47,7 +48,7 @@ class PeriodicPipeline {
   /// Their number.
   [[nodiscard]] FoundList<E> count() {
     FoundList<E> found;
-    detect([&](auto& detection, const auto&) { detection.count(found); });
+    detect([&](auto& detection) { detection.count(found); });
     return found;
   }
 
@@ -75,6 +76,7 @@ class PeriodicPipeline {
   template <class Use>
   void search(const Extent<Dim>& as_given, const RuleView& rule, Use&& use) {
     Images images(executor_, elements_, as_given, request_.lattice, request_.margin);
+    if (images.reach_is_long()) return check_pairs(images, rule, use);
     Spheres spheres = images.spheres();
     spheres.rule = rule;
     progress_.begin("search", spheres.count);
@@ -82,7 +84,17 @@ class PeriodicPipeline {
                                                 ElementExtent<Spheres>{spheres}, JoinExtents{});
     Detection<Spheres, E> detection(executor_, spheres, extent, request_,
                                     {images.margin(), images.slack(), request_.items_at_a_time});
-    use(detection, spheres);
+    use(detection);
+  }
+
+  template <class Use>
+  void check_pairs(const Images& images, const RuleView& rule, Use&& use) {
+    CheckedElements<Given> elements = images.checked_elements();
+    elements.rule = rule;
+    progress_.begin("search", elements.count);
+    ImageCheck<CheckedElements<Given>, E> check(executor_, elements, images.windows_of_pairs(),
+                                                images.margin_of_checks(), request_);
+    use(check);
   }
 
   /// A lattice that cannot be reduced is refused also where it holds nothing.
@@ -91,12 +103,13 @@ class PeriodicPipeline {
         ImagePlan<Dim>(Given::shape, request_.lattice, Extent<Dim>::of_none(), request_.margin));
   }
 
-  void name(const Spheres& spheres, FoundList<E>& found) {
+  template <class Elements>
+  void name(const Elements& spheres, FoundList<E>& found) {
     if (request_.finds_shifts(Dim)) {
       found.shifts = Buffer<ImageShift, E>(executor_, found.count);
     }
     executor_.for_each(found.count,
-                       NamePair<Spheres>{spheres, found.pairs.data(), found.shifts.data()});
+                       NamePair<Elements>{spheres, found.pairs.data(), found.shifts.data()});
   }
 
   E& executor_;

@@ -12,9 +12,10 @@
 namespace abut::lattice {
 
 /// The periodic image of an element moved by `image` vectors of the sides of the orthogonal cell.
-struct Ghost {
+template <class Number>
+struct GhostOf {
   std::uint32_t element;
-  std::array<std::int32_t, 3> image;
+  std::array<Number, 3> image;
 
   /// True if the image is lexicographically positive: its first number that is not 0 is positive.
   [[nodiscard]] ABUT_HD bool is_positive() const noexcept {
@@ -23,6 +24,12 @@ struct Ghost {
     return image[2] > 0;
   }
 };
+using Ghost = GhostOf<std::int32_t>;
+
+/// The number of ghosts for each local element from which on a reach is called long: it is about as
+/// long as the cell or longer, and a local element is within reach of a good part of all ghosts, so
+/// that no grid would help.
+inline constexpr double ghosts_of_long_reach = 16.0;
 
 /// Locals and ghosts are numbered by 32 bits.
 inline constexpr double most_locals_and_ghosts = 4294967294.0;

@@ -15,13 +15,9 @@
 namespace abut::periodic {
 
 using lattice::Ghost;
+using lattice::ghosts_of_long_reach;
 template <int Dim>
 using GhostWindows = lattice::GhostWindows<Dim>;
-
-/// The number of ghosts for each local element from which on a reach is called long: it is about as
-/// long as the cell or longer, and a local element is within reach of a good part of all ghosts, so
-/// that no grid would help.
-inline constexpr double ghosts_of_long_reach = 16.0;
 
 /// True if locals would have more ghosts than that; stops counting there.
 template <int Dim>

@@ -83,15 +83,22 @@ struct DecideOpen {
   }
 };
 
-/// Body of a reduction: the place of a pair that stayed open; else that of none.
-struct PlaceOfOpenPair {
+/// Body of a reduction: the elements of a pair that stayed open, the first one in the upper half;
+/// else those of none.
+template <class Spheres>
+struct ElementsOfOpenPair {
+  static constexpr std::uint64_t none = ~std::uint64_t{0};
+
+  Spheres elements;
   const ContactPair* pairs;
 
   [[nodiscard]] ABUT_HD std::uint64_t operator()(std::uint64_t k) const noexcept {
-    return pairs[k].first > pairs[k].second ? k : no_place;
+    const ContactPair pair = pairs[k];
+    if (pair.first <= pair.second) return none;
+    const std::uint64_t one = pair.second;
+    const std::uint64_t other = elements.element_of(pair.first);
+    return one < other ? one << 32 | other : other << 32 | one;
   }
-
-  static constexpr std::uint64_t no_place = ~std::uint64_t{0};
 };
 
 /// Whether a decided pair is a contact pair.

@@ -15,10 +15,10 @@ namespace abut::device {
 
 /// All stages of the predicate with a lattice. Nothing for a pair within reach whose shift exceeds
 /// 2^31 - 1: it must be refused, also where its elements may not pair.
-template <class Given>
-[[nodiscard]] ABUT_HD std::optional<bool> decide_at_last(const PeriodicElements<Given>& elements,
-                                                         const ContactPair& pair,
-                                                         double margin) noexcept {
+template <class Given, class Ghost>
+[[nodiscard]] ABUT_HD std::optional<bool> decide_at_last(
+    const PeriodicElements<Given, Ghost>& elements, const ContactPair& pair,
+    double margin) noexcept {
   const auto a = elements.given().whole(pair.first);
   const auto b = elements.given().whole(elements.element_of(pair.second));
   constexpr exact::Int128 largest = 2147483647;

@@ -98,14 +98,13 @@ struct ElementOfRadius {
   }
 };
 
-/// Body: how many ghosts local element k has, not counted beyond what can be numbered; none behind
-/// the last one.
+/// Body: how many ghosts local element k has, not counted beyond a number; none behind the last
+/// one.
 template <class Spheres>
 struct CountGhosts {
-  static constexpr std::uint64_t most = std::uint64_t{1} << 32;
-
   Spheres locals;  ///< and no ghosts yet
   lattice::GhostWindows<Spheres::dimensions> windows;
+  std::uint64_t most;
   std::uint64_t* counts;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {

@@ -38,7 +38,8 @@ struct PartnerCounter {
   std::uint32_t certain = 0;
   std::uint32_t doubtful = 0;
 
-  ABUT_HD void take(std::uint32_t, std::uint32_t, FilterVerdict verdict) noexcept {
+  template <class Other>
+  ABUT_HD void take(std::uint32_t, const Other&, FilterVerdict verdict) noexcept {
     if (verdict == FilterVerdict::within) ++certain;
     if (verdict == FilterVerdict::doubtful) ++doubtful;
   }
@@ -101,9 +102,13 @@ struct FillPartners {
   ContactPair* doubtful;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
-    PartnerWriter writer{certain == nullptr ? nullptr : certain + places.certain[k],
-                         doubtful + places.doubtful[k]};
-    search.partners_of(first_item + k, writer);
+    PartnerWriter own = writer(k);
+    search.partners_of(first_item + k, own);
+  }
+
+  [[nodiscard]] ABUT_HD PartnerWriter writer(std::uint64_t k) const noexcept {
+    return {certain == nullptr ? nullptr : certain + places.certain[k],
+            doubtful + places.doubtful[k]};
   }
 };
 

@@ -42,9 +42,10 @@ struct ImageMap {
 /// ghosts; in an open domain the elements where they are. Nothing but the numbers of a ghost is
 /// stored: positions are computed from the caller's whenever they are asked for, always by the same
 /// sequence.
-template <class GivenElements>
+template <class GivenElements, class GhostNumbers = lattice::Ghost>
 struct PeriodicElements {
   using Given = GivenElements;
+  using Ghost = GhostNumbers;
   static constexpr int Dim = Given::dimensions;
   static constexpr int dimensions = Dim;
   static constexpr Shape shape = Given::shape;
@@ -52,7 +53,7 @@ struct PeriodicElements {
   Given elements;
   ImageMap<Dim> map;
   const lattice::CellsMoved* cells_moved;  ///< of each element; null where none was moved
-  const lattice::Ghost* ghosts;
+  const Ghost* ghosts;
   std::uint32_t count;  ///< locals and ghosts
   RuleView rule = {};   ///< of one set's or of two sets' elements
 
@@ -88,9 +89,9 @@ struct PeriodicElements {
     const double given = elements.coordinate(element, axis) * map.given_unit;
     double coordinate = map.wrapper.moved(given, along, cells);
     if (k < elements.count) return coordinate;
-    const lattice::Ghost& ghost = ghosts[k - elements.count];
+    const Ghost& ghost = ghosts[k - elements.count];
     for (std::size_t side = 0; side < Dim; ++side) {
-      coordinate += ghost.image[side] * map.steps[side][along];
+      coordinate += static_cast<double>(ghost.image[side]) * map.steps[side][along];
     }
     return coordinate;
   }
@@ -202,8 +203,7 @@ struct PeriodicElements {
 
  private:
   /// Images::counts
-  [[nodiscard]] ABUT_HD bool counts(std::uint32_t local,
-                                    const lattice::Ghost& ghost) const noexcept {
+  [[nodiscard]] ABUT_HD bool counts(std::uint32_t local, const Ghost& ghost) const noexcept {
     const bool is_large = radius(local) >= map.size_cut;
     if (radius(ghost.element) < map.size_cut) return !is_large;
     return !is_large || ghost.is_positive();
@@ -212,5 +212,10 @@ struct PeriodicElements {
 
 template <int Dim>
 using PeriodicSpheres = PeriodicElements<JoinedColumns<Dim>>;
+
+/// Elements that are checked pair by pair: none is moved, and ghosts are the images that were found
+/// within reach, by vectors of the reduced basis, as often as it takes from elements far out.
+template <class Given>
+using CheckedElements = PeriodicElements<Given, lattice::GhostOf<std::int64_t>>;
 
 }  // namespace abut::device

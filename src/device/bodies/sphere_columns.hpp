@@ -92,6 +92,10 @@ struct SphereColumns {
   /// Whether the numbers of two elements decide as they are given.
   [[nodiscard]] ABUT_HD bool is_as_given(const ContactPair&) const noexcept { return true; }
 
+  [[nodiscard]] ABUT_HD static constexpr std::uint32_t element_of(std::uint32_t k) noexcept {
+    return k;
+  }
+
   /// Whether it is an image of an element; there is none in open space.
   [[nodiscard]] ABUT_HD static constexpr bool is_ghost(std::uint32_t) noexcept { return false; }
 

@@ -17,5 +17,13 @@ template void CudaExecutor::for_each(std::uint64_t,
                                      const DecideOpen<PeriodicElements<JoinedBoxes<3>>>&);
 template void CudaExecutor::for_each(std::uint64_t, const DecideOpen<PeriodicSpheres<2>>&);
 template void CudaExecutor::for_each(std::uint64_t, const DecideOpen<PeriodicSpheres<3>>&);
+template void CudaExecutor::for_each(std::uint64_t,
+                                     const DecideOpen<CheckedElements<JoinedBoxes<2>>>&);
+template void CudaExecutor::for_each(std::uint64_t,
+                                     const DecideOpen<CheckedElements<JoinedBoxes<3>>>&);
+template void CudaExecutor::for_each(std::uint64_t,
+                                     const DecideOpen<CheckedElements<JoinedColumns<2>>>&);
+template void CudaExecutor::for_each(std::uint64_t,
+                                     const DecideOpen<CheckedElements<JoinedColumns<3>>>&);
 
 }  // namespace abut::device

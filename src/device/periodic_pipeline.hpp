@@ -4,11 +4,11 @@
 #include "device/bodies/name_pair.hpp"
 #include "device/checked_elements.hpp"
 #include "device/detection.hpp"
+#include "device/detection_by_pairs.hpp"
 #include "device/device_request.hpp"
 #include "device/executor.hpp"
 #include "device/finish_list.hpp"
 #include "device/found_list.hpp"
-#include "device/image_check.hpp"
 #include "device/image_search.hpp"
 #include "device/rule_arrays.hpp"
 
@@ -92,8 +92,8 @@ class PeriodicPipeline {
     CheckedElements<Given> elements = images.checked_elements();
     elements.rule = rule;
     progress_.begin("search", elements.count);
-    ImageCheck<CheckedElements<Given>, E> check(executor_, elements, images.windows_of_pairs(),
-                                                images.margin_of_checks(), request_);
+    DetectionByPairs<CheckedElements<Given>, E> check(
+        executor_, elements, images.windows_of_pairs(), images.margin_of_checks(), request_);
     use(check);
   }
 

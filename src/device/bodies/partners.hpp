@@ -38,8 +38,8 @@ struct PartnerCounter {
   std::uint32_t certain = 0;
   std::uint32_t doubtful = 0;
 
-  template <class Other>
-  ABUT_HD void take(std::uint32_t, const Other&, FilterVerdict verdict) noexcept {
+  template <class Partner>
+  ABUT_HD void take(std::uint32_t, const Partner&, FilterVerdict verdict) noexcept {
     if (verdict == FilterVerdict::within) ++certain;
     if (verdict == FilterVerdict::doubtful) ++doubtful;
   }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "device/bodies/check_images.hpp"
 #include "device/bodies/cross_level.hpp"
 #include "device/bodies/element_pairs.hpp"
+#include "device/bodies/image_checker.hpp"
 #include "device/device_request.hpp"
 #include "device/executor.hpp"
 #include "device/found_list.hpp"
@@ -69,7 +69,7 @@ class ImageSearchByPairs {
   }
 
  private:
-  using Check = CheckImages<Spheres>;
+  using Check = ImageChecker<Spheres>;
   using Search = PartnerSearch<Check, E>;
   using Image = typename Spheres::Ghost;
 
@@ -111,12 +111,12 @@ class ImageSearchByPairs {
 
 /// What Detection does, pair by pair.
 template <class Spheres, class E>
-class ImageCheck {
+class DetectionByPairs {
  public:
   using Search = ImageSearchByPairs<Spheres, E>;
 
-  ImageCheck(E& executor, const Spheres& elements, const typename Search::Windows& windows,
-             double margin, const DeviceRequest& request)
+  DetectionByPairs(E& executor, const Spheres& elements, const typename Search::Windows& windows,
+                   double margin, const DeviceRequest& request)
       : search_(executor, elements, windows, margin, request), decision_(executor, request) {}
 
   /// All contact pairs, in no order.

@@ -21,7 +21,7 @@ inline constexpr std::uint64_t images_of_item = 32;
 /// Pairs of elements and the images of the second of each that may be within reach of the first
 /// (lattice::ImageWindows): some images of one pair are an item. `Spheres` is CheckedElements.
 template <class Spheres>
-struct CheckImages {
+struct ImageChecker {
   static constexpr int Dim = Spheres::dimensions;
   using Numbers = lattice::ImageNumbers;
   using Image = typename Spheres::Ghost;

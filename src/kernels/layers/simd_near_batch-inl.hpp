@@ -38,7 +38,8 @@ class NearBatch {
     const Floats radius = hn::LoadU(floats, layers.radius + p);
     const Floats reach = hn::Add(hn::Add(radius, radius), hn::Set(floats, layers.margin + 8.0f));
     list(k, bits_of(hn::Lt(reach, hn::Set(floats, near_reach))) & lanes_before(left));
-    const Integers half = hn::ConvertTo(integers, reach);
+    // That of far elements may have no whole number; their runs are not used.
+    const Integers half = hn::ConvertTo(integers, hn::Min(reach, hn::Set(floats, near_reach)));
     const auto from = [&](int axis) {
       return hn::Sub(hn::LoadU(integers, layers.position[axis] + p), half);
     };

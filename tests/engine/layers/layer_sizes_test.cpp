@@ -130,6 +130,29 @@ TYPED_TEST(LayerSizesOf, Giants) {
   expect_right_by_size<dim>(spheres, 0.0, Way::tiles);
 }
 
+/// Small ones on the surface of a giant, nearer to touching it than single precision tells.
+TYPED_TEST(LayerSizesOf, SmallOnesThatTouchAGiant) {
+  constexpr int dim = TypeParam::value;
+  const double large = 400.0;
+  auto spheres = this->log_uniform(3000, 2.0, 0.001);
+  for (std::size_t k = 1; k < spheres.size(); ++k) {
+    std::array<double, 3> direction{};
+    double square = 0.0;
+    for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
+      direction[axis] = this->random_.uniform(-1.0, 1.0);
+      square += direction[axis] * direction[axis];
+    }
+    spheres[k].radius *= 0.1;
+    const double off = std::exp2(-20.0 - this->random_.uniform(0.0, 8.0));
+    const double distance = (large + spheres[k].radius) * (k % 2 == 0 ? 1.0 + off : 1.0 - off);
+    for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
+      spheres[k].center[axis] = 1000.0 + direction[axis] / std::sqrt(square) * distance;
+    }
+  }
+  spheres[0] = sphere_at<dim>({1000.0, 1000.0, 1000.0}, large);
+  expect_right_by_size<dim>(spheres);
+}
+
 /// No radius at all, written in both ways, beside others.
 TYPED_TEST(LayerSizesOf, PointsAmongSpheres) {
   constexpr int dim = TypeParam::value;

@@ -3,6 +3,7 @@
 #include "base/asking_workers.hpp"
 #include "engine/divide.hpp"
 #include "engine/layers/layer_search.hpp"
+#include "engine/set_cells.hpp"
 #include "engine/size_cut.hpp"
 
 #include <algorithm>
@@ -10,22 +11,6 @@
 
 namespace abut::engine {
 namespace {
-
-/// Room for the roundings of single precision in a tile of at most 2^10 cells a side: see
-/// docs/derivations/tile_filter.md.
-constexpr double tile_cell_margin = 1.0 + 0x1p-10;
-
-/// Cells below this size would make counts of cells, or their inverse, overflow.
-constexpr double smallest_cell = 0x1p-900;
-constexpr double most_cells_along_box = 0x1p60;
-
-/// Tiles of so many cells a side have 15 % copies; wider ones fall out of the cache. Tiles of full
-/// cells hold more elements: what their search needs at a time is two layers, while narrower ones
-/// would have more copies (docs/adr/0010-rows-in-tiles.md).
-constexpr double cells_along_tile = 18.0;
-constexpr double elements_per_tile = 48000.0;
-constexpr double least_elements_per_tile = 512.0;
-constexpr double most_tiles = 1 << 25;
 
 /// A tile is crowded if the mean occupancy of its elements' cells (sum of n^2 / N) is at least the
 /// one, and it holds more elements than the other.
@@ -47,58 +32,9 @@ constexpr std::size_t large_set = 1 << 15;
 constexpr std::size_t least_shared_tile = 1 << 13;
 constexpr std::size_t parts_for_each = 4;
 
-/// Returns the size below which positions are not known well enough, or counts of cells overflow.
-template <int Dim>
-double least_cell_for(const grid::Bounds<Dim>& bounds, const SearchInput<Dim>& input) {
-  double cell = std::max(input.least_cell, smallest_cell);
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    cell = std::max(cell, (bounds.upper[axis] - bounds.lower[axis]) / most_cells_along_box);
-  }
-  return cell;
-}
-
-/// Returns the size of cells: the reach with its margin, or the least there may be.
-template <int Dim>
-double cell_size_for(const grid::Bounds<Dim>& bounds, const SearchInput<Dim>& input) {
-  const double reach = bounds.largest_radius + bounds.second_largest_radius + input.margin;
-  return std::max(reach * tile_cell_margin, least_cell_for(bounds, input));
-}
-
 template <int Dim>
 SizeDistribution sizes_of(const grid::Bounds<Dim>& sizes, double margin, double volume) {
   return {sizes.largest_radius, sizes.smallest_radius, margin, volume};
-}
-
-template <int Dim>
-double volume_in_cells(const grid::Bounds<Dim>& bounds, double cell) {
-  constexpr double infinite = 0x1p300;
-  double volume = 1.0;
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    volume *= std::clamp((bounds.upper[axis] - bounds.lower[axis]) / cell, 1.0, infinite);
-  }
-  return volume;
-}
-
-template <int Dim>
-double tile_volume_in_cells(const TileGrid<Dim>& grid) {
-  grid::Bounds<Dim> tile;
-  tile.lower.fill(0.0);
-  tile.upper = grid.size;
-  return volume_in_cells(tile, grid.cell_size);
-}
-
-/// Small tiles where that costs no copies; else such as fit into the cache.
-template <int Dim>
-TileGrid<Dim> cut_into_tiles(const SearchSet<Dim>& set, double cell) {
-  const auto locals = static_cast<double>(set.locals.size());
-  const auto at_most = [&](double tiles) {
-    return std::clamp(tiles, set.least_tiles, std::max(set.least_tiles, most_tiles));
-  };
-  const auto wide = TileGrid<Dim>::over(set.bounds, cell, cells_along_tile,
-                                        at_most(locals / least_elements_per_tile));
-  const double wanted = at_most(locals / elements_per_tile);
-  if (wide.tiles_in_box() >= wanted) return wide;
-  return TileGrid<Dim>::over(set.bounds, cell, 1.0, wanted);
 }
 
 template <int Dim>

@@ -7,6 +7,7 @@
 #include "device/bodies/directory.hpp"
 #include "device/bodies/filter.hpp"
 #include "device/bodies/frame.hpp"
+#include "device/bodies/last_at.hpp"
 #include "device/bodies/place.hpp"
 #include "device/bodies/sizes.hpp"
 
@@ -90,18 +91,7 @@ struct MeetCoarse {
 
   /// The last coarse element whose items begin at or before this one.
   [[nodiscard]] ABUT_HD std::uint64_t coarse_number_of(std::uint64_t item) const noexcept {
-    std::uint64_t first = 0;
-    std::uint64_t count = elements.count - level.end_slot;
-    while (count > 1) {
-      const std::uint64_t half = count / 2;
-      if (items_before[first + half] <= item) {
-        first += half;
-        count -= half;
-      } else {
-        count = half;
-      }
-    }
-    return first;
+    return last_at(items_before, elements.count - level.end_slot, item);
   }
 
   [[nodiscard]] ABUT_HD SlotRun row_of(const CellBox<Dim>& box, std::uint64_t row) const noexcept {

@@ -3,6 +3,7 @@
 #include "base/host_device.hpp"
 #include "device/bodies/element_pairs.hpp"
 #include "device/bodies/filter.hpp"
+#include "device/bodies/last_at.hpp"
 #include "device/bodies/partners.hpp"
 #include "device/bodies/window_images.hpp"
 #include "lattice/image_window.hpp"
@@ -85,18 +86,7 @@ struct ImageChecker {
 
   /// The last pair whose items begin at or before this one.
   [[nodiscard]] ABUT_HD std::uint64_t number_of_pair(std::uint64_t item) const noexcept {
-    std::uint64_t first = 0;
-    std::uint64_t count = pairs;
-    while (count > 1) {
-      const std::uint64_t half = count / 2;
-      if (items_before[first + half] <= item) {
-        first += half;
-        count -= half;
-      } else {
-        count = half;
-      }
-    }
-    return first;
+    return last_at(items_before, pairs, item);
   }
 
   /// The second element of a pair as it is, or as an image of it: its place is off by less than

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 
 namespace abut::engine {
 namespace {
 
-/// Costs in units of a candidate test in tiles (2.25 instructions), counted with valgrind: to bring
-/// an element into layers, the two vectors of a near element, those again of one whose runs are too
-/// long for them, any other element, a row in which it looks, and a candidate there.
+/// Costs in units of a candidate test in tiles, some 2.25 instructions: to bring an element into
+/// layers, the two vectors of a near element, those again of one whose runs are too long for them,
+/// any other element, a row in which it looks, and a candidate there. Set by instructions counted
+/// with valgrind and by the times of docs/adr/0024-sizes-in-layers.md.
 constexpr double cost_of_element = 75.0;
 constexpr double cost_of_near = 80.0;
 constexpr double cost_of_long_runs = 70.0;
@@ -42,13 +42,6 @@ constexpr double rows_of(double wide) {
   return Dim == 2 ? wide : wide * wide;
 }
 
-/// Returns the root: the same bits with every library of mathematics, since the order of pairs
-/// follows from the cells.
-double root_of(double volume, int axes) {
-  if (axes == 3) return exact::cube_root(volume);
-  return axes == 2 ? std::sqrt(volume) : volume;
-}
-
 /// Cost of an element that looks that many cells around it, in cells that hold so many.
 template <int Dim>
 double cost_of(double reach, double density, double count) {
@@ -65,8 +58,8 @@ double cost_of(double reach, double density, double count) {
   return cost_of_other + cost_of_row * cut + cost_of_test * tests;
 }
 
-}  // namespace
-
+/// Returns the side of cells of which a box has so many, where an axis shorter than a cell counts
+/// as one; 0 for a point. The order of pairs follows from it: roots have the same bits everywhere.
 template <int Dim>
 double side_of_cells(const grid::Bounds<Dim>& bounds, double cells) {
   std::array<double, Dim> extents{};
@@ -78,12 +71,14 @@ double side_of_cells(const grid::Bounds<Dim>& bounds, double cells) {
   for (std::size_t k = 0; k < Dim && extents[k] > 0.0; ++k) {
     product *= extents[k] / extents[0];
     const int axes = static_cast<int>(k) + 1;
-    const double next = extents[0] * root_of(product / cells, axes);
+    const double next = extents[0] * exact::side_of(product / cells, axes);
     if (k > 0 && next > extents[k]) break;
     side = next;
   }
   return side;
 }
+
+}  // namespace
 
 template <int Dim>
 CellBySize choose_cell_by_size(const SizeClasses& classes, const SizeDistribution& sizes,
@@ -104,8 +99,6 @@ CellBySize choose_cell_by_size(const SizeClasses& classes, const SizeDistributio
   return best;
 }
 
-template double side_of_cells<2>(const grid::Bounds<2>&, double);
-template double side_of_cells<3>(const grid::Bounds<3>&, double);
 template CellBySize choose_cell_by_size<2>(const SizeClasses&, const SizeDistribution&,
                                            const grid::Bounds<2>&);
 template CellBySize choose_cell_by_size<3>(const SizeClasses&, const SizeDistribution&,

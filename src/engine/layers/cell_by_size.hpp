@@ -18,9 +18,4 @@ template <int Dim>
                                              const SizeDistribution& sizes,
                                              const grid::Bounds<Dim>& bounds);
 
-/// Returns the side of cells of which a box has so many, where an axis shorter than a cell counts
-/// as one; 0 for a point.
-template <int Dim>
-[[nodiscard]] double side_of_cells(const grid::Bounds<Dim>& bounds, double cells);
-
 }  // namespace abut::engine

@@ -1,5 +1,6 @@
 #include "engine/layers/far_spheres.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace abut::engine {
@@ -38,6 +39,22 @@ void FarSpheres<Dim>::sort(const LayerGrid<Dim>& grid) {
     for (const kernels::FarSphere& far : list) {
       elements_[cursors[grid.layers_around(far).first]++] = far;
     }
+  }
+  count_in_reach(grid.layer_count());
+}
+
+template <int Dim>
+void FarSpheres<Dim>::count_in_reach(std::size_t layers) {
+  leaving_.assign(layers, 0);
+  for (const kernels::FarSphere& far : std::span(elements_).first(cursors_.total())) {
+    ++leaving_[far.last_layer];
+  }
+  most_in_reach_ = 0;
+  std::size_t in_reach = 0;
+  for (std::size_t k = 0; k < layers; ++k) {
+    in_reach += cursors_.size(k);
+    most_in_reach_ = std::max(most_in_reach_, in_reach);
+    in_reach -= leaving_[k];
   }
 }
 

@@ -18,7 +18,10 @@ template <int Dim>
 class FarSpheres {
  public:
   explicit FarSpheres(base::MemoryMeter& memory)
-      : memory_(memory), elements_(empty(memory)), cursors_(memory) {}
+      : memory_(memory),
+        elements_(empty(memory)),
+        cursors_(memory),
+        leaving_(base::make_array_for_overwrite<std::size_t>(memory, 0)) {}
 
   /// Before any is noted.
   void start(std::size_t workers);
@@ -30,6 +33,9 @@ class FarSpheres {
   /// Sorts those noted by all workers.
   void sort(const LayerGrid<Dim>& grid);
 
+  /// The most that look in one layer.
+  [[nodiscard]] std::size_t most_in_reach() const noexcept { return most_in_reach_; }
+
   /// Those that look in layer k, but not in the one before it.
   [[nodiscard]] std::span<const kernels::FarSphere> from(std::size_t k) const noexcept {
     return std::span(elements_).subspan(cursors_.begin(k), cursors_.size(k));
@@ -40,6 +46,8 @@ class FarSpheres {
   }
 
  private:
+  void count_in_reach(std::size_t layers);
+
   using List = base::Array<kernels::FarSphere>;
   [[nodiscard]] static List empty(base::MemoryMeter& memory) {
     return base::make_array_for_overwrite<kernels::FarSphere>(memory, 0);
@@ -49,6 +57,8 @@ class FarSpheres {
   std::vector<List> noted_;  ///< by each worker
   List elements_;
   LayerCursors cursors_;
+  base::Array<std::size_t> leaving_;  ///< of each layer, those that look in none behind it
+  std::size_t most_in_reach_ = 0;
 };
 
 /// The far elements that look in a layer, while one worker goes from layer to layer.

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace abut::engine {
 
@@ -34,7 +33,6 @@ class LayerCursors {
     return begin_[layer + 1] - begin_[layer];
   }
   [[nodiscard]] std::size_t total() const noexcept { return begin_[layers_]; }
-  [[nodiscard]] std::size_t layers() const noexcept { return layers_; }
   /// The most in a layer.
   [[nodiscard]] std::size_t largest() const noexcept { return largest_; }
 

@@ -45,15 +45,9 @@ struct BoxInCells {
   int long_axes = 0;
 };
 
-/// Returns the side of a cube, square or line of that volume: the same bits with every library of
-/// mathematics, since the order of pairs follows from the cells.
-double side_of(double volume, int axes) {
-  if (axes == 3) return exact::cube_root(volume);
-  return axes == 2 ? std::sqrt(volume) : volume;
-}
-
 /// Returns the size of cells: `least`, or where most would be empty, such that the box has about as
-/// many as elements.
+/// many as elements. The order of pairs follows from the cells: roots have the same bits
+/// everywhere.
 template <int Dim>
 double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements) {
   double cell = least;
@@ -62,7 +56,7 @@ double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements)
   for (int round = 0; round < Dim; ++round) {
     const BoxInCells<Dim> box(bounds, cell);
     if (!(box.cells > elements)) break;
-    cell *= side_of(box.cells / elements, box.long_axes);
+    cell *= exact::side_of(box.cells / elements, box.long_axes);
   }
   return cell;
 }

@@ -41,7 +41,6 @@ class LayerRecords {
     if (has_radii_) layer.radii = std::span(radii_).subspan(begin, size);
     return layer;
   }
-  [[nodiscard]] std::size_t layer_count() const noexcept { return cursors_.layers(); }
   [[nodiscard]] std::size_t largest_layer() const noexcept { return cursors_.largest(); }
 
  private:

@@ -117,12 +117,17 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   return unit + stretches;
 }
 
-/// The workers that have room for their layers, each for two of the largest: fewer than there are
-/// only where one layer holds much of all.
+/// The workers that have room for their layers, each for two or three of the largest, and for the
+/// far elements in their reach: fewer than there are only where one layer holds much of all, or
+/// meets it.
 template <int Dim>
 std::size_t LayerSearch<Dim>::workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const {
-  const std::size_t integers = workspace_.workers[0]->scratch().layers.integers_for(
+  std::size_t integers = workspace_.workers[0]->scratch().layers.integers_for(
       grid, workspace_.layer_records.largest_layer());
+  if (grid.is_by_size()) {
+    constexpr std::size_t integers_of_far = sizeof(kernels::FarSphere) / sizeof(std::uint32_t);
+    integers += workspace_.far_spheres.most_in_reach() * integers_of_far;
+  }
   if (integers <= integers_of_thread) return worker_count_;
   const std::size_t room = integers_of_element * elements;
   return std::clamp(room / (integers - integers_of_thread), std::size_t{1}, worker_count_);

@@ -16,10 +16,16 @@ namespace abut::exact {
   }
 }
 
+/// The side of a cube, square or line of that volume, with the same bits everywhere, too.
+[[nodiscard]] inline double side_of(double volume, int axes) noexcept {
+  if (axes == 3) return cube_root(volume);
+  return axes == 2 ? std::sqrt(volume) : volume;
+}
+
 /// The Dim-th root.
 template <int Dim>
 [[nodiscard]] double root(double x) noexcept {
-  return Dim == 2 ? std::sqrt(x) : cube_root(x);
+  return side_of(x, Dim);
 }
 
 }  // namespace abut::exact

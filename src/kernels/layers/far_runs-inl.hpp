@@ -24,19 +24,17 @@ struct PieceRange {
   return gap * gap;
 }
 
-/// Calls test(run) for each run of a layer that the ball of a far element cuts. `table` is that of
-/// the layer, and `layer` its number. Where the ball cuts few rows, all runs are as long as the
-/// longest.
+/// Calls test(run) for each run of the own layer that the ball of a far element cuts. Where the
+/// ball cuts few rows, all runs are as long as the longest.
 template <int Dim, class Test>
-void for_each_run(const ThreeLayers& layers, const std::uint32_t* table, std::int32_t layer,
-                  const FarSphere& far, const Test& test) {
+void for_each_run(const ThreeLayers& layers, const FarSphere& far, const Test& test) {
   constexpr std::int64_t few_rows = 4;
   constexpr double room = 1.0 + 0x1p-18;
   const double reach = double{own_reach(far.radius, layers.margin)} * room;
   double square = reach * reach;
-  if constexpr (Dim == 3) square -= square_to_cell(far.position[layers.layer_axis], layer);
+  if constexpr (Dim == 3) square -= square_to_cell(far.position[layers.layer_axis], layers.layer);
   if (!(square >= 0.0)) return;
-  const std::int64_t first_row = Dim == 2 ? std::int64_t{layers.first_row} : 0;
+  const std::int64_t first_row = layers.first_row;
   const double in_layer = std::sqrt(square);
   const PieceRange rows(far.position[layers.next_row_axis], in_layer, cell_bits, first_row,
                         first_row + layers.rows - 1);
@@ -47,7 +45,7 @@ void for_each_run(const ThreeLayers& layers, const std::uint32_t* table, std::in
   const bool has_few_rows = rows.last - rows.first < few_rows;
   PieceRange columns = columns_within(in_layer);
   const std::uint32_t* of_row =
-      table + (rows.first - first_row + 1) * std::int64_t{layers.row_length} + near_columns;
+      layers.own + (rows.first - first_row + 1) * std::int64_t{layers.row_length} + near_columns;
   for (std::int64_t row = rows.first; row <= rows.last; ++row, of_row += layers.row_length) {
     if (!has_few_rows) {
       const double left = square - square_to_cell(far.position[layers.next_row_axis], row);

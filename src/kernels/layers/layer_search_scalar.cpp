@@ -128,8 +128,7 @@ class ScalarSmallerTester : ScalarTester {
   }
 
   void search_far(const FarSphere& far) {
-    for_each_run<Dim>(layers_, layers_.own, layers_.layer, far,
-                      [&](const Run& run) { test_far(far, run); });
+    for_each_run<Dim>(layers_, far, [&](const Run& run) { test_far(far, run); });
     take_now_and_then();
   }
 

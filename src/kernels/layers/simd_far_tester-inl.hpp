@@ -24,8 +24,7 @@ class SimdFarTester {
   /// Far elements in the own layer.
   HWY_INLINE void search(const FarSphere* far, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
-      for_each_run<Dim>(layers_, layers_.own, layers_.layer, far[k],
-                        [&](const Run& run) { add(far[k], run); });
+      for_each_run<Dim>(layers_, far[k], [&](const Run& run) { add(far[k], run); });
     }
     finish();
   }

@@ -44,6 +44,12 @@ std::array<double, 3> box_for(std::size_t count, double neighbors,
   return {side * ratios[0], side * ratios[1], side * ratios[2]};
 }
 
+/// Sides of boxes in each order of their lengths, and of flat ones across each axis.
+[[nodiscard]] inline std::vector<std::array<double, 3>> box_shapes(double flat) {
+  return {{1.0, 3.0, 9.0}, {1.0, 9.0, 3.0},   {3.0, 1.0, 9.0},   {9.0, 1.0, 3.0},  {3.0, 9.0, 1.0},
+          {9.0, 3.0, 1.0}, {1.0, flat, flat}, {flat, 1.0, flat}, {flat, flat, 1.0}};
+}
+
 /// Neighbors at distance 1 along each axis.
 template <int Dim>
 Spheres<Dim> cubic_lattice(std::size_t side) {

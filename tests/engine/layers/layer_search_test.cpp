@@ -44,15 +44,7 @@ TYPED_TEST(LayerSearchOf, ManyElements) {
 /// The layer axis and the row axis on each of the axes.
 TYPED_TEST(LayerSearchOf, BoxesOfAllShapes) {
   constexpr int dim = TypeParam::value;
-  for (const auto& ratios : {std::array{1.0, 3.0, 9.0},
-                             {1.0, 9.0, 3.0},
-                             {3.0, 1.0, 9.0},
-                             {9.0, 1.0, 3.0},
-                             {3.0, 9.0, 1.0},
-                             {9.0, 3.0, 1.0},
-                             {1.0, 30.0, 30.0},
-                             {30.0, 1.0, 30.0},
-                             {30.0, 30.0, 1.0}}) {
+  for (const auto& ratios : box_shapes(30.0)) {
     SCOPED_TRACE(std::to_string(ratios[0]) + " : " + std::to_string(ratios[1]));
     expect_right_in_layers<dim>(
         uniform_spheres<dim>(this->random_, 2000, box_for<dim>(2000, 6.0, ratios)));

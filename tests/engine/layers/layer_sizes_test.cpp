@@ -92,15 +92,7 @@ TYPED_TEST(LayerSizesOf, EqualRadiiBesideLargerOnes) {
 }
 
 TYPED_TEST(LayerSizesOf, BoxesOfAllShapes) {
-  for (const auto& ratios : {std::array{1.0, 3.0, 9.0},
-                             {1.0, 9.0, 3.0},
-                             {3.0, 1.0, 9.0},
-                             {9.0, 1.0, 3.0},
-                             {3.0, 9.0, 1.0},
-                             {9.0, 3.0, 1.0},
-                             {1.0, 100.0, 100.0},
-                             {100.0, 1.0, 100.0},
-                             {100.0, 100.0, 1.0}}) {
+  for (const auto& ratios : box_shapes(100.0)) {
     SCOPED_TRACE(std::to_string(ratios[0]) + " : " + std::to_string(ratios[1]));
     expect_right_by_size<TypeParam::value>(this->log_uniform(2000, 20.0, 0.3, ratios));
   }
@@ -130,26 +122,20 @@ TYPED_TEST(LayerSizesOf, Giants) {
   expect_right_by_size<dim>(spheres, 0.0, Way::tiles);
 }
 
-/// Small ones on the surface of a giant, nearer to touching it than single precision tells.
+/// A row of small ones, and some on the surface of a giant a thousand cells away from its center,
+/// nearer to touching it than single precision tells.
 TYPED_TEST(LayerSizesOf, SmallOnesThatTouchAGiant) {
   constexpr int dim = TypeParam::value;
-  const double large = 400.0;
-  auto spheres = this->log_uniform(3000, 2.0, 0.001);
-  for (std::size_t k = 1; k < spheres.size(); ++k) {
-    std::array<double, 3> direction{};
-    double square = 0.0;
-    for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
-      direction[axis] = this->random_.uniform(-1.0, 1.0);
-      square += direction[axis] * direction[axis];
-    }
-    spheres[k].radius *= 0.1;
-    const double off = std::exp2(-20.0 - this->random_.uniform(0.0, 8.0));
-    const double distance = (large + spheres[k].radius) * (k % 2 == 0 ? 1.0 + off : 1.0 - off);
-    for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
-      spheres[k].center[axis] = 1000.0 + direction[axis] / std::sqrt(square) * distance;
-    }
+  const double large = 1000.123;
+  auto spheres = uniform_spheres<dim>(this->random_, 4000, {2000.0, 0.5, 0.5});
+  for (auto& sphere : spheres) sphere.radius = this->random_.uniform(0.1, 0.2);
+  spheres.front() = sphere_at<dim>({0.0, 0.0, 0.0}, large);
+  for (std::size_t k = 1; k < 400; ++k) {
+    const double off = std::exp2(this->random_.uniform(-32.0, -20.0));
+    const double reach = large + spheres[k].radius;
+    const double distance = reach * (k % 2 == 0 ? 1.0 + off : 1.0 - off);
+    spheres[k] = sphere_at<dim>({distance, 0.0, 0.0}, spheres[k].radius);
   }
-  spheres[0] = sphere_at<dim>({1000.0, 1000.0, 1000.0}, large);
   expect_right_by_size<dim>(spheres);
 }
 

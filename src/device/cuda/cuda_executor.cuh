@@ -8,12 +8,6 @@
 #include <abut/pair.hpp>
 
 #include <cuda_runtime.h>
-#include <thrust/iterator/counting_iterator.h>
-#include <thrust/iterator/transform_iterator.h>
-#include <cub/device/device_histogram.cuh>
-#include <cub/device/device_radix_sort.cuh>
-#include <cub/device/device_scan.cuh>
-#include <cub/device/device_select.cuh>
 
 #include <algorithm>
 #include <cstddef>
@@ -61,6 +55,15 @@ struct EntryOf {
   __device__ T operator()(std::uint64_t k) const { return values[k]; }
 };
 
+/// Body: writes what another body gives for each item.
+template <class Body>
+struct WriteValue {
+  Body body;
+  std::uint32_t* values;
+
+  __device__ void operator()(std::uint64_t k) const { values[k] = body(k); }
+};
+
 /// Runs a pipeline in a stream of the current device: one generic kernel, and CUB.
 class CudaExecutor {
  public:
@@ -101,65 +104,29 @@ class CudaExecutor {
     for_each(1, JoinPart<T, EntryOf<T>, Join>{few.size(), 1, none, {few.data()}, join, target});
   }
 
-  void exclusive_scan(std::uint64_t* values, std::uint64_t count) {
-    with_scratch([&](void* scratch, std::size_t& bytes) {
-      return cub::DeviceScan::ExclusiveSum(scratch, bytes, values, values, count, stream_);
-    });
-  }
+  // What does not depend on the bodies of a pipeline is compiled once (cuda_executor.cu).
+
+  void exclusive_scan(std::uint64_t* values, std::uint64_t count);
 
   template <class Key>
   void sort_by_key(TwinBuffer<Key, CudaExecutor>& keys,
-                   TwinBuffer<std::uint32_t, CudaExecutor>& numbers, std::uint64_t count,
-                   int bits) {
-    cub::DoubleBuffer<Key> key_buffers(keys.current.data(), keys.other.data());
-    cub::DoubleBuffer<std::uint32_t> number_buffers(numbers.current.data(), numbers.other.data());
-    with_scratch([&](void* scratch, std::size_t& bytes) {
-      return cub::DeviceRadixSort::SortPairs(scratch, bytes, key_buffers, number_buffers, count, 0,
-                                             bits, stream_);
-    });
-    take_current(keys, key_buffers.Current());
-    take_current(numbers, number_buffers.Current());
-  }
+                   TwinBuffer<std::uint32_t, CudaExecutor>& numbers, std::uint64_t count, int bits);
 
-  /// A pair is a number of 64 bits, the first element in the lower half.
   void sort_pairs(TwinBuffer<ContactPair, CudaExecutor>& pairs, std::uint64_t count, int first_bit,
-                  int end_bit) {
-    using Word = unsigned long long;
-    static_assert(sizeof(ContactPair) == sizeof(Word));
-    cub::DoubleBuffer<Word> buffers(reinterpret_cast<Word*>(pairs.current.data()),
-                                    reinterpret_cast<Word*>(pairs.other.data()));
-    with_scratch([&](void* scratch, std::size_t& bytes) {
-      return cub::DeviceRadixSort::SortKeys(scratch, bytes, buffers, count, first_bit, end_bit,
-                                            stream_);
-    });
-    take_current(pairs, reinterpret_cast<ContactPair*>(buffers.Current()));
-  }
+                  int end_bit);
 
   template <class T, class Predicate>
   [[nodiscard]] std::uint64_t select(const T* from, T* to, std::uint64_t count,
-                                     const Predicate& predicate) {
-    Buffer<std::uint64_t, CudaExecutor> taken(*this, 1);
-    with_scratch([&](void* scratch, std::size_t& bytes) {
-      return cub::DeviceSelect::If(scratch, bytes, from, to, taken.data(), count, predicate,
-                                   stream_);
-    });
-    std::uint64_t result = 0;
-    copy_to_host(&result, taken.data(), 1);
-    return result;
-  }
+                                     const Predicate& predicate);
 
+  /// Values are written first: within the kernels of CUB a body would be compiled four times, each
+  /// many items long.
   template <class Body>
   void histogram(std::uint64_t* bins, std::uint32_t bin_count, std::uint64_t count,
                  const Body& body) {
-    static_assert(sizeof(unsigned long long) == sizeof(std::uint64_t));
-    const auto samples =
-        thrust::make_transform_iterator(thrust::counting_iterator<std::uint64_t>(0), body);
-    with_scratch([&](void* scratch, std::size_t& bytes) {
-      return cub::DeviceHistogram::HistogramEven(
-          scratch, bytes, samples, reinterpret_cast<unsigned long long*>(bins),
-          static_cast<int>(bin_count) + 1, std::uint32_t{0}, bin_count,
-          static_cast<std::int64_t>(count), stream_);
-    });
+    const Buffer<std::uint32_t, CudaExecutor> values(*this, count);
+    for_each(count, WriteValue<Body>{body, values.data()});
+    count_values(bins, bin_count, count, values.data());
   }
 
   template <class T>
@@ -186,6 +153,9 @@ class CudaExecutor {
   void release(void* block, std::uint64_t bytes) noexcept { memory_.give_back(block, bytes); }
 
  private:
+  void count_values(std::uint64_t* bins, std::uint32_t bin_count, std::uint64_t count,
+                    const std::uint32_t* values);
+
   template <class T, class Body, class Join>
   [[nodiscard]] Buffer<T, CudaExecutor> join_to_few(std::uint64_t count, T none, const Body& body,
                                                     const Join& join) {
@@ -215,11 +185,6 @@ class CudaExecutor {
     require(operation(nullptr, bytes), "plan an operation");
     const Buffer<char, CudaExecutor> scratch(*this, std::max<std::size_t>(bytes, 1));
     require(operation(scratch.data(), bytes), "start an operation");
-  }
-
-  template <class T>
-  static void take_current(TwinBuffer<T, CudaExecutor>& buffers, const T* current) {
-    if (buffers.current.data() != current) buffers.current.swap(buffers.other);
   }
 
   KeptMemory& memory_;

@@ -86,7 +86,7 @@ class SimdLayerTester {
       }
     }
     hits_.finish();
-    job_.has_many_undecided = expects_care_;
+    job_.has_many_undecided = has_many_undecided_;
   }
 
  private:
@@ -100,6 +100,9 @@ class SimdLayerTester {
   /// undecided.
   static constexpr Bits with_care = Bits{1} << 31;
 
+  /// Candidates of a run, more than which are those of a crowd.
+  static constexpr auto long_run = 2 * static_cast<std::uint32_t>(lanes);
+
   using Elements = typename Search::Batch;
 
   /// The candidates of the elements of a batch, and which of them are hits: bit 8 v + k for lane k
@@ -111,6 +114,12 @@ class SimdLayerTester {
     std::uint32_t count = 0;                  ///< of these
   };
 
+  /// How many elements of a batch needed care, and of these had an undecided pair.
+  struct BatchCounts {
+    std::uint32_t elements = 0;
+    std::uint32_t undecided = 0;
+  };
+
   /// First the distances of all, then the pairs: two loops that do not wait for each other, each
   /// short enough for the processor to have several elements under way. Neither branches on what
   /// is common.
@@ -118,7 +127,7 @@ class SimdLayerTester {
     if (HWY_UNLIKELY(expects_care_)) return test_batch_with_care(elements);
     Batch batch;
     std::uint64_t tests = 0;
-    std::uint32_t number_with_care = 0;
+    BatchCounts counts;
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
       batch.hits[k] = filter(elements, k, batch.number[k], tests);
       if constexpr (Search::some_have_hits) {
@@ -135,10 +144,8 @@ class SimdLayerTester {
       if (!Search::some_have_hits && hits == 0) continue;
       if (HWY_UNLIKELY(hits >= with_care)) {
         hits_.set_found(found);
-        test_with_care(elements, k);
-        hits_.take_now_and_then();
+        test_with_care(elements, k, counts);
         found = hits_.found();
-        ++number_with_care;
         continue;
       }
       found = hits_.make_room(found, most_hits);
@@ -146,7 +153,7 @@ class SimdLayerTester {
                                                batch.number[k], found);
     }
     hits_.set_found(found);
-    expects_care_ = is_most(number_with_care, elements);
+    expect(counts, elements);
   }
 
   /// Returns the hits, or some number from `with_care` on; adds the tests that need no care.
@@ -186,54 +193,91 @@ class SimdLayerTester {
     }
   }
 
-  /// The elements of a batch most of which have an undecided pair, as on a lattice.
+  /// The elements of a batch most of which need care, as on a lattice or in a crowd.
   HWY_NOINLINE void test_batch_with_care(const Elements& elements) {
-    std::uint32_t number_with_care = 0;
-    for (std::uint32_t k = 0; k < elements.size(); ++k) {
-      const std::size_t undecided_before = hits_.undecided_count();
-      test_with_care(elements, k);
-      number_with_care += hits_.undecided_count() != undecided_before ? 1 : 0;
-      hits_.take_now_and_then();
-    }
-    expects_care_ = is_most(number_with_care, elements);
+    BatchCounts counts;
+    for (std::uint32_t k = 0; k < elements.size(); ++k) test_with_care(elements, k, counts);
+    expect(counts, elements);
   }
 
-  [[nodiscard]] static HWY_INLINE bool is_most(std::uint32_t count, const Elements& elements) {
-    return 2 * count > elements.size();
+  /// From most of a batch to the next one.
+  HWY_INLINE void expect(const BatchCounts& counts, const Elements& elements) {
+    expects_care_ = 2 * counts.elements > elements.size();
+    has_many_undecided_ = 2 * counts.undecided > elements.size();
   }
 
-  /// An element with runs of any length, and notes of what the filter cannot decide.
-  HWY_NOINLINE void test_with_care(const Elements& elements, std::uint32_t k) {
+  HWY_INLINE void test_with_care(const Elements& elements, std::uint32_t k, BatchCounts& counts) {
+    const std::size_t undecided_before = hits_.undecided_count();
+    const bool has_long_runs = test_all_runs(elements, k);
+    const bool has_undecided = hits_.undecided_count() != undecided_before;
+    counts.elements += has_long_runs || has_undecided ? 1 : 0;
+    counts.undecided += has_undecided ? 1 : 0;
+    hits_.take_now_and_then();
+  }
+
+  /// An element with runs of any length, and notes of what the filter cannot decide. Returns
+  /// whether runs are too long for their vectors.
+  HWY_NOINLINE bool test_all_runs(const Elements& elements, std::uint32_t k) {
     const auto runs = elements.runs_of(k);
     const std::uint32_t p = elements.place(k);
     const Probe probe = Probe::at(layers_, p);
-    test_runs<0>(probe, p, runs);
-    if constexpr (vectors > 1) test_runs<1>(probe, p, runs);
-    if constexpr (vectors > 2) test_runs<2>(probe, p, runs);
+    bool are_long = test_runs<0>(probe, p, runs);
+    if constexpr (vectors > 1) are_long |= test_runs<1>(probe, p, runs);
+    if constexpr (vectors > 2) are_long |= test_runs<2>(probe, p, runs);
+    return are_long;
   }
 
   template <std::size_t v, class Runs>
-  HWY_INLINE void test_runs(const Probe& probe, std::uint32_t p, const Runs& runs) {
+  HWY_INLINE bool test_runs(const Probe& probe, std::uint32_t p, const Runs& runs) {
     const Run first = runs.template run<2 * v>();
     if constexpr (2 * v + 1 < Search::runs) {
       const Run second = runs.template run<2 * v + 1>();
       const JoinedRuns joined(first, second);
-      if (HWY_LIKELY(joined.size() <= candidates)) return test_lanes(probe, p, joined);
-      test_lanes(probe, p, SingleRun(first));
-      test_lanes(probe, p, SingleRun(second));
+      if (HWY_LIKELY(joined.size() <= candidates)) {
+        test_lanes(probe, p, joined);
+        return false;
+      }
+      test_single_run(probe, p, SingleRun(first));
+      test_single_run(probe, p, SingleRun(second));
+      return true;
     } else {
-      test_lanes(probe, p, SingleRun(first));
+      test_single_run(probe, p, SingleRun(first));
+      return first.end - first.begin > candidates;
     }
+  }
+
+  HWY_INLINE void test_single_run(const Probe& probe, std::uint32_t p, const SingleRun& run) {
+    if (HWY_UNLIKELY(run.size() > long_run)) return test_long_run(probe, p, run);
+    test_lanes(probe, p, run);
   }
 
   template <class Runs>
   HWY_INLINE void test_lanes(const Probe& probe, std::uint32_t p, const Runs& runs) {
     hits_.count_tests(runs.size());
-    for (std::uint32_t k = 0; k < runs.size(); k += lanes) {
-      const Floats squares = probe.distance_squared(runs, k);
-      const Bits hits = probe.hits(runs, k, squares) & lanes_before(runs.size() - k);
-      hits_.add(layers_.number[p], p, runs, k, hits, probe.is_sure(runs, k, squares));
+    for (std::uint32_t k = 0; k < runs.size(); k += lanes) add_hits(probe, p, runs, k);
+  }
+
+  /// A run of a crowd. Most of its vectors have no hits: they are only looked at.
+  HWY_INLINE void test_long_run(const Probe& probe, std::uint32_t p, const SingleRun& run) {
+    constexpr std::uint32_t piece = 32 * static_cast<std::uint32_t>(lanes);
+    hits_.count_tests(run.size());
+    for (std::uint32_t begin = 0; begin < run.size(); begin += piece) {
+      const std::uint32_t end = std::min(run.size(), begin + piece);
+      std::uint32_t with_hits[piece / lanes + 1];
+      std::uint32_t count = 0;
+      for (std::uint32_t k = begin; k < end; k += lanes) {
+        with_hits[count] = k;
+        count += probe.hits(run, k, probe.distance_squared(run, k)) != 0 ? 1 : 0;
+      }
+      for (std::uint32_t n = 0; n < count; ++n) add_hits(probe, p, run, with_hits[n]);
     }
+  }
+
+  template <class Runs>
+  HWY_INLINE void add_hits(const Probe& probe, std::uint32_t p, const Runs& runs, std::uint32_t k) {
+    const Floats squares = probe.distance_squared(runs, k);
+    const Bits hits = probe.hits(runs, k, squares) & lanes_before(runs.size() - k);
+    hits_.add(layers_.number[p], p, runs, k, hits, probe.is_sure(runs, k, squares));
   }
 
   const Layers& layers_;
@@ -241,4 +285,5 @@ class SimdLayerTester {
   LayerHits hits_;
   Numbers band_;
   bool expects_care_ = false;
+  bool has_many_undecided_ = false;
 };

@@ -27,8 +27,14 @@ enum class Task {
   half_list,  ///< as neighbor list, each pair once
   full_list,  ///< as neighbor list, each pair from both sides
   copy,       ///< nothing but a copy of the arrays: what the memory of this machine gives
+  control,    ///< nothing but arithmetic: what its processors give
 };
 [[nodiscard]] std::string_view name_of(Task task);
+
+/// Tells whether the task is to measure the machine, without any answer.
+[[nodiscard]] constexpr bool measures_the_machine(Task task) {
+  return task == Task::copy || task == Task::control;
+}
 
 /// The pairs that one run found. `pairs` lies in the contestant's memory until its next run; first
 /// < second, each pair once. Tasks that store none, or not as pairs, leave it empty and tell their

@@ -39,6 +39,8 @@ std::string_view name_of(Task task) {
       return "half_list";
     case Task::full_list:
       return "full_list";
+    case Task::control:
+      return "control";
     default:
       return "copy";
   }

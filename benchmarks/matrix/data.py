@@ -12,7 +12,7 @@ SCENES = ["dense", "dense_spread", "ordered", "gas", "sparse", "clusters", "clus
           "hexagonal_2d", "touching_cubic", "touching_fcc", "touching_cubic_shuffled",
           "touching_fcc_shuffled", "one_giant"]
 
-YARDSTICKS = ["memcpy", "plain_grid"]
+YARDSTICKS = ["memcpy", "control_loop", "plain_grid"]
 DEFAULT = "abut_auto"
 
 
@@ -53,6 +53,15 @@ class Matrix:
         """(ns, contestant) of the fastest, (None, None) if nobody finished."""
         timed = [(self.ns(scene, elements, c), c) for c in contestants]
         return min((t for t in timed if t[0] is not None), default=(None, None))
+
+    def speedup(self, scene, elements, threads, contestant=DEFAULT, task="list"):
+        """How many times as fast as one thread so many are, or None."""
+        return ratio(*(self.ns(scene, elements, contestant, task=task, threads=t)
+                       for t in (1, threads)))
+
+    def possible_speedup(self, scene, elements, threads):
+        """The same of the control loop: what the processors gave meanwhile."""
+        return self.speedup(scene, elements, threads, "control_loop", "control")
 
     @property
     def ours(self):

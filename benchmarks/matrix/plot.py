@@ -95,7 +95,7 @@ def plot_scaling(matrix, folder):
     panels = [axes for line in grid for axes in line]
     # `rows` is what `auto` takes in nearly every case: its line would lie below that one.
     shown = [c for c in matrix.contestants
-             if c not in ("memcpy", "abut_rows") and style(c) != OF_THE_BOOK]
+             if c not in ("memcpy", "control_loop", "abut_rows") and style(c) != OF_THE_BOOK]
     for axes, scene in zip(panels, matrix.scenes):
         for contestant in shown:
             points = [(n, matrix.ns(scene, n, contestant)) for n in matrix.counts]

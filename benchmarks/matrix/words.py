@@ -23,5 +23,10 @@ def times(value):
     return "–" if value is None else f"{value:,.2f}×" if value < 9.95 else f"{value:,.0f}×"
 
 
+def of_possible(speedup, possible):
+    """A speedup, and what the processors gave meanwhile where that is known."""
+    return times(speedup) if possible is None else f"{times(speedup)} of {times(possible)}"
+
+
 def yes_or_no(condition):
     return "–" if condition is None else "yes" if condition else "**no**"

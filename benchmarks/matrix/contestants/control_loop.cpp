@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -15,7 +14,7 @@
 namespace abut::benchmarks {
 namespace {
 
-/// Steps for each element, so that one takes as long as its pairs take to be found.
+/// Steps for each element, so that one takes some 15 ns, as a search does.
 constexpr int steps = 8;
 
 /// Returns what the compiler cannot know, so that it must run all steps of a share of the elements.

@@ -5,9 +5,10 @@
 //   SIGTERM, ...   the signal comes before the call, which is then made
 //   TWICE          SIGTERM comes two times
 // Where ABUT_LEAKS names a file, the descriptors that are open at the end are written to it, one a
-// line. Files of the system (below /proc, /sys, /etc, /usr) are let alone, and so is each descriptor
-// that was not opened by `open`: a runtime of threads keeps memory shared, under a name with the number
-// of the process, and closes it more often where a killed process left that name behind.
+// line. Files of the system (below /proc, /sys, /etc, /usr) are let alone, and so is each
+// descriptor that was not opened by `open`: a runtime of threads keeps memory shared, under a name
+// with the number of the process, and closes it more often where a killed process left that name
+// behind.
 
 #include <dlfcn.h>
 #include <fcntl.h>

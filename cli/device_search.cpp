@@ -39,6 +39,12 @@ DeviceSearch::DeviceSearch(int device, const ElementView& elements, const Option
       rule_(options.rule, device::on(device)),
       detector_(with_rule(options, rule_.rule()), device::on(device)) {}
 
+DeviceSearch::DeviceSearch(int device, const ElementView& first, const ElementView& second,
+                           const Options& options)
+    : DeviceSearch(device, first, options) {
+  partners_.emplace(second, device::on(device));
+}
+
 void DeviceSearch::set_progress(ProgressHook hook) {
   Options options = detector_.options();
   options.progress = std::move(hook);
@@ -46,17 +52,21 @@ void DeviceSearch::set_progress(ProgressHook hook) {
 }
 
 const device::PairList& DeviceSearch::find(const Domain& domain) {
-  const device::PairList& pairs = detector_.find_contact_pairs(copy_.elements(), domain);
+  const device::PairList& pairs =
+      partners_ ? detector_.find_contact_pairs(copy_.elements(), partners_->elements(), domain)
+                : detector_.find_contact_pairs(copy_.elements(), domain);
   pairs.wait();
   return pairs;
 }
 
 NeighborList DeviceSearch::neighbors(const Domain& domain, NeighborListKind kind) {
-  return detector_.build_neighbor_list(copy_.elements(), domain, kind).to_host();
+  if (!partners_) return detector_.build_neighbor_list(copy_.elements(), domain, kind).to_host();
+  return detector_.build_neighbor_list(copy_.elements(), partners_->elements(), domain).to_host();
 }
 
 Statistics DeviceSearch::count(const Domain& domain) {
-  return detector_.count_contact_pairs(copy_.elements(), domain);
+  if (!partners_) return detector_.count_contact_pairs(copy_.elements(), domain);
+  return detector_.count_contact_pairs(copy_.elements(), partners_->elements(), domain);
 }
 
 }  // namespace abut::cli

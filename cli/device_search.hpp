@@ -9,6 +9,7 @@
 #include <abut/pair_list.hpp>
 #include <abut/statistics.hpp>
 
+#include <optional>
 #include <string>
 
 namespace abut::cli {
@@ -32,22 +33,25 @@ auto in_words_of_tool(const Work& work) {
   }
 }
 
-/// A copy of the elements and of who may pair on a device, and a detector there, which is asked
-/// again and again.
+/// Copies of the elements, of one set or of two, and of who may pair on a device, and a detector
+/// there, which is asked again and again.
 class DeviceSearch {
  public:
   DeviceSearch(int device, const ElementView& elements, const Options& options);
+  DeviceSearch(int device, const ElementView& first, const ElementView& second,
+               const Options& options);
 
   void set_progress(ProgressHook hook);
 
   /// Finds the pairs, which stay on the device until the next call, and waits for them.
   const device::PairList& find(const Domain& domain);
   [[nodiscard]] Statistics count(const Domain& domain);
-  /// A copy of the neighbors that it finds.
+  /// A copy of the neighbors that it finds; those of two sets have no kind.
   [[nodiscard]] NeighborList neighbors(const Domain& domain, NeighborListKind kind);
 
  private:
   device::ElementCopy copy_;
+  std::optional<device::ElementCopy> partners_;  ///< of the second set
   device::RuleCopy rule_;
   device::Detector detector_;
 };

@@ -57,14 +57,16 @@ ElementSets read(const ContactsOptions& options, Console& console) {
 PairList detect_on_device(int device, const ElementSets& sets, Options detection,
                           bool only_counted) {
   const Quantities quantities = std::exchange(detection.quantities, {});
-  const ElementView elements = sets.first.elements();
+  const ElementView first = sets.first.elements();
+  const ElementView second = sets.partners().elements();
   return in_words_of_tool([&]() -> PairList {
-    DeviceSearch search(device, elements, detection);
+    DeviceSearch search = sets.are_two() ? DeviceSearch(device, first, second, detection)
+                                         : DeviceSearch(device, first, detection);
     if (only_counted) return {{}, search.count(sets.domain)};
     const PairList found = search.find(sets.domain).to_host();
     Statistics statistics = found.statistics();
     PhaseStopwatch stopwatch;
-    PairGeometry geometry = measure(elements, found, quantities, sets.domain, detection);
+    PairGeometry geometry = measure(first, second, found, quantities, sets.domain, detection);
     statistics.measure_seconds = stopwatch.lap();
     return {PairArray(found.begin(), found.end()),
             ShiftArray(found.shifts().begin(), found.shifts().end()), std::move(geometry),

@@ -117,14 +117,15 @@ ElementSets read(const NeighborsOptions& options, Console& console) {
 
 /// The distances of neighbors that have none yet, as the processor measures them.
 NeighborList with_distances(const NeighborList& found, const ElementView& points,
-                            const Domain& domain, const Options& detection) {
+                            const ElementView& partners, const Domain& domain,
+                            const Options& detection) {
   PairArray pairs;
   pairs.reserve(found.neighbors().size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     for (const ElementIndex j : found[i]) pairs.push_back({static_cast<ElementIndex>(i), j});
   }
   PairGeometry geometry =
-      measure(points, {pairs, found.shifts()}, Quantity::distance, domain, detection);
+      measure(points, partners, {pairs, found.shifts()}, Quantity::distance, domain, detection);
   return {{found.offsets().begin(), found.offsets().end()},
           {found.neighbors().begin(), found.neighbors().end()},
           {found.shifts().begin(), found.shifts().end()},
@@ -132,15 +133,18 @@ NeighborList with_distances(const NeighborList& found, const ElementView& points
           found.statistics()};
 }
 
-NeighborList detect_on_device(int device, const ElementView& points,
-                              const NeighborsOptions& options, const Domain& domain,
+NeighborList detect_on_device(int device, const ElementSets& sets, const NeighborsOptions& options,
                               Options detection) {
   detection.margin = options.cutoff;
   detection.quantities = {};
+  const ElementView first = centers_of(sets.first);
+  const ElementView second = centers_of(sets.partners());
   return in_words_of_tool([&] {
-    NeighborList found = DeviceSearch(device, points, detection).neighbors(domain, options.kind);
+    DeviceSearch search = sets.are_two() ? DeviceSearch(device, first, second, detection)
+                                         : DeviceSearch(device, first, detection);
+    NeighborList found = search.neighbors(sets.domain, options.kind);
     if (options.output.empty()) return found;
-    return with_distances(found, points, domain, detection);
+    return with_distances(found, first, second, sets.domain, detection);
   });
 }
 
@@ -153,10 +157,8 @@ NeighborList detect(const NeighborsOptions& options, const ElementSets& sets,
     detection.quantities = Quantity::distance;
     detection.shifts = sets.domain.is_periodic() ? Shifts::stored : Shifts::none;
   }
+  if (options.device) return detect_on_device(*options.device, sets, options, detection);
   const ElementView first = centers_of(sets.first);
-  if (options.device) {
-    return detect_on_device(*options.device, first, options, sets.domain, detection);
-  }
   if (!sets.are_two()) {
     return neighbors(first, options.cutoff, sets.domain, options.kind, detection);
   }

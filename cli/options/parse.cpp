@@ -122,7 +122,7 @@ void add_contacts_output(CLI::App& sub, const std::shared_ptr<ContactsOptions>& 
 /// A search on a device takes no options that are the processor's, or not supported there yet.
 template <class SearchOptions>
 void require_search_of_device(const CLI::App& sub, const SearchOptions& options) {
-  require_options_of_device(sub, options.device, {"--against", "--threads", "--simd"});
+  require_options_of_device(sub, options.device, {"--threads", "--simd"});
   const Algorithm algorithm = options.detection.algorithm;
   if (options.device && algorithm != Algorithm::automatic && algorithm != Algorithm::rows) {
     reject_beside_device("--algorithm " + std::string(name_of(algorithm)));

@@ -32,7 +32,7 @@ def test_2_wrong_usage(fails):
     for name in ("tpu", "GPU", "gpu:", "gpu:-1", "gpu:x", "gpu:1x", "gpu:99999999999", ""):
         told = fails(2, "contacts", YADE, "--device", name)
         assert "cpu, gpu or gpu:N" in told
-    for option in (["--threads", "2"], ["--simd", "scalar"], ["--against", YADE],
+    for option in (["--threads", "2"], ["--simd", "scalar"],
                    ["--algorithm", "sorting_array"]):
         told = fails(2, "contacts", YADE, "--device", "gpu", *option)
         assert f"{option[0]}" in told and "leave out" in told and "--device" in told
@@ -99,8 +99,36 @@ def test_neighbors_name_the_device(abut, with_device):
     expected = abut(*arguments).stdout
     found = with_device(*arguments, "--device", "gpu").stdout
     assert found == expected.replace("rows\n", f"rows, {STAND_IN}\n")
-    told = with_device(*arguments, "--device", "gpu", "--against", YADE)
-    assert told.returncode == 2 and "--against is not for devices" in told.stderr
+
+
+@pytest.mark.parametrize("arguments", [
+    ["--count"], ["--digest"], ["--json"], ["--digest", "--periodic", "xz", "--box", "1,1,1"],
+    ["--count", "--margin", "0.01"], ["-o", "-", "-q", "--with", "normal,point,distance,vector"],
+    ["-o", "-", "-q", "--periodic", "xz", "--box", "1,1,1", "--with", "vector"]])
+def test_two_sets(abut, with_device, tmp_path, arguments):
+    """The even elements of a packing against the odd ones."""
+    header, *rows = open(YADE).read().splitlines()
+    files = [tmp_path / "even.csv", tmp_path / "odd.csv"]
+    for file, start in zip(files, (0, 1)):
+        file.write_text("\n".join([header, *rows[start::2]]) + "\n")
+    command = ["contacts", str(files[0]), "--against", str(files[1]), *arguments]
+    expected = abut(*command)
+    found = with_device(*command, "--device", "gpu")
+    assert (expected.returncode, found.returncode) == (0, 0), expected.stderr + found.stderr
+    if "--json" in arguments:
+        of_processor, of_device = json.loads(expected.stdout), json.loads(found.stdout)
+        assert of_device["device"] == STAND_IN and of_device["sets"] == [2500, 2500]
+        assert of_device["contact_pairs"] == of_processor["contact_pairs"] > 1000
+    else:
+        assert found.stdout == expected.stdout and len(found.stdout) > 1
+
+
+@pytest.mark.parametrize("output", [[], ["-o", "-", "-q"]])
+def test_neighbors_of_two_sets(abut, with_device, output):
+    command = ["neighbors", YADE, "--against", YADE, "--cutoff", "0.1", *output]
+    expected = abut(*command).stdout
+    found = with_device(*command, "--device", "gpu").stdout
+    assert found == expected.replace("rows\n", f"rows, {STAND_IN}\n") and len(found) > 100
 
 
 def test_json_and_summary_name_the_device(abut, with_device):

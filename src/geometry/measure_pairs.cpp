@@ -73,6 +73,14 @@ void measure_one(const MeasuredSets<Dim>& sets, std::span<const ContactPair> pai
   }
 }
 
+/// Tells whether the cache that each processor has of its own holds most elements.
+template <int Dim>
+bool within_cache(const MeasuredSets<Dim>& sets) {
+  constexpr std::size_t bytes_of_cache = std::size_t{1} << 20;
+  const std::size_t elements = std::max(sets.first.spheres.size(), sets.second.spheres.size());
+  return elements * sizeof(exact::Sphere<Dim>) <= bytes_of_cache;
+}
+
 double (*rows_of(std::span<Vector> vectors))[3] {
   return reinterpret_cast<double(*)[3]>(vectors.data());
 }
@@ -97,7 +105,8 @@ void measure_block(const MeasuredSets<Dim>& sets, std::span<const ContactPair> p
                                   geometry.distances.data(),
                                   rows_of(geometry.normals),
                                   rows_of(geometry.points),
-                                  rows_of(geometry.vectors)};
+                                  rows_of(geometry.vectors),
+                                  within_cache(sets)};
     std::array<std::uint32_t, most_measured> open;
     std::size_t open_count = 0;
     treated = sets.kernels.measure(job, Dim, open.data(), open_count);
@@ -122,10 +131,7 @@ class RowMeasurer {
     std::size_t row = row_of(first);
     for (PairCount begin = first; begin < last; begin += most_measured) {
       const std::size_t size = std::min<PairCount>(most_measured, last - begin);
-      for (std::size_t k = 0; k < size; ++k) {
-        while (begin + k >= rows_.offsets[row + 1]) ++row;
-        pairs_[k] = {static_cast<ElementIndex>(row), rows_.neighbors[begin + k]};
-      }
+      row = fill_pairs(begin, size, row);
       measure_block<Dim>(sets_, std::span(pairs_).first(size), part_of(rows_.shifts, begin, size),
                          part_of(geometry_, begin, size));
       work.did(steps_of_measuring * size);
@@ -133,6 +139,18 @@ class RowMeasurer {
   }
 
  private:
+  /// Fills pairs_ with the neighbors from `begin` on, of which the first is of `row`, row by row;
+  /// returns the row of the last.
+  std::size_t fill_pairs(PairCount begin, std::size_t size, std::size_t row) {
+    for (std::size_t k = 0;; ++row) {
+      const std::size_t end = std::min<PairCount>(rows_.offsets[row + 1] - begin, size);
+      for (; k < end; ++k) {
+        pairs_[k] = {static_cast<ElementIndex>(row), rows_.neighbors[begin + k]};
+      }
+      if (k == size) return row;
+    }
+  }
+
   [[nodiscard]] std::size_t row_of(PairCount neighbor) const {
     const auto after = std::ranges::upper_bound(rows_.offsets, neighbor);
     return static_cast<std::size_t>(after - rows_.offsets.begin()) - 1;

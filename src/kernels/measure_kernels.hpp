@@ -22,6 +22,8 @@ struct MeasureJob {
   double (*normals)[3];
   double (*points)[3];
   double (*vectors)[3];
+  /// Elements lie within the cache: none is fetched before its turn.
+  bool within_cache;
 };
 
 /// Most pairs of one job.

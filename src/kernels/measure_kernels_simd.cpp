@@ -109,6 +109,28 @@ HWY_INLINE Mask write_points(const Spheres<Dim>& a, const Spheres<Dim>& b,
   return certain;
 }
 
+/// Tells whether nothing but vectors is wanted.
+bool wants_vectors_alone(const MeasureJob& job) {
+  return job.vectors != nullptr && job.gaps == nullptr && job.distances == nullptr &&
+         job.normals == nullptr && job.points == nullptr;
+}
+
+/// Writes x_b - x_a, which each subtraction rounds once; tells where it does not overflow.
+template <int Dim>
+HWY_INLINE Mask write_differences(const Spheres<Dim>& a, const Spheres<Dim>& b,
+                                  double (*vectors)[3]) {
+  const Doubles zero = hn::Zero(doubles);
+  Doubles rounded[3];
+  Doubles largest = zero;
+  for (int axis = 0; axis < Dim; ++axis) {
+    rounded[axis] = hn::Add(hn::Sub(b.center[axis], a.center[axis]), zero);
+    largest = hn::Max(largest, hn::Abs(rounded[axis]));
+  }
+  if (Dim == 2) rounded[2] = zero;
+  hn::StoreInterleaved3(rounded[0], rounded[1], rounded[2], doubles, vectors[0]);
+  return hn::Le(largest, hn::Set(doubles, exact::largest_ordinary));
+}
+
 /// Writes what is wanted of the pairs from k on; tells which of them are certain.
 template <int Dim>
 HWY_INLINE Mask write_all(const MeasureJob& job, std::size_t k, const Spheres<Dim>& a,
@@ -152,7 +174,20 @@ HWY_INLINE void list_open(Mask certain, std::size_t k, std::uint32_t* open,
 }
 
 template <int Dim>
+HWY_INLINE Mask measure_vector(const MeasureJob& job, std::size_t k, const Spheres<Dim>& a,
+                               const Spheres<Dim>& b, bool vectors_alone) {
+  Doubles numbers[3];
+  const bool is_moved = job.shifts != nullptr && read_shifts(job.shifts + k, numbers);
+  if (vectors_alone && !is_moved) return write_differences(a, b, job.vectors + k);
+  const LineLanes<Dim> line =
+      is_moved ? moved_line_between(a, b, numbers, job.lattice) : line_between(a, b);
+  return write_all(job, k, a, b, line);
+}
+
+template <int Dim>
 std::size_t measure_in(const MeasureJob& job, std::uint32_t* open, std::size_t& open_count) {
+  const std::size_t ahead = job.within_cache ? job.count : pairs_fetched_ahead;
+  const bool vectors_alone = wants_vectors_alone(job);
   const auto first = [&](std::size_t k) {
     return job.first + std::size_t{job.pairs[k].first} * (Dim + 1);
   };
@@ -164,20 +199,16 @@ std::size_t measure_in(const MeasureJob& job, std::uint32_t* open, std::size_t& 
     const double* elements[lanes];
     const double* partners[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (k + lane + pairs_fetched_ahead < job.count) {
-        __builtin_prefetch(first(k + lane + pairs_fetched_ahead));
-        __builtin_prefetch(second(k + lane + pairs_fetched_ahead));
+      if (k + lane + ahead < job.count) {
+        __builtin_prefetch(first(k + lane + ahead));
+        __builtin_prefetch(second(k + lane + ahead));
       }
       elements[lane] = first(k + lane);
       partners[lane] = second(k + lane);
     }
     const Spheres<Dim> a = load<Dim>(elements);
     const Spheres<Dim> b = load<Dim>(partners);
-    Doubles numbers[3];
-    const bool is_moved = job.shifts != nullptr && read_shifts(job.shifts + k, numbers);
-    const LineLanes<Dim> line =
-        is_moved ? moved_line_between(a, b, numbers, job.lattice) : line_between(a, b);
-    list_open(write_all(job, k, a, b, line), k, open, open_count);
+    list_open(measure_vector(job, k, a, b, vectors_alone), k, open, open_count);
   }
   return k;
 }

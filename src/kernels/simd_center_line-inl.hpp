@@ -15,18 +15,22 @@ HWY_INLINE DoubleDoubleLanes two_product(Doubles a, Doubles b) {
   return {product, error_of_product(a, b, product)};
 }
 
-/// exact::CompensatedSum.
+/// exact::CompensatedSum, and what its low part loses.
 struct CompensatedLanes {
-  HWY_INLINE CompensatedLanes(Doubles first) : high(first), low(hn::Zero(doubles)) {}
+  HWY_INLINE CompensatedLanes(const DoubleDoubleLanes& sum)
+      : high(sum.high), low(sum.low), lost(hn::Zero(doubles)) {}
 
   HWY_INLINE void add(Doubles term) {
     const DoubleDoubleLanes sum = two_sum(high, term);
     high = sum.high;
-    low = hn::Add(low, sum.low);
+    const DoubleDoubleLanes rest = two_sum(low, sum.low);
+    low = rest.high;
+    lost = hn::Or(lost, rest.low);
   }
 
   Doubles high;
   Doubles low;
+  Doubles lost;  ///< a sign at most where the sum has no error
 };
 
 /// v = x_b + n A - x_a, and what is known of it.
@@ -83,24 +87,30 @@ HWY_INLINE LineLanes<Dim> moved_line_between(const Spheres<Dim>& a, const Sphere
                                              const Doubles (&numbers)[3],
                                              const double (*lattice)[3]) {
   LineLanes<Dim> line;
+  Doubles lost = hn::Zero(doubles);
   Doubles largest = hn::Max(a.radius, b.radius);
   for (int axis = 0; axis < Dim; ++axis) {
     largest = hn::Max(largest, largest_of(a.center[axis], b.center[axis]));
-    CompensatedLanes difference(a.center[axis]);
-    difference.add(hn::Neg(b.center[axis]));
+    CompensatedLanes difference(two_sum(a.center[axis], hn::Neg(b.center[axis])));
     for (int k = 0; k < Dim; ++k) {
       if (lattice[k][axis] == 0.0) continue;
       const Doubles number = hn::Neg(numbers[k]);
       const DoubleDoubleLanes term = two_product(number, hn::Set(doubles, lattice[k][axis]));
       largest = hn::Max(largest, hn::Abs(term.high));
       difference.add(term.high);
-      difference.add(term.low);
+      // Mostly there is none: numbers are small.
+      const Mask has_low = hn::Ne(term.low, hn::Zero(doubles));
+      if (!hn::AllFalse(doubles, has_low)) difference.add(term.low);
     }
     const DoubleDoubleLanes sum = two_sum(difference.high, difference.low);
     line.vector[axis] = {hn::Neg(sum.high), hn::Neg(sum.low)};
+    lost = hn::Or(lost, difference.lost);
   }
   line.error = hn::Mul(hn::Set(doubles, error_of_sum), largest);
   line.is_ordinary = ordinary(line, largest);
+  // Numbers of like size lose no bit, but their sum is often in the middle of two doubles.
+  const Mask is_exact = hn::Eq(hn::Abs(lost), hn::Zero(doubles));
+  line.error = hn::IfThenZeroElse(is_exact, line.error);
   return line;
 }
 

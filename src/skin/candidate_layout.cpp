@@ -4,6 +4,7 @@
 #include "base/asking_workers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -159,15 +160,44 @@ void CandidateLayout::collect_runs(lists::PairPieces found, std::span<const Shif
 
 void CandidateLayout::sort_runs(std::size_t first_slot, std::size_t last_slot,
                                 base::WorkCounter& work) {
-  for (std::size_t slot = first_slot; slot < last_slot; ++slot) {
-    const std::uint32_t begin = end_[slot];
+  for (std::size_t slot = first_slot; slot < last_slot;) {
+    const std::size_t sorted = sort_short_runs(slot, last_slot);
+    const std::size_t end = std::max(sorted, slot + 1);
+    work.did(end - slot + 2 * (end_[end] - end_[slot]));
+    if (sorted == slot) sort_run(keys_.data() + end_[slot], end_[slot + 1] - end_[slot], work);
+    for (; slot < end; ++slot) list_run(slot);
+  }
+}
+
+/// Sorts runs in vectors, from the first slot on, as far as they are short and fit a buffer;
+/// returns the slot behind them.
+std::size_t CandidateLayout::sort_short_runs(std::size_t first_slot, std::size_t last_slot) {
+  constexpr std::size_t most_runs = 64;
+  constexpr std::size_t most_keys = 512;
+  static_assert(most_keys >= kernels::longest_sorted_row);
+  if (kernels_.sort_words == nullptr) return first_slot;
+  const std::uint32_t begin = end_[first_slot];
+  std::array<std::uint32_t, most_runs> ends;
+  std::uint32_t runs = 0;
+  for (std::size_t slot = first_slot; slot < last_slot && runs < most_runs; ++slot, ++runs) {
     const std::uint32_t end = end_[slot + 1];
-    work.did(1 + 2 * (end - begin));
-    sort_run(keys_.data() + begin, end - begin, work);
-    for (std::uint32_t k = begin; k < end; ++k) {
-      candidates_[k] = {static_cast<std::uint32_t>(slot), slot_of(second_of(keys_[k]))};
-      if (with_shifts_) shifts_[k] = shift_of(keys_[k]);
-    }
+    if (end - end_[slot] > kernels::longest_sorted_row || end - begin > most_keys) break;
+    ends[runs] = end - begin;
+  }
+  if (runs == 0) return first_slot;
+  const std::uint32_t count = ends[runs - 1];
+  // A copy: whole vectors are read, and behind the last run lie keys that another worker sorts.
+  std::array<std::uint64_t, most_keys + kernels::longest_sorted_row> keys;
+  std::copy_n(keys_.data() + begin, count, keys.data());
+  kernels_.sort_words({keys.data(), count, ends.data(), runs}, keys_.data() + begin);
+  return first_slot + runs;
+}
+
+/// Lists the candidates of a slot from their keys.
+void CandidateLayout::list_run(std::size_t slot) {
+  for (std::uint32_t k = end_[slot]; k < end_[slot + 1]; ++k) {
+    candidates_[k] = {static_cast<std::uint32_t>(slot), slot_of(second_of(keys_[k]))};
+    if (with_shifts_) shifts_[k] = shift_of(keys_[k]);
   }
 }
 

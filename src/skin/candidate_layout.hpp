@@ -3,6 +3,7 @@
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
 #include "kernels/candidate_kernels.hpp"
+#include "kernels/order_kernels.hpp"
 #include "lists/found_pairs.hpp"
 
 #include <abut/pair.hpp>
@@ -27,6 +28,9 @@ using ShiftNumber = std::uint16_t;
 class CandidateLayout {
  public:
   explicit CandidateLayout(base::MemoryMeter& memory);
+
+  /// Takes other kernels than plain C++.
+  void use(const kernels::OrderKernels& kernels) noexcept { kernels_ = kernels; }
 
   /// Arranges candidates, fewer than 2^32, from the pieces in which they were found. `shifts` holds
   /// the numbers of their shifts one after the other, or nothing.
@@ -74,6 +78,8 @@ class CandidateLayout {
   void collect_runs(lists::PairPieces found, std::span<const ShiftNumber> shifts,
                     base::WorkCounter& work);
   void sort_runs(std::size_t first_slot, std::size_t last_slot, base::WorkCounter& work);
+  [[nodiscard]] std::size_t sort_short_runs(std::size_t first_slot, std::size_t last_slot);
+  void list_run(std::size_t slot);
   void list_canonically(std::size_t element_count, std::size_t workers, base::WorkCounter& work);
   void list_canonically(std::size_t first_element, std::size_t last_element, std::size_t place,
                         base::WorkCounter& work);
@@ -97,6 +103,7 @@ class CandidateLayout {
   base::Array<ContactPair> pairs_;
   base::Array<std::uint32_t> places_;
   base::Array<ShiftNumber> canonical_shifts_;
+  kernels::OrderKernels kernels_;
   std::vector<std::size_t> begins_;  ///< of each worker's share in canonical order
 };
 

@@ -137,6 +137,7 @@ bool CandidatePairs<Dim>::finish(const ElementsNow<Dim>& now,
   if (found_.size() > std::numeric_limits<std::uint32_t>::max()) return false;
   if (periodic_ && !number_shifts(placing, now.work)) return false;
   size_ = found_.size();
+  layout_.use(kernels::order_kernels(now.simd));
   layout_.arrange(found_.pieces().pairs,
                   std::span<const ShiftNumber>(found_shifts_).first(periodic_ ? size_ : 0),
                   now.spheres.size(), now.workers, now.work);

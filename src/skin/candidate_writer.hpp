@@ -63,16 +63,14 @@ class CandidateWriter {
     for (std::size_t word = 0; bits * word < candidates.size();) {
       if (room_.size() - filled_ < bits) take_room();
       const SlotPair* const pairs = candidates.data() + bits * word;
-      const std::size_t words = shifts_.empty() ? std::min((candidates.size() - bits * word) / bits,
-                                                           (room_.size() - filled_) / bits)
-                                                : 0;
-      const kernels::KeptCandidates kept =
+      const std::size_t words =
+          std::min((candidates.size() - bits * word) / bits, (room_.size() - filled_) / bits);
+      kernels::KeptCandidates kept =
           kernels.keep(pairs, survivors_ + word, words, room_.data() + filled_);
+      if (kept.words == 0) kept = write_word(pairs, survivors_[word]);
+      if (!shifts_.empty()) write_shifts(word, kept.words, shift_at);
       filled_ += kept.pairs;
       word += kept.words;
-      if (kept.words > 0) continue;
-      write_word(pairs, survivors_[word], bits * word, shift_at);
-      ++word;
     }
   }
 
@@ -86,15 +84,24 @@ class CandidateWriter {
  private:
   static constexpr std::size_t bits = 64;  ///< of a word of survivors
 
-  /// Writes the survivors of one word, whose first candidate has number `first`.
-  template <class ShiftAt>
-  void write_word(const SlotPair* candidates, std::uint64_t survivors, std::size_t first,
-                  ShiftAt&& shift_at) {
+  /// Writes the survivors of one word.
+  kernels::KeptCandidates write_word(const SlotPair* candidates, std::uint64_t survivors) {
+    ContactPair* next = room_.data() + filled_;
     for (; survivors != 0; survivors &= survivors - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(survivors));
-      room_[filled_] = {candidates[k].first, candidates[k].second};
-      if (!shifts_.empty()) shifts_[filled_] = shift_at(first + k);
-      ++filled_;
+      const SlotPair& pair = candidates[std::countr_zero(survivors)];
+      *next++ = {pair.first, pair.second};
+    }
+    return {1, static_cast<std::size_t>(next - room_.data()) - filled_};
+  }
+
+  /// Writes the shifts of the survivors of some words.
+  template <class ShiftAt>
+  void write_shifts(std::size_t word, std::size_t words, const ShiftAt& shift_at) {
+    ImageShift* next = shifts_.data() + filled_;
+    for (const std::size_t end = word + words; word < end; ++word) {
+      for (std::uint64_t rest = survivors_[word]; rest != 0; rest &= rest - 1) {
+        *next++ = shift_at(bits * word + static_cast<std::size_t>(std::countr_zero(rest)));
+      }
     }
   }
 

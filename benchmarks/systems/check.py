@@ -23,6 +23,7 @@ PROGRAMS = {
     "skin_reuse": ["--counts", "500,50000", "--repetitions", "1"],
     "stepping": ["--count", "500", "--steps", "10"],
     "pair_geometry": ["--count", "500", "--atoms", "300", "--repetitions", "1"],
+    "moving_walls": ["--count", "3000", "--triangles", "300", "--steps", "2"],
     "liquid_loop": ["--cells", "5", "--steps", "3"],
 }
 

@@ -33,9 +33,17 @@ constexpr double cutoff = 2.5;
 constexpr double skin = 0.3;
 constexpr double time_step = 0.005;
 
+/// A liquid, and for how long it moves.
+struct Size {
+  int cells;  ///< of four atoms, along each axis
+  int steps;
+};
+/// 10,976 and 1,000,188 atoms.
+constexpr Size sizes[] = {{14, 300}, {63, 300}};
+
 struct Settings {
-  int cells = 14;  ///< of four atoms, along each axis
-  int steps = 300;
+  int cells = 0;
+  int steps = 0;
   int threads = 1;
   bool shuffled = false;
 };
@@ -247,22 +255,14 @@ Measured loop_with_detector(const Settings& settings, Skin chosen, Quantities qu
   return result;
 }
 
-int main_of(int argc, char** argv) {
-  CLI::App app("Times steps of a Lennard-Jones liquid; CSV on stdout.");
-  Settings settings;
-  app.add_option("--cells", settings.cells, "cells of four atoms along each axis")
-      ->check(CLI::Range(5, 200));
-  app.add_option("--steps", settings.steps, "steps")->check(CLI::Range(1, 1'000'000));
-  app.add_option("--threads", settings.threads, "threads of abut; the forces take one");
-  app.add_flag("--shuffled", settings.shuffled, "numbers of atoms do not follow space");
-  CLI11_PARSE(app, argc, argv);
-
-  std::puts("loop,ms_per_step,ratio,detections,energy");
+/// Prints a line for each loop; returns how many have other forces than the one by hand.
+int compare_loops(const Settings& settings) {
+  const auto atoms = Liquid(settings).size();
   const Measured by_hand = loop_by_hand(settings);
   int different = 0;
   const auto print = [&](const char* name, const Measured& measured) {
-    std::printf("%s,%.3f,%.3f,%llu,%.12g\n", name, 1e3 * measured.seconds,
-                measured.seconds / by_hand.seconds,
+    std::printf("%zu,%d,%s,%.3f,%.3f,%llu,%.12g\n", atoms, settings.steps, name,
+                1e3 * measured.seconds, measured.seconds / by_hand.seconds,
                 static_cast<unsigned long long>(measured.detections), measured.energy);
     std::fflush(stdout);
     // The sums of forces are of the same terms, rounded in other ways.
@@ -275,6 +275,32 @@ int main_of(int argc, char** argv) {
   print("fixed skin and vectors",
         loop_with_detector(settings, Skin::fixed(skin), Quantity::vector));
   print("no skin", loop_with_detector(settings, Skin::none(), {}));
+  return different;
+}
+
+int main_of(int argc, char** argv) {
+  CLI::App app("Times steps of a Lennard-Jones liquid; CSV on stdout.");
+  Settings settings;
+  CLI::Option* const cells =
+      app.add_option("--cells", settings.cells, "cells of four atoms along each axis")
+          ->check(CLI::Range(5, 200));
+  app.add_option("--steps", settings.steps, "steps")->check(CLI::Range(1, 1'000'000))->needs(cells);
+  app.add_option("--threads", settings.threads, "threads of abut; the forces take one");
+  app.add_flag("--shuffled", settings.shuffled, "numbers of atoms do not follow space");
+  CLI11_PARSE(app, argc, argv);
+
+  std::puts("atoms,steps,loop,ms_per_step,ratio,detections,energy");
+  int different = 0;
+  if (cells->count() > 0) {
+    if (settings.steps == 0) settings.steps = sizes[0].steps;
+    different = compare_loops(settings);
+  } else {
+    for (const auto& [along, steps] : sizes) {
+      settings.cells = along;
+      settings.steps = steps;
+      different += compare_loops(settings);
+    }
+  }
   if (different > 0) std::fprintf(stderr, "liquid_loop: a loop has other forces\n");
   return different > 0 ? different_answers : EXIT_SUCCESS;
 }

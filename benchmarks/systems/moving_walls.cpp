@@ -1,6 +1,6 @@
 // A drum of triangles that turns around a dense packing: what its contacts, and a history of them,
 // take of processor time beside the contacts of the spheres, in the same steps. Lists are compared
-// with the free function's.
+// with the free function's. CSV on stdout.
 
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 #include <vector>
 
@@ -24,7 +25,7 @@ namespace {
 struct Settings {
   std::size_t count = 1000000;
   std::size_t triangles = 10000;
-  int steps = 10;
+  int steps = 25;
   double angle = 0.02;  ///< of a step
   int threads = 1;
   bool with_quantities = false;
@@ -96,15 +97,19 @@ struct Seconds {
   std::vector<double> pairs, walls, motion, history;
 };
 
-void print(std::size_t spheres, std::size_t pairs, std::size_t triangles, std::size_t contacts,
+/// Prints a line for each task: how many it found, what a step of it took, and that to the contacts
+/// of the spheres.
+void print(std::size_t spheres, std::size_t triangles, std::size_t pairs, std::size_t contacts,
            const Seconds& seconds) {
-  const double in_pairs = median(seconds.pairs), in_walls = median(seconds.walls);
-  const double in_history = median(seconds.history);
-  std::printf("%zu spheres, %zu pairs: %.2f ms\n", spheres, pairs, 1e3 * in_pairs);
-  std::printf("%zu triangles, %zu contacts: %.2f ms, moving %.2f ms, history %.2f ms\n", triangles,
-              contacts, 1e3 * in_walls, 1e3 * median(seconds.motion), 1e3 * in_history);
-  std::printf("walls / pairs: %.3f, history / walls: %.3f\n", in_walls / in_pairs,
-              in_history / in_walls);
+  std::puts("spheres,triangles,task,found,ms_per_step,ratio");
+  const auto line = [&](const char* task, std::size_t found, const std::vector<double>& taken) {
+    std::printf("%zu,%zu,%s,%zu,%.3f,%.3f\n", spheres, triangles, task, found, 1e3 * median(taken),
+                median(taken) / median(seconds.pairs));
+  };
+  line("contacts of the spheres", pairs, seconds.pairs);
+  line("contacts with the drum", contacts, seconds.walls);
+  line("motion of the drum", triangles, seconds.motion);
+  line("history of the contacts with the drum", contacts, seconds.history);
 }
 
 int run(const Settings& settings) {
@@ -141,15 +146,13 @@ int run(const Settings& settings) {
     seconds.walls.push_back(wall);
     seconds.history.push_back(carrying);
   }
-  print(packing.x.size(), pairs, drum.size(), contacts, seconds);
-  std::printf("history of walls: %zu of %zu contacts kept, %zu of them handed over\n",
-              static_cast<std::size_t>(history.kept()), contacts, history.passed_on().size());
-  return 0;
+  print(packing.x.size(), drum.size(), pairs, contacts, seconds);
+  return EXIT_SUCCESS;
 }
 
 int body(int argc, char** argv) {
   Settings settings;
-  CLI::App app("Contacts of a drum that turns beside those of the spheres in it");
+  CLI::App app("Contacts of a drum that turns beside those of the spheres in it; CSV on stdout.");
   app.add_option("--count", settings.count, "spheres, about");
   app.add_option("--triangles", settings.triangles, "triangles, about");
   app.add_option("--steps", settings.steps, "steps that are timed")->check(CLI::PositiveNumber);

@@ -104,9 +104,23 @@ def pair_geometry(rows):
 
 
 def liquid_loop(rows):
-    head = ["loop", "ms a step", "to the list kept by hand", "detections"]
-    return table(head, [[r["loop"], plain(r["ms_per_step"], 2), plain(r["ratio"], 2),
-                         r["detections"]] for r in rows])
+    sizes = distinct(rows, "atoms", "steps")
+    head = ["loop"]
+    for atoms, steps in sizes:
+        head += [f"{atoms:,} atoms, {steps} steps: ms a step", "to the list kept by hand"]
+    lines = []
+    for (loop,) in distinct(rows, "loop"):
+        of = {(r["atoms"], r["steps"]): r for r in rows if r["loop"] == loop}
+        measured = [(plain(of[size]["ms_per_step"], 2), plain(of[size]["ratio"], 2))
+                    for size in sizes]
+        lines.append([loop, *[cell for cells in measured for cell in cells]])
+    return table(head, lines)
+
+
+def moving_walls(rows):
+    head = ["in a step", "found", "ms", "to the contacts of the spheres"]
+    return table(head, [[r["task"], f"{r['found']:,}", plain(r["ms_per_step"], 2),
+                         f"{r['ratio']:.3f}"] for r in rows])
 
 
 SECTIONS = {
@@ -116,6 +130,7 @@ SECTIONS = {
     "stepping": stepping,
     "skin_reuse": skin_reuse,
     "pair_geometry": pair_geometry,
+    "moving_walls": moving_walls,
     "liquid_loop": liquid_loop,
     "neighbor_lists": neighbor_lists,
 }

@@ -255,6 +255,33 @@ Measured loop_with_detector(const Settings& settings, Skin chosen, Quantities qu
   return result;
 }
 
+/// Vectors are measured batch by batch in a visitor, so that neither neighbors nor vectors are
+/// stored.
+Measured loop_with_visitor(const Settings& settings, Skin chosen) {
+  Liquid liquid(settings);
+  Options options = options_of(settings, {});
+  options.margin = cutoff;
+  options.threads = 1;  // the forces take one
+  Detector detector(options);
+  detector.set_skin(chosen);
+  std::vector<Vector> vectors;
+  Measured result = run(settings, liquid, [&] {
+    const PairMeasurer measurer(liquid.elements(), liquid.domain, options);
+    const auto add_batch = [&](std::span<const ContactPair> pairs,
+                               std::span<const ImageShift> shifts, WorkerNumber) {
+      vectors.resize(std::max(vectors.size(), pairs.size()));
+      measurer.measure({pairs, shifts}, {.vectors = std::span(vectors).first(pairs.size())});
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const double d[3] = {vectors[k][0], vectors[k][1], vectors[k][2]};
+        liquid.add(pairs[k].first, pairs[k].second, d, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+      }
+    };
+    detector.for_each_shifted_batch(liquid.elements(), liquid.domain, add_batch);
+  });
+  result.detections = detector.skin_statistics().detections;
+  return result;
+}
+
 /// Prints a line for each loop; returns how many have other forces than the one by hand.
 int compare_loops(const Settings& settings) {
   const auto atoms = Liquid(settings).size();
@@ -274,6 +301,7 @@ int compare_loops(const Settings& settings) {
   print("automatic skin", loop_with_detector(settings, Skin::automatic(), {}));
   print("fixed skin and vectors",
         loop_with_detector(settings, Skin::fixed(skin), Quantity::vector));
+  print("fixed skin and vectors in a visitor", loop_with_visitor(settings, Skin::fixed(skin)));
   print("no skin", loop_with_detector(settings, Skin::none(), {}));
   return different;
 }

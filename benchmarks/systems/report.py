@@ -16,8 +16,16 @@ from benchmarks.common.tables import ROOT, plain, read, table
 PAGE = os.path.join(ROOT, "docs", "benchmarks_systems.md")
 
 
-# Lengths of skins that the page leaves out, and what of a header tells when it was measured.
-SKINS_NOT_SHOWN = {0.02, 0.2}
+# What the page leaves out, since a page has room for so many lines: it is in the tables' files.
+SKINS_NOT_SHOWN = {0.02, 0.05, 0.2}
+BOXES_NOT_SHOWN = {"gas_2d"}
+TASKS_NOT_SHOWN = {"motion of the drum"}
+NEIGHBORS_NOT_SHOWN = {"distance", "vector", "needs_rebuild() an element", "liquid: neighbors",
+                       "liquid: shifts too", "gap; normal; point of a mesh",
+                       "gap; normal; point of boxes", "gap; normal; point of images of a mesh",
+                       "gap; normal; point of images of boxes"}
+
+# What of a header tells when a table was measured.
 WHEN = ("date", "commit")
 
 
@@ -32,7 +40,7 @@ def boxes(rows):
     lines = []
     most = max(r["elements"] for r in rows)
     for scene, elements in distinct(rows, "scene", "elements"):
-        if elements < most:
+        if elements < most or scene in BOXES_NOT_SHOWN:
             continue
         of = {r["contestant"]: r for r in rows if (r["scene"], r["elements"]) == (scene, elements)}
         others = [f"{plain(of[c]['ns'], 0)} ({of[c]['times_abut']:.1f})" for c in contestants[1:]]
@@ -72,7 +80,10 @@ def skin_reuse(rows):
     head = ["numbers", "elements", "candidates, contacts an element", "a reuse, ns",
             "needs_rebuild and a loop by hand, ns", "of that"]
     lines = []
+    most = max(r["elements"] for r in rows)
     for r in rows:
+        if r["elements"] < most:
+            continue
         by_hand = r["check_ns"] + r["loop_ns"]
         lines.append([r["order"], f"{r['elements']:,}", f"{r['candidates']:.1f}, {r['contacts']:.1f}",
                       plain(r["reuse_ns"]), plain(by_hand), plain(r["reuse_ns"] / by_hand, 2)])
@@ -90,15 +101,9 @@ def neighbor_lists(rows):
     return table(head, lines)
 
 
-# Rows that the page leaves out: they are in the table's file.
-NOT_SHOWN = {"distance", "vector", "needs_rebuild() an element", "liquid: neighbors",
-             "liquid: shifts too", "gap; normal; point of images of a mesh",
-             "gap; normal; point of images of boxes"}
-
-
 def pair_geometry(rows):
     head = ["of contacts and neighbors", "elements", "entries", "ns an entry"]
-    rows = [r for r in rows if r["task"] not in NOT_SHOWN]
+    rows = [r for r in rows if r["task"] not in NEIGHBORS_NOT_SHOWN]
     return table(head, [[r["task"], f"{r['elements']:,}", f"{r['entries']:,}",
                          plain(r["ns_median"])] for r in rows])
 
@@ -107,7 +112,7 @@ def liquid_loop(rows):
     sizes = distinct(rows, "atoms", "steps")
     head = ["loop"]
     for atoms, steps in sizes:
-        head += [f"{atoms:,} atoms, {steps} steps: ms a step", "to the list kept by hand"]
+        head += [f"{atoms:,} atoms, {steps} steps, ms a step", "to the list by hand"]
     lines = []
     for (loop,) in distinct(rows, "loop"):
         of = {(r["atoms"], r["steps"]): r for r in rows if r["loop"] == loop}
@@ -120,7 +125,8 @@ def liquid_loop(rows):
 def moving_walls(rows):
     head = ["in a step", "found", "ms", "to the contacts of the spheres"]
     return table(head, [[r["task"], f"{r['found']:,}", plain(r["ms_per_step"], 2),
-                         f"{r['ratio']:.3f}"] for r in rows])
+                         f"{r['ratio']:.3f}"]
+                        for r in rows if r["task"] not in TASKS_NOT_SHOWN])
 
 
 SECTIONS = {

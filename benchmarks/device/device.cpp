@@ -5,6 +5,7 @@
 #include "benchmarks/device/ceilings.hpp"
 #include "benchmarks/device/cuda_calls.hpp"
 #include "benchmarks/device/device_case.hpp"
+#include "benchmarks/device/device_forms.hpp"
 
 #include <abut/device.hpp>
 #include <abut/version.hpp>
@@ -66,14 +67,16 @@ bool run_ceilings(std::initializer_list<std::uint64_t> sizes) {
   return true;
 }
 
-template <class Names>
-bool run_scenes(const Names& names, std::initializer_list<std::uint64_t> sizes) {
+/// Measures scenes of all sizes by `measure`.
+template <class Names, class Measure>
+bool run_scenes(const Names& names, std::initializer_list<std::uint64_t> sizes,
+                const Measure& measure) {
   const DeviceEffort effort{7, copy_speed()};
   std::printf("# copy: %.3e bytes a second\n", effort.copy_speed);
   print_heading();
   bool all_right = true;
   for (const std::uint64_t elements : sizes) {
-    for (const char* const name : names) all_right &= measure_scene(name, elements, effort);
+    for (const char* const name : names) all_right &= measure(name, elements, effort);
   }
   return all_right;
 }
@@ -88,17 +91,21 @@ bool run_billion() {
 bool run_part(int part) {
   const std::initializer_list<const char*> some = {"dense", "ordered", "gas", "graded_1000",
                                                    "touching_fcc_shuffled"};
+  const std::initializer_list<const char*> dense = {"dense"};
+  const std::initializer_list<const char*> of_forms = {"dense", "gas", "graded_1000"};
   switch (part) {
     case 1:
       return run_ceilings({1'000'000, 100'000'000});
     case 2:
-      return run_scenes(scenes_of_matrix, {100'000, 1'000'000});
+      return run_scenes(scenes_of_matrix, {100'000, 1'000'000}, measure_scene);
     case 3:
-      return run_scenes(some, {10'000'000});
+      return run_scenes(some, {10'000'000}, measure_scene);
     case 4:
-      return run_scenes(std::initializer_list<const char*>{"dense"}, {100'000'000});
-    default:
+      return run_scenes(dense, {100'000'000}, measure_scene);
+    case 5:
       return run_billion();
+    default:
+      return run_scenes(of_forms, {1'000'000, 10'000'000}, measure_forms);
   }
 }
 
@@ -107,8 +114,8 @@ int run(int argc, char** argv) {
   int part = 1;
   app.add_option("--part", part,
                  "1 ceilings, 2 all scenes of 10^5 and 10^6 elements, 3 some of 10^7, 4 dense of "
-                 "10^8, 5 of 10^9")
-      ->check(CLI::Range(1, 5));
+                 "10^8, 5 of 10^9, 6 gaps, neighbor lists and periodic domains")
+      ->check(CLI::Range(1, 6));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

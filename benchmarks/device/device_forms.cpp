@@ -1,0 +1,118 @@
+#include "benchmarks/device/device_forms.hpp"
+
+#include "benchmarks/device/device_timing.hpp"
+
+#include <abut/detector.hpp>
+#include <abut/device.hpp>
+#include <abut/device_elements.hpp>
+#include <abut/domain.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace abut::benchmarks {
+namespace {
+
+constexpr int processor_calls = 3;
+
+/// A scene on the host and on the device, in open space and in a block a hair wider than it.
+struct Elements {
+  explicit Elements(const scenes::Scene& scene) : on_host(view_of(scene)), copy(on_host) {
+    const double room = 2.0 * *std::max_element(scene.radius.begin(), scene.radius.end());
+    std::array<double, 3> sides{};
+    const std::vector<double>* const columns[] = {&scene.x, &scene.y, &scene.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [least, most] = std::minmax_element(columns[axis]->begin(), columns[axis]->end());
+      sides[axis] = *most - *least + room;
+    }
+    block = Domain::periodic(sides);
+  }
+
+  ElementView on_host;
+  device::ElementCopy copy;
+  Domain block = Domain::open();
+};
+
+bool same(const PairList& a, const PairList& b) {
+  return std::ranges::equal(a.pairs(), b.pairs()) && std::ranges::equal(a.shifts(), b.shifts()) &&
+         std::ranges::equal(a.gaps(), b.gaps());
+}
+
+bool same(const NeighborList& a, const NeighborList& b) {
+  return std::ranges::equal(a.offsets(), b.offsets()) &&
+         std::ranges::equal(a.neighbors(), b.neighbors()) &&
+         std::ranges::equal(a.shifts(), b.shifts());
+}
+
+/// Measures one form of result: `find(detector, elements)` returns a list of either detector.
+class FormMeasurement {
+ public:
+  FormMeasurement(std::string_view scene, const Elements& elements, const DeviceEffort& effort)
+      : scene_(scene), elements_(elements), effort_(effort) {}
+
+  /// False if the device found something else than the processor.
+  template <class Find>
+  bool measure(const std::string& form, const Options& options, const Find& find) const {
+    Detector on_processor(options);
+    device::Detector on_device(options);
+    const auto& expected = find(on_processor, elements_.on_host);
+    DeviceRow of_processor = row_for("abut, processor: " + form, expected);
+    DeviceRow of_device =
+        row_for("abut::device: " + form, find(on_device, elements_.copy.elements()));
+    of_device.is_right = same(find(on_device, elements_.copy.elements()).to_host(), expected);
+    on_processor = Detector(options);
+    time_calls(of_processor, processor_calls,
+               [&] { static_cast<void>(find(on_processor, elements_.on_host)); });
+    print_row(of_processor, effort_, of_processor.median);
+    if (of_device.is_right) {
+      on_device = device::Detector(options);
+      time_calls(of_device, effort_.calls,
+                 [&] { find(on_device, elements_.copy.elements()).wait(); });
+      of_device.peak_bytes = find(on_device, elements_.copy.elements()).statistics().peak_bytes;
+    }
+    print_row(of_device, effort_, of_processor.median);
+    return of_device.is_right;
+  }
+
+ private:
+  template <class List>
+  [[nodiscard]] DeviceRow row_for(std::string contestant, const List& list) const {
+    return row_of(std::move(contestant), scene_, elements_.on_host.size(),
+                  list.statistics().contact_pairs);
+  }
+
+  std::string scene_;
+  const Elements& elements_;
+  const DeviceEffort& effort_;
+};
+
+}  // namespace
+
+bool measure_forms(std::string_view name, std::uint64_t elements, const DeviceEffort& effort) {
+  const scenes::Scene scene = scenes::scene_named(name).make(elements, 1);
+  const Elements both(scene);
+  const FormMeasurement forms(name, both, effort);
+  const auto pairs_in = [](const Domain& domain) {
+    return [&domain](auto& detector, const ElementView& view) -> const auto& {
+      return detector.find_contact_pairs(view, domain);
+    };
+  };
+  const auto list_of = [](NeighborListKind kind) {
+    return [kind](auto& detector, const ElementView& view) -> const auto& {
+      return detector.build_neighbor_list(view, Domain::open(), kind);
+    };
+  };
+  const Domain open = Domain::open();
+  bool all_right = forms.measure("gaps", {.quantities = Quantity::gap}, pairs_in(open));
+  all_right &= forms.measure("half list", {}, list_of(NeighborListKind::half));
+  all_right &= forms.measure("full list", {}, list_of(NeighborListKind::full));
+  all_right &= forms.measure("periodic", {}, pairs_in(both.block));
+  all_right &=
+      forms.measure("periodic with shifts", {.shifts = Shifts::stored}, pairs_in(both.block));
+  return all_right;
+}
+
+}  // namespace abut::benchmarks

@@ -21,9 +21,12 @@ namespace {
 
 using scenes::Scene;
 
-/// In blocks. Questions come after 65,536 steps of some blocks each. Besides, these builds count a
-/// block for each entry of an array that grows, where others do nothing.
+/// In blocks. Questions come after 65,536 steps of some blocks each.
 constexpr std::uint64_t longest_allowed = 10'000'000;
+
+/// Besides, these builds count a block for each entry of an array that grows, where others do
+/// nothing: of the full list of `dense`, two arrays one after the other.
+constexpr std::uint64_t blocks_of_growing_lists = 2 * 6'100'000;
 
 /// Longest silences by phase, and the last one after all questions.
 class Listener {
@@ -51,6 +54,7 @@ class Listener {
 struct Task {
   std::string name;
   std::function<void(const Options&)> run;
+  std::uint64_t growing = 0;  ///< blocks of arrays that grow
 };
 
 Scene made(const char* name, std::size_t count) {
@@ -64,6 +68,11 @@ const Scene& dense() {
 
 const Scene& mixed() {
   static const Scene scene = made("log_uniform", 300'000);
+  return scene;
+}
+
+const Scene& graded() {
+  static const Scene scene = made("graded_1000", 300'000);
   return scene;
 }
 
@@ -92,6 +101,10 @@ void add_lists(std::vector<Task>& tasks) {
                      static_cast<void>(
                          find_contact_pairs(view_of(mixed()), Domain::open(), options));
                    }});
+  tasks.push_back({"list of sizes in layers", [](const Options& options) {
+                     static_cast<void>(
+                         find_contact_pairs(view_of(graded()), Domain::open(), options));
+                   }});
   tasks.push_back({"list of a crowd", [](const Options& options) {
                      static_cast<void>(
                          find_contact_pairs(view_of(crowd()), Domain::open(), options));
@@ -100,11 +113,13 @@ void add_lists(std::vector<Task>& tasks) {
                      static_cast<void>(find_contact_pairs(view_of(dense()), cell(),
                                                           with(options, Shifts::stored, {})));
                    }});
-  tasks.push_back({"neighbor list with data", [](const Options& options) {
+  tasks.push_back({"neighbor list with data",
+                   [](const Options& options) {
                      static_cast<void>(build_neighbor_list(
                          view_of(dense()), cell(), NeighborListKind::full,
                          with(options, Shifts::stored, Quantity::distance | Quantity::vector)));
-                   }});
+                   },
+                   blocks_of_growing_lists});
   tasks.push_back({"two sets", [](const Options& options) {
                      static_cast<void>(find_contact_pairs(view_of(dense()), view_of(mixed()),
                                                           Domain::open(), options));
@@ -153,7 +168,7 @@ bool measure(const Task& task) {
   for (const auto& [phase, blocks] : listener.longest()) {
     std::printf("%-28s%-28s%12llu\n", task.name.c_str(), phase.c_str(),
                 static_cast<unsigned long long>(blocks));
-    fine = fine && blocks <= longest_allowed;
+    fine = fine && blocks <= longest_allowed + task.growing;
   }
   std::fflush(stdout);
   return fine;

@@ -219,6 +219,7 @@ void run() {
     const CrowdedSystem system = crowded_system(seed % 2 == 0 ? 2 : 3, 2000, seed);
     stress(system.scene, system.margin);
   }
+  stress(scenes::scene_named("graded_1000").make(30000, 1), 0.0);  // sizes in layers
   // Groups that wait until all workers are free.
   stress(scenes::scene_named("log_uniform").make(12000, 1), 0.0);  // one tile for all
   stress(scenes::scene_named("two_far_clusters").make(70000, 1), 0.0);

@@ -34,15 +34,12 @@ Error in_words_of_tool(const Error& error) {
           fmt::format("{}; leave out --device", sentence.substr(0, sentence.find(';')))};
 }
 
-DeviceSearch::DeviceSearch(int device, const ElementView& elements, const Options& options)
+DeviceSearch::DeviceSearch(int device, const ElementView& elements, const ElementView* others,
+                           const Options& options)
     : copy_(elements, device::on(device)),
       rule_(options.rule, device::on(device)),
-      detector_(with_rule(options, rule_.rule()), device::on(device)) {}
-
-DeviceSearch::DeviceSearch(int device, const ElementView& first, const ElementView& second,
-                           const Options& options)
-    : DeviceSearch(device, first, options) {
-  partners_.emplace(second, device::on(device));
+      detector_(with_rule(options, rule_.rule()), device::on(device)) {
+  if (others != nullptr) partners_.emplace(*others, device::on(device));
 }
 
 void DeviceSearch::set_progress(ProgressHook hook) {

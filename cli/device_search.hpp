@@ -37,8 +37,8 @@ auto in_words_of_tool(const Work& work) {
 /// there, which is asked again and again.
 class DeviceSearch {
  public:
-  DeviceSearch(int device, const ElementView& elements, const Options& options);
-  DeviceSearch(int device, const ElementView& first, const ElementView& second,
+  /// `others` is the second set; null for one.
+  DeviceSearch(int device, const ElementView& elements, const ElementView* others,
                const Options& options);
 
   void set_progress(ProgressHook hook);

@@ -36,7 +36,7 @@ std::string_view name_of(Form form) {
 TimedDetector::TimedDetector(const ElementView& elements, const Domain& domain,
                              const Options& options, Form form, DeviceChoice device)
     : elements_(elements), domain_(domain), form_(form), detector_(in_order_of(form, options)) {
-  if (device) on_device_.emplace(*device, elements, options);
+  if (device) on_device_.emplace(*device, elements, nullptr, options);
 }
 
 void TimedDetector::set_progress(ProgressHook hook) {

@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace abut::benchmarks {
@@ -58,20 +61,24 @@ class FormMeasurement {
   bool measure(const std::string& form, const Options& options, const Find& find) const {
     Detector on_processor(options);
     device::Detector on_device(options);
-    const auto& expected = find(on_processor, elements_.on_host);
-    DeviceRow of_processor = row_for("abut, processor: " + form, expected);
-    DeviceRow of_device =
-        row_for("abut::device: " + form, find(on_device, elements_.copy.elements()));
-    of_device.is_right = same(find(on_device, elements_.copy.elements()).to_host(), expected);
+    const auto* expected = &find(on_processor, elements_.on_host);
+    const auto* found = &find(on_device, elements_.copy.elements());
+    DeviceRow of_processor = row_for("abut, processor: " + form, *expected);
+    DeviceRow of_device = row_for("abut::device: " + form, *found);
+    of_device.is_right = same(found->to_host(), *expected);
+    // Detectors of their own, so that the first call is one.
     on_processor = Detector(options);
     time_calls(of_processor, processor_calls,
-               [&] { static_cast<void>(find(on_processor, elements_.on_host)); });
+               [&] { expected = &find(on_processor, elements_.on_host); });
+    of_processor.peak_bytes = expected->statistics().peak_bytes;
     print_row(of_processor, effort_, of_processor.median);
     if (of_device.is_right) {
       on_device = device::Detector(options);
-      time_calls(of_device, effort_.calls,
-                 [&] { find(on_device, elements_.copy.elements()).wait(); });
-      of_device.peak_bytes = find(on_device, elements_.copy.elements()).statistics().peak_bytes;
+      time_calls(of_device, effort_.calls, [&] {
+        found = &find(on_device, elements_.copy.elements());
+        found->wait();
+      });
+      of_device.peak_bytes = found->statistics().peak_bytes;
     }
     print_row(of_device, effort_, of_processor.median);
     return of_device.is_right;

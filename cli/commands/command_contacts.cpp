@@ -60,13 +60,15 @@ PairList detect_on_device(int device, const ElementSets& sets, Options detection
   const ElementView first = sets.first.elements();
   const ElementView second = sets.partners().elements();
   return in_words_of_tool([&]() -> PairList {
-    DeviceSearch search = sets.are_two() ? DeviceSearch(device, first, second, detection)
-                                         : DeviceSearch(device, first, detection);
+    DeviceSearch search(device, first, sets.are_two() ? &second : nullptr, detection);
     if (only_counted) return {{}, search.count(sets.domain)};
     const PairList found = search.find(sets.domain).to_host();
     Statistics statistics = found.statistics();
     PhaseStopwatch stopwatch;
-    PairGeometry geometry = measure(first, second, found, quantities, sets.domain, detection);
+    // One set is read once.
+    PairGeometry geometry = sets.are_two()
+                                ? measure(first, second, found, quantities, sets.domain, detection)
+                                : measure(first, found, quantities, sets.domain, detection);
     statistics.measure_seconds = stopwatch.lap();
     return {PairArray(found.begin(), found.end()),
             ShiftArray(found.shifts().begin(), found.shifts().end()), std::move(geometry),

@@ -117,15 +117,17 @@ ElementSets read(const NeighborsOptions& options, Console& console) {
 
 /// The distances of neighbors that have none yet, as the processor measures them.
 NeighborList with_distances(const NeighborList& found, const ElementView& points,
-                            const ElementView& partners, const Domain& domain,
+                            const ElementView* others, const Domain& domain,
                             const Options& detection) {
   PairArray pairs;
   pairs.reserve(found.neighbors().size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     for (const ElementIndex j : found[i]) pairs.push_back({static_cast<ElementIndex>(i), j});
   }
+  const PairSpans spans(pairs, found.shifts());
   PairGeometry geometry =
-      measure(points, partners, {pairs, found.shifts()}, Quantity::distance, domain, detection);
+      others == nullptr ? measure(points, spans, Quantity::distance, domain, detection)
+                        : measure(points, *others, spans, Quantity::distance, domain, detection);
   return {{found.offsets().begin(), found.offsets().end()},
           {found.neighbors().begin(), found.neighbors().end()},
           {found.shifts().begin(), found.shifts().end()},
@@ -139,12 +141,12 @@ NeighborList detect_on_device(int device, const ElementSets& sets, const Neighbo
   detection.quantities = {};
   const ElementView first = centers_of(sets.first);
   const ElementView second = centers_of(sets.partners());
+  const ElementView* const others = sets.are_two() ? &second : nullptr;
   return in_words_of_tool([&] {
-    DeviceSearch search = sets.are_two() ? DeviceSearch(device, first, second, detection)
-                                         : DeviceSearch(device, first, detection);
+    DeviceSearch search(device, first, others, detection);
     NeighborList found = search.neighbors(sets.domain, options.kind);
     if (options.output.empty()) return found;
-    return with_distances(found, first, second, sets.domain, detection);
+    return with_distances(found, first, others, sets.domain, detection);
   });
 }
 

@@ -21,15 +21,15 @@ namespace {
 
 constexpr int processor_calls = 3;
 
-/// A scene on the host and on the device, in open space and in a block a hair wider than it.
+/// A scene on the host and on the device, in open space and in a block as wide as its
+/// centers, so that pairs meet across the faces.
 struct Elements {
   explicit Elements(const scenes::Scene& scene) : on_host(view_of(scene)), copy(on_host) {
-    const double room = 2.0 * *std::max_element(scene.radius.begin(), scene.radius.end());
     std::array<double, 3> sides{};
     const std::vector<double>* const columns[] = {&scene.x, &scene.y, &scene.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [least, most] = std::minmax_element(columns[axis]->begin(), columns[axis]->end());
-      sides[axis] = *most - *least + room;
+      sides[axis] = *most - *least;
     }
     block = Domain::periodic(sides);
   }

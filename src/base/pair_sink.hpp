@@ -31,7 +31,8 @@ class PairSink {
   /// the order in which they are found.
   virtual void expect_canonical_order() {}
 
-  /// Announces how many workers will ask for buffers; called once before they do.
+  /// Announces how many workers will ask for buffers; called before they do, and perhaps once more
+  /// with the same number.
   virtual void expect_workers(std::size_t count) = 0;
 
   /// Returns a buffer for pairs, which is this worker's own until it commits.

@@ -3,8 +3,10 @@
 #include "algorithms/choose_algorithm.hpp"
 #include "algorithms/registry.hpp"
 #include "base/shortest_text.hpp"
+#include "base/stopwatch.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/lattice_of.hpp"
+#include "elements/strided_spheres.hpp"
 #include "grid/integerise.hpp"
 
 #include <abut/error.hpp>
@@ -51,21 +53,27 @@ void search_cells(const registry::AlgorithmEntry& row, const exact::Elements<Dim
   pairs.finish();
 }
 
+registry::Choice choose(const Options& options, std::size_t elements) {
+  return options.algorithm == Algorithm::automatic
+             ? registry::choose_algorithm(elements)
+             : registry::Choice{&registry::entry_of(options.algorithm), "asked for"};
+}
+
+void note(const registry::Choice& choice, const SearchTask& task, Statistics& statistics) {
+  statistics.algorithm = choice.row->info.algorithm;
+  statistics.reason = choice.reason;
+  if (statistics.algorithm != Algorithm::rows) return;
+  statistics.threads = static_cast<int>(task.settings.workers);
+  statistics.simd = task.settings.simd;
+}
+
 }  // namespace
 
 template <int Dim>
 void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const SearchTask& task,
                                 PairSink& sink, DetectionContext& context, Statistics& statistics) {
-  const registry::Choice choice =
-      task.options.algorithm == Algorithm::automatic
-          ? registry::choose_algorithm(elements.spheres.size())
-          : registry::Choice{&registry::entry_of(task.options.algorithm), "asked for"};
-  statistics.algorithm = choice.row->info.algorithm;
-  statistics.reason = choice.reason;
-  if (statistics.algorithm == Algorithm::rows) {
-    statistics.threads = static_cast<int>(task.settings.workers);
-    statistics.simd = task.settings.simd;
-  }
+  const registry::Choice choice = choose(task.options, elements.spheres.size());
+  note(choice, task, statistics);
   context.progress.begin("search", elements.spheres.size());
   const registry::EntryPoints<Dim>& entry = choice.row->entry_points.in<Dim>();
   const exact::Elements<Dim> packed = elements.elements();
@@ -75,8 +83,39 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
     return entry.on_images(input, elements.spheres, elements::lattice_of(task.domain), sink,
                            context);
   }
-  if (entry.on_elements != nullptr) return entry.on_elements(input, sink, context);
+  if (entry.on_elements != nullptr) {
+    entry.on_elements(input, sink, context);
+    was_in_layers_ = workspace_->most_in_layers == packed.size();
+    return;
+  }
   search_cells<Dim>(*choice.row, packed, elements.bounds, task.options, sink, context);
+}
+
+template <int Dim>
+bool ElementSearch<Dim>::may_be_in_place(const ElementView& elements,
+                                         const SearchTask& task) const {
+  return was_in_layers_ && !task.domain.is_periodic() &&
+         elements.size() >= task.settings.layers.least_elements &&
+         choose(task.options, elements.size()).row->info.algorithm == Algorithm::rows;
+}
+
+template <int Dim>
+bool ElementSearch<Dim>::search_in_place(const ElementView& spheres, const SearchTask& task,
+                                         elements::GatheredElements<Dim>& room,
+                                         base::PairSink& sink, base::DetectionContext& context,
+                                         Statistics& statistics) {
+  if (!may_be_in_place(spheres, task)) return false;
+  const double common_radius = spheres.common_radius();
+  const auto columns = elements::strided_spheres(spheres, &common_radius);
+  if (!columns) return false;
+  base::Stopwatch stopwatch;
+  elements::bound<Dim>(spheres, {task.settings.workers, task.settings.simd}, room, context);
+  statistics.gather_seconds = stopwatch.lap();
+  note(choose(task.options, spheres.size()), task, statistics);
+  context.progress.begin("search", spheres.size());
+  was_in_layers_ =
+      engine::rows_in_place<Dim>(*columns, room.bounds, task.settings, *workspace_, sink, context);
+  return was_in_layers_;
 }
 
 template <int Dim>

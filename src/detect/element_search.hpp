@@ -9,6 +9,7 @@
 #include "periodic/periodic_workspace.hpp"
 
 #include <abut/domain.hpp>
+#include <abut/element_view.hpp>
 #include <abut/options.hpp>
 #include <abut/statistics.hpp>
 
@@ -37,13 +38,22 @@ class ElementSearch {
   void search(elements::GatheredElements<Dim>& elements, const SearchTask& task,
               base::PairSink& sink, base::DetectionContext& context, Statistics& statistics);
 
+  /// Does the same without a packed copy of the spheres, where `rows` can and where the last search
+  /// says that it will. Otherwise it delivers nothing and returns false. Throws at a bad element.
+  [[nodiscard]] bool search_in_place(const ElementView& spheres, const SearchTask& task,
+                                     elements::GatheredElements<Dim>& room, base::PairSink& sink,
+                                     base::DetectionContext& context, Statistics& statistics);
+
   /// Gives back what the algorithms have kept.
   void give_back_memory();
 
  private:
+  [[nodiscard]] bool may_be_in_place(const ElementView& elements, const SearchTask& task) const;
+
   base::MemoryMeter& memory_;
   std::optional<engine::Workspace<Dim>> workspace_;
   std::optional<periodic::PeriodicWorkspace<Dim>> periodic_;
+  bool was_in_layers_ = true;  ///< the last search; the first one is tried so
 };
 
 }  // namespace abut::detect

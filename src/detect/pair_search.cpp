@@ -52,6 +52,12 @@ bool PairSearch::can_do_without_gathering(const DetectionRequest& request) const
   return skin_.applies_to(request) && request.options.quantities.empty();
 }
 
+/// Quantities, and skins, need what was gathered.
+bool PairSearch::may_search_in_place(const DetectionRequest& request) const noexcept {
+  return request.others == nullptr && !skin_.applies_to(request) &&
+         request.options.quantities.empty();
+}
+
 template <int Dim>
 Statistics PairSearch::find_in(const DetectionRequest& request, PairSink& sink,
                                DetectionContext& context) {
@@ -69,6 +75,11 @@ Statistics PairSearch::find_in(const DetectionRequest& request, PairSink& sink,
     statistics.gather_seconds = stopwatch.lap();
     skin_.deliver<Dim>(ungathered, sink);
     statistics.search_seconds = stopwatch.lap();
+    return statistics;
+  }
+  if (may_search_in_place(request) &&
+      own.search.search_in_place(request.elements, task, own.elements, sink, context, statistics)) {
+    statistics.search_seconds = stopwatch.lap() - statistics.gather_seconds;
     return statistics;
   }
   if (request.others == nullptr) {

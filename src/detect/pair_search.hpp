@@ -63,6 +63,7 @@ class PairSearch {
   Statistics find_in(const DetectionRequest& request, base::PairSink& sink,
                      base::DetectionContext& context);
   [[nodiscard]] bool can_do_without_gathering(const DetectionRequest& request) const noexcept;
+  [[nodiscard]] bool may_search_in_place(const DetectionRequest& request) const noexcept;
   template <int Dim>
   void give_back_memory_in(const DetectionRequest& request);
   template <int Dim>

@@ -58,7 +58,7 @@ exact::Sphere<Dim> stand_in(const exact::Box<Dim>& box) {
   return sphere;
 }
 
-/// Reads parts of the elements, one part a worker.
+/// Reads parts of the elements, one part a worker, and keeps them where there is room for all.
 template <int Dim>
 class Gatherer {
  public:
@@ -82,18 +82,21 @@ class Gatherer {
   }
 
  private:
+  [[nodiscard]] bool keeps() const noexcept { return !spheres_.empty(); }
+
   /// At most elements_at_a_time.
   void read_spheres(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
     std::array<double, SphereReader::numbers * elements_at_a_time> room;
     const std::size_t count = last - first;
     const kernels::ElementColumns columns = reader_->read(first, count, room);
     std::size_t k = grid::widen(bounds, [&](kernels::ElementBounds& packed) {
-      return kernels_.pack(columns, count, Dim, spheres_[first].center, packed);
+      return keeps() ? kernels_.pack(columns, count, Dim, spheres_[first].center, packed)
+                     : kernels_.check(columns, count, Dim, packed);
     });
     for (; k < count; ++k) {
       const exact::Sphere<Dim> sphere = sphere_at<Dim>(columns, k);
       if (!is_valid(sphere)) reject_element(first + k, sphere);
-      spheres_[first + k] = sphere;
+      if (keeps()) spheres_[first + k] = sphere;
       bounds.include_center(sphere);
       bounds.include_radius(sphere.radius);
     }
@@ -117,13 +120,9 @@ class Gatherer {
   kernels::ElementKernels kernels_;
 };
 
-}  // namespace
-
 template <int Dim>
-void gather(const ElementView& elements, const GatherSettings& settings,
-            GatheredElements<Dim>& gathered, base::DetectionContext& context) {
-  base::resize_for_overwrite(gathered.spheres, elements.size());
-  base::resize_for_overwrite(gathered.boxes, elements.shape() == Shape::box ? elements.size() : 0);
+void read_all(const ElementView& elements, const GatherSettings& settings,
+              GatheredElements<Dim>& gathered, base::DetectionContext& context) {
   gathered.bounds = {.lower = {}, .upper = {}, .smallest_radius = 0.0};
   if (elements.size() == 0) return;
 
@@ -146,6 +145,24 @@ void gather(const ElementView& elements, const GatherSettings& settings,
   if (elements.shape() == Shape::box) gathered.bounds.count_largest_twice();
 }
 
+}  // namespace
+
+template <int Dim>
+void gather(const ElementView& elements, const GatherSettings& settings,
+            GatheredElements<Dim>& gathered, base::DetectionContext& context) {
+  base::resize_for_overwrite(gathered.spheres, elements.size());
+  base::resize_for_overwrite(gathered.boxes, elements.shape() == Shape::box ? elements.size() : 0);
+  read_all(elements, settings, gathered, context);
+}
+
+template <int Dim>
+void bound(const ElementView& spheres, const GatherSettings& settings,
+           GatheredElements<Dim>& gathered, base::DetectionContext& context) {
+  gathered.spheres.clear();
+  gathered.boxes.clear();
+  read_all(spheres, settings, gathered, context);
+}
+
 template <int Dim>
 exact::Sphere<Dim> sphere_at(const ElementView& elements, std::size_t number) {
   return elements.precision() == Precision::float32 ? read_sphere<Dim, float>(elements, number)
@@ -162,6 +179,10 @@ template void gather(const ElementView&, const GatherSettings&, GatheredElements
                      base::DetectionContext&);
 template void gather(const ElementView&, const GatherSettings&, GatheredElements<3>&,
                      base::DetectionContext&);
+template void bound(const ElementView&, const GatherSettings&, GatheredElements<2>&,
+                    base::DetectionContext&);
+template void bound(const ElementView&, const GatherSettings&, GatheredElements<3>&,
+                    base::DetectionContext&);
 template exact::Sphere<2> sphere_at(const ElementView&, std::size_t);
 template exact::Sphere<3> sphere_at(const ElementView&, std::size_t);
 template exact::Box<2> box_at(const ElementView&, std::size_t);

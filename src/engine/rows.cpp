@@ -1,7 +1,10 @@
 #include "engine/rows.hpp"
 
+#include "engine/deciders/box_decider.hpp"
+#include "engine/deciders/sphere_decider.hpp"
 #include "engine/set_search.hpp"
 #include "grid/scaling.hpp"
+#include "kernels/tie_kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,13 +53,60 @@ grid::Bounds<Dim> bounds_of(const exact::Elements<Dim>& elements) {
   return bounds;
 }
 
+/// What a search of all elements is made of, but for the elements themselves.
+struct RowsCall {
+  const RowsSettings& settings;
+  base::PairSink& sink;
+  base::DetectionContext& context;
+};
+
 template <int Dim>
-void search(const SearchInput<Dim>& input, const grid::Bounds<Dim>& bounds, std::size_t workers,
-            Workspace<Dim>& workspace, base::DetectionContext& context) {
+SearchInput<Dim> input_of(const exact::Elements<Dim>& elements,
+                          const kernels::StridedSpheres& spheres, double margin,
+                          const ExactDecider& decider, const RowsCall& call) {
+  const Simd simd = call.settings.simd;
+  return {elements,
+          spheres,
+          decider,
+          margin,
+          0.0,
+          kernels::tile_kernels(simd),
+          kernels::element_kernels(simd),
+          kernels::layer_kernels(simd),
+          call.settings.layers,
+          call.sink,
+          call.context.progress};
+}
+
+template <int Dim>
+SearchSet<Dim> set_of(std::size_t elements, const grid::Bounds<Dim>& bounds) {
   SearchSet<Dim> all;
-  all.locals = Numbers(input.elements.size());
+  all.locals = Numbers(elements);
   all.bounds = bounds;
-  SetSearch<Dim>(input, workspace, workers, context).search(all);
+  return all;
+}
+
+bool needs_scaling(double largest_number) {
+  return !(largest_number <= grid::largest_unscaled);
+}
+
+template <int Dim>
+void search(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
+            const ExactDecider& decider, const RowsCall& call, Workspace<Dim>& workspace) {
+  const RowsSettings& settings = call.settings;
+  const auto search_as_mapped = [&](const exact::Elements<Dim>& mapped, double margin,
+                                    const grid::Bounds<Dim>& their_bounds) {
+    const auto input =
+        input_of(mapped, kernels::strided_spheres(mapped.spheres), margin, decider, call);
+    SetSearch<Dim>(input, workspace, settings.workers, call.context)
+        .search(set_of(mapped.size(), their_bounds));
+  };
+  if (!needs_scaling(grid::largest_number(bounds, settings.margin))) {
+    return search_as_mapped(elements, settings.margin, bounds);
+  }
+  const ScaledElements<Dim> smaller(elements, call.context.memory);
+  search_as_mapped(smaller.elements(), settings.margin * scale_down,
+                   bounds_of<Dim>(smaller.elements()));
 }
 
 }  // namespace
@@ -66,26 +116,38 @@ void rows(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
           const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
           base::DetectionContext& context) {
   sink.expect_workers(settings.workers);
-  const kernels::TileKernels kernels = kernels::tile_kernels(settings.simd);
-  const kernels::ElementKernels element_kernels = kernels::element_kernels(settings.simd);
-  const kernels::LayerKernels layer_kernels = kernels::layer_kernels(settings.simd);
-  const OpenDecider<Dim> decider(elements, settings.margin, kernels::tie_kernels(settings.simd));
-  const auto input = [&](const exact::Elements<Dim>& as_mapped, double margin) {
-    return SearchInput<Dim>{as_mapped, decider,         margin,        0.0,
-                            kernels,   element_kernels, layer_kernels, settings.layers,
-                            sink,      context.progress};
-  };
-  if (grid::largest_number(bounds, settings.margin) <= grid::largest_unscaled) {
-    return search(input(elements, settings.margin), bounds, settings.workers, workspace, context);
+  const RowsCall call{settings, sink, context};
+  if (elements.are_boxes()) {
+    const BoxDecider<Dim> decider(elements.boxes, settings.margin);
+    return search(elements, bounds, decider, call, workspace);
   }
-  const ScaledElements<Dim> smaller(elements, context.memory);
-  search(input(smaller.elements(), settings.margin * scale_down),
-         bounds_of<Dim>(smaller.elements()), settings.workers, workspace, context);
+  const SphereDecider<Dim> decider(kernels::strided_spheres(elements.spheres), settings.margin,
+                                   kernels::tie_kernels(settings.simd));
+  search(elements, bounds, decider, call, workspace);
+}
+
+template <int Dim>
+bool rows_in_place(const kernels::StridedSpheres& spheres, const grid::Bounds<Dim>& bounds,
+                   const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
+                   base::DetectionContext& context) {
+  if (needs_scaling(grid::largest_number(bounds, settings.margin))) return false;
+  sink.expect_workers(settings.workers);
+  const SphereDecider<Dim> decider(spheres, settings.margin, kernels::tie_kernels(settings.simd));
+  const SearchInput<Dim> input =
+      input_of<Dim>({}, spheres, settings.margin, decider, {settings, sink, context});
+  return SetSearch<Dim>(input, workspace, settings.workers, context)
+      .search_in_layers(set_of(spheres.size, bounds));
 }
 
 template void rows(const exact::Elements<2>&, const grid::Bounds<2>&, const RowsSettings&,
                    Workspace<2>&, base::PairSink&, base::DetectionContext&);
 template void rows(const exact::Elements<3>&, const grid::Bounds<3>&, const RowsSettings&,
                    Workspace<3>&, base::PairSink&, base::DetectionContext&);
+template bool rows_in_place(const kernels::StridedSpheres&, const grid::Bounds<2>&,
+                            const RowsSettings&, Workspace<2>&, base::PairSink&,
+                            base::DetectionContext&);
+template bool rows_in_place(const kernels::StridedSpheres&, const grid::Bounds<3>&,
+                            const RowsSettings&, Workspace<3>&, base::PairSink&,
+                            base::DetectionContext&);
 
 }  // namespace abut::engine

@@ -6,6 +6,7 @@
 #include "engine/workspace.hpp"
 #include "exact/elements.hpp"
 #include "grid/bounds.hpp"
+#include "kernels/strided_spheres.hpp"
 
 #include <abut/simd.hpp>
 
@@ -27,5 +28,13 @@ template <int Dim>
 void rows(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
           const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
           base::DetectionContext& context);
+
+/// The same of valid spheres wherever their numbers lie, without a packed copy of them, if they can
+/// be searched in layers. Otherwise it delivers nothing and returns false.
+template <int Dim>
+[[nodiscard]] bool rows_in_place(const kernels::StridedSpheres& spheres,
+                                 const grid::Bounds<Dim>& bounds, const RowsSettings& settings,
+                                 Workspace<Dim>& workspace, base::PairSink& sink,
+                                 base::DetectionContext& context);
 
 }  // namespace abut::engine

@@ -44,11 +44,10 @@ bool is_clustered(const SortedTile<Dim>& tile) {
          tile.squared_occupancy() < most_mean_occupancy * tile.size();
 }
 
-template <int Dim>
-void count_radii(RadiusHistogram& histogram, const exact::Elements<Dim>& elements,
+void count_radii(RadiusHistogram& histogram, const kernels::StridedSpheres& spheres,
                  const Numbers& numbers, base::WorkCounter& work) {
   work.in_pieces(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) histogram.add(elements[numbers[k]].radius);
+    for (std::size_t k = begin; k < end; ++k) histogram.add(spheres.radius(numbers[k]));
   });
 }
 
@@ -59,6 +58,7 @@ SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspa
                           std::size_t workers, base::DetectionContext& context)
     : input_(input), workspace_(workspace), worker_count_(workers), context_(context) {
   workspace.expect_workers(workers);
+  workspace.most_in_layers = 0;
   for (const auto& worker : workspace.workers) worker->start(input);
 }
 
@@ -88,6 +88,7 @@ bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
 
 template <int Dim>
 void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers) {
+  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
   LayerSearch<Dim> search(input_, workspace_, worker_count_, context_);
   next_unit_ = search.search(set, layers, next_unit_);
 }
@@ -118,8 +119,8 @@ auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace
     -> SizeChoice {
   if (set.bounds.smallest_radius == set.bounds.largest_radius) return {};
   at.histogram.clear();
-  count_radii(at.histogram, input_.elements, set.locals, work_at(at));
-  count_radii(at.histogram, input_.elements, set.halo, work_at(at));
+  count_radii(at.histogram, input_.spheres, set.locals, work_at(at));
+  count_radii(at.histogram, input_.spheres, set.halo, work_at(at));
   const double volume = volume_in_cells(set.bounds, cell_size_for(set.bounds, input_));
   const SizeDistribution sizes = sizes_of(set.bounds, input_.margin, volume);
   const SizeClasses classes(at.histogram, sizes);

@@ -2,11 +2,13 @@
 
 #include "base/pair_sink.hpp"
 #include "base/progress_reporter.hpp"
-#include "engine/exact_decider.hpp"
+#include "engine/deciders/exact_decider.hpp"
 #include "engine/layers/layer_grid.hpp"
 #include "engine/worker_scratch.hpp"
+#include "exact/elements.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
+#include "kernels/strided_spheres.hpp"
 #include "kernels/tile_search.hpp"
 
 #include <cstdint>
@@ -17,10 +19,12 @@ namespace abut::engine {
 /// Arguments of a search, which all its workers share.
 template <int Dim>
 struct SearchInput {
-  exact::Elements<Dim> elements;  ///< as the engine maps them
-  const ExactDecider& decider;    ///< of what single precision leaves open
-  double margin;                  ///< in the scale of `elements`
-  double least_cell;              ///< positions are not known well enough for smaller
+  exact::Elements<Dim>
+      elements;  ///< as the engine maps them; none where they are in `spheres` only
+  kernels::StridedSpheres spheres;  ///< the same where their numbers lie; stand-ins of boxes
+  const ExactDecider& decider;      ///< of what single precision leaves open
+  double margin;                    ///< in the scale of `elements`
+  double least_cell;                ///< positions are not known well enough for smaller
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
   kernels::LayerKernels layer_kernels;

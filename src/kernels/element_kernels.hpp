@@ -65,6 +65,10 @@ struct ElementKernels {
   std::size_t (*pack)(const ElementColumns& columns, std::size_t count, int dimensions,
                       double* records, ElementBounds& bounds);
 
+  /// Widens the bounds likewise, and writes nothing else.
+  std::size_t (*check)(const ElementColumns& columns, std::size_t count, int dimensions,
+                       ElementBounds& bounds);
+
   /// Widens the bounds by records that are known to be valid.
   std::size_t (*bound)(const double* records, std::size_t count, int dimensions,
                        ElementBounds& bounds);

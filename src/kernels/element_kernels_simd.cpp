@@ -71,9 +71,34 @@ class LaneBounds {
   Doubles second_largest_;
 };
 
+/// Writes elements as records.
 template <int Dim>
-std::size_t pack_in(const ElementColumns& columns, std::size_t count, double* records,
-                    ElementBounds& bounds) {
+class RecordWriter {
+ public:
+  HWY_INLINE explicit RecordWriter(double* records) : records_(records) {}
+
+  HWY_INLINE void write(std::size_t k, const Doubles* center, Doubles radius) const {
+    if constexpr (Dim == 2) {
+      hn::StoreInterleaved3(center[0], center[1], radius, doubles, records_ + k * 3);
+    } else {
+      hn::StoreInterleaved4(center[0], center[1], center[2], radius, doubles, records_ + k * 4);
+    }
+  }
+
+ private:
+  double* records_;
+};
+
+/// Leaves nothing but the bounds.
+class BoundsWriter {
+ public:
+  HWY_INLINE void write(std::size_t, const Doubles*, Doubles) const {}
+};
+
+/// Widens the bounds by the elements before the first vector with a bad one, and writes them.
+template <int Dim, class Writer>
+std::size_t read_columns(const ElementColumns& columns, std::size_t count, ElementBounds& bounds,
+                         const Writer& writer) {
   const Doubles largest = hn::Set(doubles, std::numeric_limits<double>::max());
   LaneBounds<Dim> lane_bounds(bounds);
   std::size_t k = 0;
@@ -87,11 +112,7 @@ std::size_t pack_in(const ElementColumns& columns, std::size_t count, double* re
     }
     if (HWY_UNLIKELY(!hn::AllTrue(doubles, valid))) break;
     lane_bounds.include(center, radius);
-    if constexpr (Dim == 2) {
-      hn::StoreInterleaved3(center[0], center[1], radius, doubles, records + k * 3);
-    } else {
-      hn::StoreInterleaved4(center[0], center[1], center[2], radius, doubles, records + k * 4);
-    }
+    writer.write(k, center, radius);
   }
   if (k > 0) lane_bounds.widen(bounds);
   return k;
@@ -295,8 +316,14 @@ std::size_t arrange_in(const Arrangement& job) {
 
 std::size_t pack(const ElementColumns& columns, std::size_t count, int dimensions, double* records,
                  ElementBounds& bounds) {
-  return dimensions == 2 ? pack_in<2>(columns, count, records, bounds)
-                         : pack_in<3>(columns, count, records, bounds);
+  return dimensions == 2 ? read_columns<2>(columns, count, bounds, RecordWriter<2>(records))
+                         : read_columns<3>(columns, count, bounds, RecordWriter<3>(records));
+}
+
+std::size_t check(const ElementColumns& columns, std::size_t count, int dimensions,
+                  ElementBounds& bounds) {
+  return dimensions == 2 ? read_columns<2>(columns, count, bounds, BoundsWriter())
+                         : read_columns<3>(columns, count, bounds, BoundsWriter());
 }
 
 std::size_t bound(const double* records, std::size_t count, int dimensions, ElementBounds& bounds) {
@@ -333,6 +360,7 @@ HWY_AFTER_NAMESPACE();
 namespace abut::kernels {
 
 HWY_EXPORT(pack);
+HWY_EXPORT(check);
 HWY_EXPORT(bound);
 HWY_EXPORT(place);
 HWY_EXPORT(record);
@@ -343,9 +371,10 @@ ElementKernels simd_element_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {
-      HWY_DISPATCH_TABLE(pack)[chosen.GetIndex()],  HWY_DISPATCH_TABLE(bound)[chosen.GetIndex()],
-      HWY_DISPATCH_TABLE(place)[chosen.GetIndex()], HWY_DISPATCH_TABLE(record)[chosen.GetIndex()],
-      HWY_DISPATCH_TABLE(bin)[chosen.GetIndex()],   HWY_DISPATCH_TABLE(arrange)[chosen.GetIndex()]};
+      HWY_DISPATCH_TABLE(pack)[chosen.GetIndex()],   HWY_DISPATCH_TABLE(check)[chosen.GetIndex()],
+      HWY_DISPATCH_TABLE(bound)[chosen.GetIndex()],  HWY_DISPATCH_TABLE(place)[chosen.GetIndex()],
+      HWY_DISPATCH_TABLE(record)[chosen.GetIndex()], HWY_DISPATCH_TABLE(bin)[chosen.GetIndex()],
+      HWY_DISPATCH_TABLE(arrange)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

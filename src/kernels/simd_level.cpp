@@ -166,6 +166,7 @@ ElementKernels element_kernels(Simd level) {
       [](const ElementColumns&, std::size_t, int, double*, ElementBounds&) {
         return std::size_t{0};
       },
+      [](const ElementColumns&, std::size_t, int, ElementBounds&) { return std::size_t{0}; },
       [](const double*, std::size_t, int, ElementBounds&) { return std::size_t{0}; },
       [](const double*, std::size_t, int, const PlaceMap&, std::uint32_t*) {
         return std::size_t{0};
@@ -209,7 +210,9 @@ TieKernels tie_kernels(Simd level) {
   if (level != Simd::scalar) return simd_tie_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
-  return {[](const double*, int, double, HitBuffer&, std::uint64_t&) { return std::size_t{0}; }};
+  return {[](const kernels::StridedSpheres&, int, double, HitBuffer&, std::uint64_t&) {
+    return std::size_t{0};
+  }};
 }
 
 MeasureKernels measure_kernels(Simd level) {

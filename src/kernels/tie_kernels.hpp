@@ -1,8 +1,9 @@
 #pragma once
 
-#include <abut/simd.hpp>
-
+#include "kernels/strided_spheres.hpp"
 #include "kernels/tile_view.hpp"
+
+#include <abut/simd.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,11 +18,10 @@ inline constexpr std::size_t hits_fetched_ahead = 32;
 struct TieKernels {
   /// Decides the undecided pairs of the hits by the first three stages of exact::within_reach,
   /// which are the filter, the filter's operations where nothing rounds, and doubled precision.
-  /// `spheres` are exact::Sphere; adds to `exact_decisions` what the filter leaves. Treats whole
-  /// vectors from the front and returns how many pairs; the rest, and those that stay
-  /// Verdict::open, are the caller's.
-  std::size_t (*decide)(const double* spheres, int dimensions, double margin, HitBuffer& hits,
-                        std::uint64_t& exact_decisions);
+  /// Adds to `exact_decisions` what the filter leaves. Treats whole vectors from the front and
+  /// returns how many pairs; the rest, and those that stay Verdict::open, are the caller's.
+  std::size_t (*decide)(const kernels::StridedSpheres& spheres, int dimensions, double margin,
+                        HitBuffer& hits, std::uint64_t& exact_decisions);
 };
 
 /// `level` must be available.

@@ -140,27 +140,76 @@ HWY_INLINE void write(const Decision& decision, Verdict* verdict) {
   }
 }
 
-/// Decides pairs whose spheres `element(k)` and `partner(k)` point to.
-template <int Dim, class Element, class Partner>
-std::size_t decide_pairs(const Element& element, const Partner& partner, double margin,
-                         HitBuffer& hits, std::uint64_t& exact_decisions) {
+/// Spheres that are packed, one record each.
+template <int Dim>
+class RecordReader {
+ public:
+  HWY_INLINE explicit RecordReader(const double* records) : records_(records) {}
+
+  HWY_INLINE void fetch(std::uint32_t k) const { __builtin_prefetch(record(k)); }
+
+  [[nodiscard]] HWY_INLINE Spheres<Dim> read(const std::uint32_t* numbers) const {
+    const double* records[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) records[lane] = record(numbers[lane]);
+    return load<Dim>(records);
+  }
+
+ private:
+  [[nodiscard]] HWY_INLINE const double* record(std::uint32_t k) const {
+    return records_ + std::size_t{k} * (Dim + 1);
+  }
+
+  const double* records_;
+};
+
+/// Spheres in any columns.
+template <int Dim>
+class ColumnReader {
+ public:
+  HWY_INLINE explicit ColumnReader(const kernels::StridedSpheres& columns) : columns_(columns) {}
+
+  HWY_INLINE void fetch(std::uint32_t k) const { kernels::fetch<Dim>(columns_, k); }
+
+  [[nodiscard]] HWY_INLINE Spheres<Dim> read(const std::uint32_t* numbers) const {
+    Spheres<Dim> spheres;
+    for (int axis = 0; axis < Dim; ++axis) spheres.center[axis] = read(axis, numbers);
+    spheres.radius = read(kernels::StridedSpheres::radii, numbers);
+    return spheres;
+  }
+
+ private:
+  [[nodiscard]] HWY_INLINE Doubles read(int column, const std::uint32_t* numbers) const {
+    HWY_ALIGN double values[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      values[lane] = *columns_.place(column, numbers[lane]);
+    }
+    return hn::Load(doubles, values);
+  }
+
+  const kernels::StridedSpheres& columns_;
+};
+
+/// Decides pairs of the spheres that `element(k)` and `partner(k)` number.
+template <int Dim, class Reader, class Element, class Partner>
+std::size_t decide_pairs(const Reader& reader, const Element& element, const Partner& partner,
+                         double margin, HitBuffer& hits, std::uint64_t& exact_decisions) {
   const auto fetch = [&](std::size_t k) {
     if (k >= hits.undecided_count) return;
-    __builtin_prefetch(element(k));
-    __builtin_prefetch(partner(k));
+    reader.fetch(element(k));
+    reader.fetch(partner(k));
   };
   for (std::size_t k = 0; k < hits_fetched_ahead; ++k) fetch(k);
   std::size_t k = 0;
   for (; k + lanes <= hits.undecided_count; k += lanes) {
-    const double* elements[lanes];
-    const double* partners[lanes];
+    std::uint32_t elements[lanes];
+    std::uint32_t partners[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       fetch(k + hits_fetched_ahead + lane);
       elements[lane] = element(k + lane);
       partners[lane] = partner(k + lane);
     }
-    const Spheres<Dim> a = load<Dim>(elements);
-    const Spheres<Dim> b = load<Dim>(partners);
+    const Spheres<Dim> a = reader.read(elements);
+    const Spheres<Dim> b = reader.read(partners);
     Decision decision = decide_by_filter(a, b, margin);
     if (!decision.complete()) {
       exact_decisions += lanes - hn::CountTrue(doubles, decision.known);
@@ -173,25 +222,25 @@ std::size_t decide_pairs(const Element& element, const Partner& partner, double 
 }
 
 template <int Dim>
-std::size_t decide_in(const double* spheres, double margin, HitBuffer& hits,
+std::size_t decide_in(const kernels::StridedSpheres& spheres, double margin, HitBuffer& hits,
                       std::uint64_t& exact_decisions) {
-  const auto sphere = [](const double* of, std::uint32_t place) {
-    return of + std::size_t{place} * (Dim + 1);
-  };
   if (hits.copies != nullptr) {
     return decide_pairs<Dim>(
-        [&](std::size_t k) { return sphere(hits.copies, hits.element_place[k]); },
-        [&](std::size_t k) { return sphere(hits.copies, hits.partner_place[k]); }, margin, hits,
-        exact_decisions);
+        RecordReader<Dim>(hits.copies), [&](std::size_t k) { return hits.element_place[k]; },
+        [&](std::size_t k) { return hits.partner_place[k]; }, margin, hits, exact_decisions);
   }
-  return decide_pairs<Dim>(
-      [&](std::size_t k) { return sphere(spheres, hits.element[hits.undecided[k]]); },
-      [&](std::size_t k) { return sphere(spheres, hits.partner[hits.undecided[k]]); }, margin, hits,
-      exact_decisions);
+  const auto element = [&](std::size_t k) { return hits.element[hits.undecided[k]]; };
+  const auto partner = [&](std::size_t k) { return hits.partner[hits.undecided[k]]; };
+  if (const double* const records = kernels::packed_records<Dim>(spheres)) {
+    return decide_pairs<Dim>(RecordReader<Dim>(records), element, partner, margin, hits,
+                             exact_decisions);
+  }
+  return decide_pairs<Dim>(ColumnReader<Dim>(spheres), element, partner, margin, hits,
+                           exact_decisions);
 }
 
-std::size_t decide(const double* spheres, int dimensions, double margin, HitBuffer& hits,
-                   std::uint64_t& exact_decisions) {
+std::size_t decide(const kernels::StridedSpheres& spheres, int dimensions, double margin,
+                   HitBuffer& hits, std::uint64_t& exact_decisions) {
   return dimensions == 2 ? decide_in<2>(spheres, margin, hits, exact_decisions)
                          : decide_in<3>(spheres, margin, hits, exact_decisions);
 }

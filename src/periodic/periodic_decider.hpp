@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/exact_decider.hpp"
+#include "engine/deciders/exact_decider.hpp"
 #include "exact/elements.hpp"
 #include "exact/lattice.hpp"
 #include "lattice/image_decider.hpp"

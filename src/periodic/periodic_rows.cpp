@@ -151,7 +151,9 @@ bool periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
   const PeriodicDecider<Dim> decider(originals, lattice, images, settings.margin);
   own.moved_boxes.clear();
   if (!boxes.empty()) move_boxes<Dim>(boxes, images, settings.workers, own.moved_boxes);
-  const engine::SearchInput<Dim> input{{images.locals_and_ghosts(), own.moved_boxes},
+  const exact::Elements<Dim> moved{images.locals_and_ghosts(), own.moved_boxes};
+  const engine::SearchInput<Dim> input{moved,
+                                       kernels::strided_spheres<Dim>(moved.spheres),
                                        decider,
                                        settings.margin * images.unit(),
                                        images.least_cell(),

@@ -33,10 +33,11 @@ def bits(value):
 class Filter:
     """LayerGrid, and the comparisons of simd_layer_tester-inl.hpp."""
 
-    def __init__(self, reach, units_of_one, halvings=2):
-        """For elements whose largest reach that is."""
+    def __init__(self, reach, units_of_one, halvings=2, finer=0):
+        """For elements whose largest reach that is, in cells of 2^(20 + finer) units."""
         self.units = reach * units_of_one
-        self.shift = 20 - halvings
+        self.cell_shift = 20 + finer
+        self.shift = self.cell_shift - halvings
         self.columns = int((self.units + 2 * SLACK) / (1 << self.shift)) + 1
         largest = single(self.units)
         self.inner, self.outer = squares(single(largest - SLACK), single(largest + SLACK))
@@ -178,8 +179,8 @@ class Layers:
         """(layer, row, column); in 2D a layer is a strip of rows."""
         column = position[0] >> self.test.shift
         if self.dimensions == 3:
-            return position[2] >> 20, position[1] >> 20, column
-        return *divmod(position[1] >> 20, self.rows), column
+            return position[2] >> self.test.cell_shift, position[1] >> self.test.cell_shift, column
+        return *divmod(position[1] >> self.test.cell_shift, self.rows), column
 
     def search(self, positions):
         members = [[] for _ in range(self.layers + 1)]
@@ -253,24 +254,40 @@ class Layers:
         self.found.update(frozenset((self.places[p][1], number)) for _, number in hits)
 
 
+def clusters(draw, extent, cell_shift):
+    """Positions about a reach apart, around points on faces of columns and cells."""
+    positions = []
+    for _ in range(4):
+        middle = [draw.randrange(2 * n + 1) << cell_shift - 1 for n in extent]
+        for _ in range(8):
+            place = [x + draw.randrange(-UNITS // 2, UNITS // 2) for x in middle]
+            positions.append([min(max(x, 0), (n << cell_shift) - 1)
+                              for x, n in zip(place, extent)])
+    return positions
+
+
 def systems_searched_wrongly(draw, fewer=0, **broken):
     """How many of small systems have a pair lost, met twice or made up, or read no place."""
     wrong = 0
     for _ in range(SYSTEMS):
         dimensions = draw.choice([2, 3])
-        test = Filter(draw.uniform(0.7, 1.0) / (1 + 2.0 ** -10), UNITS)
+        finer = draw.choice([0, 0, 3, 5])
+        test = Filter(draw.uniform(0.7, 1.0) / (1 + 2.0 ** -10), UNITS, 1 if finer else 2, finer)
         test.columns -= fewer
         layers, rows, cells = draw.choice([3, 4]), draw.choice([1, 2]), draw.choice([1, 2, 4])
         extent = [cells, layers * rows if dimensions == 2 else rows, layers]
         count = draw.choice([30, 70])
-        positions = [[draw.randrange(n << 20) for n in extent] for _ in range(count)]
+        positions = [[draw.randrange(n << test.cell_shift) for n in extent] for _ in range(count)]
         for _ in range(draw.choice([0, 3])):
-            place = [draw.randrange(n << 20) for n in extent]
-            place[0] %= 1 << 18  # the first column
+            place = [draw.randrange(n << test.cell_shift) for n in extent]
+            place[0] %= 1 << test.shift  # the first column
             positions += [place] * draw.choice([4, 9, 30])
+        if finer:
+            positions += clusters(draw, extent, test.cell_shift)
         if dimensions == 2:
             positions = [[*position[:2], 0] for position in positions]
-        grid = Layers(dimensions, test, (layers, rows, cells << 2), **broken)
+        grid = Layers(dimensions, test, (layers, rows, cells << test.cell_shift - test.shift),
+                      **broken)
         grid.search(positions)
         expected = collections.Counter(
             frozenset((i, j)) for j in range(len(positions)) for i in range(j)

@@ -39,12 +39,14 @@ class ElementKernelsTest : public ::testing::TestWithParam<int> {
     for (double& radius : columns[3]) radius = random.uniform(0.0, 3.0);
   }
 
+  kernels::ElementColumns view() const {
+    return {{columns[0].data(), columns[1].data(), columns[2].data()}, columns[3].data()};
+  }
+
   Packed pack(Simd level) const {
     Packed packed;
     packed.records.resize(size * static_cast<std::size_t>(GetParam() + 1));
-    const kernels::ElementColumns view{{columns[0].data(), columns[1].data(), columns[2].data()},
-                                       columns[3].data()};
-    packed.count = kernels::element_kernels(level).pack(view, size, GetParam(),
+    packed.count = kernels::element_kernels(level).pack(view(), size, GetParam(),
                                                         packed.records.data(), packed.bounds);
     return packed;
   }
@@ -84,6 +86,21 @@ TEST_P(ElementKernelsTest, PackTheElementsAndTheirBounds) {
       ASSERT_EQ(packed.records[k * width + width - 1], columns[3][k]);
     }
     expect_bounds_of(packed.count, packed.bounds);
+  }
+}
+
+/// The bounds of `pack`, and as many elements, also where a bad one stops it.
+TEST_P(ElementKernelsTest, CheckWhatIsPacked) {
+  for (const std::size_t bad : {size, size - 1, std::size_t{500}, std::size_t{0}}) {
+    if (bad < size) columns[bad % static_cast<std::size_t>(GetParam())][bad] = -infinite;
+    for (const Simd level : testing::simd_levels_here()) {
+      SCOPED_TRACE(std::string(name_of(level)) + ", bad " + std::to_string(bad));
+      const Packed packed = pack(level);
+      kernels::ElementBounds bounds = bounds_of_none;
+      ASSERT_EQ(kernels::element_kernels(level).check(view(), size, GetParam(), bounds),
+                packed.count);
+      if (packed.count > 1) expect_bounds_of(packed.count, bounds);
+    }
   }
 }
 

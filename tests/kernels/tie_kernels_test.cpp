@@ -7,6 +7,7 @@
 #include "exact/sphere_predicate.hpp"
 #include "support/dimensions.hpp"
 #include "support/rows_variants.hpp"
+#include "support/sphere_layouts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,10 +49,11 @@ class OnePair {
     }
   }
 
-  void decide(Simd level, Count& count) {
+  void decide(Simd level, Layout layout, Count& count) {
+    const LaidOut<Dim> laid_out(spheres_, layout);
     std::uint64_t exact_decisions = 7;
     const std::size_t treated = kernels::tie_kernels(level).decide(
-        spheres_[0].center, Dim, pair_.margin, *hits_, exact_decisions);
+        laid_out.columns(), Dim, pair_.margin, *hits_, exact_decisions);
     ASSERT_LE(treated, listed);
     ASSERT_GE(treated, level == Simd::scalar ? 0 : listed - 3);
     std::uint64_t expected_decisions = 7;
@@ -90,7 +92,8 @@ class TieKernelsTest : public ::testing::Test {
     Random random(seed);
     Count count;
     for (int k = 0; k < pairs && !::testing::Test::HasFatalFailure(); ++k) {
-      OnePair<dim>(make(random)).decide(level, count);
+      const Layout layout = all_layouts[static_cast<std::size_t>(k) % all_layouts.size()];
+      OnePair<dim>(make(random)).decide(level, layout, count);
     }
     return count;
   }

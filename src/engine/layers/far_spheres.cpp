@@ -12,13 +12,14 @@ void FarSpheres<Dim>::start(std::size_t workers) {
 }
 
 template <int Dim>
-void FarSpheres<Dim>::note(std::span<const exact::Sphere<Dim>> spheres, const LayerGrid<Dim>& grid,
+void FarSpheres<Dim>::note(const kernels::StridedSpheres& spheres, const LayerGrid<Dim>& grid,
                            std::size_t begin, std::size_t end, std::size_t worker) {
   List& list = noted_[worker];
   for (std::size_t k = begin; k < end; ++k) {
-    const float radius = grid.units_of(spheres[k].radius);
+    const float radius = grid.units_of(spheres.radius(k));
     if (!grid.is_far(radius)) continue;
-    list.push_back(grid.far_sphere(grid.record(spheres[k], static_cast<std::uint32_t>(k)), radius));
+    const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(spheres, k);
+    list.push_back(grid.far_sphere(grid.record(sphere, static_cast<std::uint32_t>(k)), radius));
   }
 }
 

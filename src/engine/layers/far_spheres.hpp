@@ -3,8 +3,8 @@
 #include "base/array.hpp"
 #include "engine/layers/layer_cursors.hpp"
 #include "engine/layers/layer_grid.hpp"
-#include "exact/sphere.hpp"
 #include "kernels/layers/layer_kernels.hpp"
+#include "kernels/strided_spheres.hpp"
 
 #include <cstddef>
 #include <span>
@@ -27,8 +27,8 @@ class FarSpheres {
   void start(std::size_t workers);
 
   /// Notes the far elements among some of a worker's share, share by share in ascending order.
-  void note(std::span<const exact::Sphere<Dim>> spheres, const LayerGrid<Dim>& grid,
-            std::size_t begin, std::size_t end, std::size_t worker);
+  void note(const kernels::StridedSpheres& spheres, const LayerGrid<Dim>& grid, std::size_t begin,
+            std::size_t end, std::size_t worker);
 
   /// Sorts those noted by all workers.
   void sort(const LayerGrid<Dim>& grid);

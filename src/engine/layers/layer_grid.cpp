@@ -9,8 +9,6 @@
 namespace abut::engine {
 namespace {
 
-constexpr double units_of_cell = 1 << kernels::cell_bits;
-
 /// Columns are cells / 2^k: so narrow that two runs seldom have more elements than a vector has
 /// lanes, so wide that their table is not longer than the elements' own columns.
 constexpr int most_halvings = 2;
@@ -61,6 +59,26 @@ double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements)
   return cell;
 }
 
+/// A position has 31 bits: with one for its cell, an axis has two of these.
+constexpr int most_bits_of_cell = 30;
+
+/// Returns the bits of a position below its cell: more than 20 where the cell is wider than the
+/// reach needs, while the reach stays below 2^20 units and positions fit. The finer the unit, the
+/// fewer pairs are left undecided.
+template <int Dim>
+int cell_shift_for(const grid::Bounds<Dim>& bounds, double cell, double least) {
+  double longest = 0.0;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    longest = std::max(longest, bounds.upper[axis] - bounds.lower[axis]);
+  }
+  int shift = kernels::cell_bits;
+  for (double half = 0.5 * cell; half >= least && shift < most_bits_of_cell; half *= 0.5) {
+    if (!(longest * (std::ldexp(1.0, shift + 1) / cell) < kernels::end_of_positions)) break;
+    ++shift;
+  }
+  return shift;
+}
+
 /// The axes, the shortest first; of equal ones the first.
 template <int Dim>
 std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
@@ -80,7 +98,7 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& boun
                                                    double least_cell, std::size_t elements) {
   LayerGrid grid;
   const double cell = cell_size(bounds, least_cell, static_cast<double>(elements));
-  if (!grid.lay_out(bounds, cell)) return std::nullopt;
+  if (!grid.lay_out(bounds, cell, cell_shift_for(bounds, cell, least_cell))) return std::nullopt;
   grid.has_wide_cells_ = cell > least_cell;
   grid.cut_rows(bounds, margin, cell);
   if constexpr (Dim == 2) grid.join_rows(elements);
@@ -92,7 +110,7 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_cells(const grid::Bounds<Dim>& 
                                                        double margin, double cell,
                                                        std::size_t elements) {
   LayerGrid grid;
-  if (!grid.lay_out(bounds, cell)) return std::nullopt;
+  if (!grid.lay_out(bounds, cell, kernels::cell_bits)) return std::nullopt;
   grid.cut_rows_by_size(margin);
   if (!(grid.units_of(bounds.largest_radius) < most_units) || !(grid.margin_ < most_units)) {
     return std::nullopt;
@@ -102,19 +120,20 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_cells(const grid::Bounds<Dim>& 
 }
 
 template <int Dim>
-bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double cell) {
-  map_.units_of_one = units_of_cell / cell;
+bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double cell, int cell_shift) {
+  cell_shift_ = cell_shift;
+  map_.units_of_one = std::ldexp(1.0, cell_shift) / cell;
   std::array<std::uint32_t, Dim> cells{};
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     map_.lower[axis] = bounds.lower[axis];
     const double last = (bounds.upper[axis] - bounds.lower[axis]) * map_.units_of_one;
     if (!(last < kernels::end_of_positions)) return false;
-    cells[axis] = (static_cast<std::uint32_t>(last) >> kernels::cell_bits) + 1;
+    cells[axis] = (static_cast<std::uint32_t>(last) >> cell_shift_) + 1;
   }
   const std::array<std::size_t, Dim> axes = axes_by_extent(bounds);
   const std::size_t layer_axis = axes[Dim - 1];
   map_.layer_axis = static_cast<int>(layer_axis);
-  map_.layer_shift = kernels::cell_bits;
+  map_.layer_shift = cell_shift_;
   row_axis_ = axes[Dim - 2];
   next_row_axis_ = Dim == 2 ? layer_axis : axes[0];
   layers_ = cells[layer_axis];
@@ -127,7 +146,7 @@ template <int Dim>
 void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, double cell) {
   const double reach = bounds.largest_radius + bounds.second_largest_radius + margin;
   const int halvings = cell > wide_cell * reach ? most_halvings - 1 : most_halvings;
-  column_shift_ = kernels::cell_bits - halvings;
+  column_shift_ = cell_shift_ - halvings;
   columns_ <<= halvings;
   const double units = reach * map_.units_of_one;
   const double column = std::ldexp(1.0, column_shift_);
@@ -140,7 +159,7 @@ void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, do
 
 template <int Dim>
 void LayerGrid<Dim>::cut_rows_by_size(double margin) {
-  column_shift_ = kernels::cell_bits - most_halvings;
+  column_shift_ = cell_shift_ - most_halvings;
   columns_ <<= most_halvings;
   columns_in_reach_ = kernels::near_columns;
   reach_ = kernels::near_reach;
@@ -205,7 +224,7 @@ void LayerGrid<Dim>::join_rows(std::size_t elements) {
 template <int Dim>
 double LayerGrid<Dim>::cells_joined() const noexcept {
   const double columns = 2.0 * columns_in_reach_ + 1.0;
-  return 2.0 * std::ldexp(columns, column_shift_ - kernels::cell_bits);
+  return 2.0 * std::ldexp(columns, column_shift_ - cell_shift_);
 }
 
 template class LayerGrid<2>;

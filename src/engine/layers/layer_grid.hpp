@@ -33,8 +33,8 @@ struct LayerLimits {
 /// Positions, columns, rows and layers of elements of one reach.
 ///
 /// The axis with the most cells goes from layer to layer (in 2D from row to row), the next one
-/// along the rows. Cells are cubes, 2^20 units wide; along a row they are cut into columns. In 2D a
-/// layer is a strip of rows.
+/// along the rows. Cells are cubes, 2^20 units wide or, where the reach is shorter, a higher power
+/// of two; along a row they are cut into columns. In 2D a layer is a strip of rows.
 template <int Dim>
 class LayerGrid {
  public:
@@ -59,21 +59,28 @@ class LayerGrid {
   [[nodiscard]] kernels::PositionRecord record(const exact::Sphere<Dim>& sphere,
                                                std::uint32_t number) const noexcept {
     kernels::PositionRecord record{{0, 0, 0}, number};
-    for (std::size_t axis = 0; axis < Dim; ++axis) record.position[axis] = position(sphere, axis);
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      record.position[axis] = position(sphere.center[axis], axis);
+    }
     return record;
   }
 
   /// Layer of a sphere, and of its record.
   [[nodiscard]] std::uint32_t layer(const exact::Sphere<Dim>& sphere) const noexcept {
-    return layer_at(position(sphere, static_cast<std::size_t>(map_.layer_axis)));
+    return layer_of_coordinate(sphere.center[map_.layer_axis]);
   }
   [[nodiscard]] std::uint32_t layer(const kernels::PositionRecord& record) const noexcept {
     return layer_at(record.position[map_.layer_axis]);
   }
 
+  /// The axis that goes from layer to layer, and the layer of a coordinate on it.
+  [[nodiscard]] int layer_axis() const noexcept { return map_.layer_axis; }
+  [[nodiscard]] std::uint32_t layer_of_coordinate(double x) const noexcept {
+    return layer_at(position(x, static_cast<std::size_t>(map_.layer_axis)));
+  }
+
   [[nodiscard]] std::uint32_t row(const kernels::PositionRecord& record) const noexcept {
-    return static_cast<std::uint32_t>(record.position[next_row_axis_]) >> kernels::cell_bits &
-           row_mask_;
+    return static_cast<std::uint32_t>(record.position[next_row_axis_]) >> cell_shift_ & row_mask_;
   }
   [[nodiscard]] std::uint32_t column(const kernels::PositionRecord& record) const noexcept {
     return static_cast<std::uint32_t>(record.position[row_axis_]) >> column_shift_;
@@ -83,8 +90,9 @@ class LayerGrid {
   [[nodiscard]] std::uint64_t cell(const exact::Sphere<Dim>& sphere) const noexcept {
     std::uint64_t cell = 0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      const auto along = static_cast<std::uint32_t>(position(sphere, axis)) >> kernels::cell_bits;
-      cell = cell << (32 - kernels::cell_bits) | along;
+      const auto along =
+          static_cast<std::uint32_t>(position(sphere.center[axis], axis)) >> cell_shift_;
+      cell = cell << bits_of_cells | along;
     }
     return cell;
   }
@@ -94,6 +102,8 @@ class LayerGrid {
   [[nodiscard]] std::uint32_t column_count() const noexcept { return columns_; }
   /// Columns, on one side of an element, that may hold what is within its reach.
   [[nodiscard]] std::uint32_t columns_in_reach() const noexcept { return columns_in_reach_; }
+  /// Bits of a position below its cell, and below its column.
+  [[nodiscard]] int cell_shift() const noexcept { return cell_shift_; }
   [[nodiscard]] int column_shift() const noexcept { return column_shift_; }
   /// The axis along which rows go.
   [[nodiscard]] std::size_t row_axis() const noexcept { return row_axis_; }
@@ -130,16 +140,17 @@ class LayerGrid {
   [[nodiscard]] double cells_joined() const noexcept;
 
  private:
-  [[nodiscard]] std::int32_t position(const exact::Sphere<Dim>& sphere,
-                                      std::size_t axis) const noexcept {
-    const double from_lower = sphere.center[axis] - map_.lower[axis];
-    return static_cast<std::int32_t>(from_lower * map_.units_of_one);
+  /// Of the number of a cell along an axis, at most.
+  static constexpr int bits_of_cells = 32 - kernels::cell_bits;
+
+  [[nodiscard]] std::int32_t position(double x, std::size_t axis) const noexcept {
+    return static_cast<std::int32_t>((x - map_.lower[axis]) * map_.units_of_one);
   }
   [[nodiscard]] std::uint32_t layer_at(std::int32_t position) const noexcept {
     return static_cast<std::uint32_t>(position) >> map_.layer_shift;
   }
 
-  [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double cell);
+  [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double cell, int cell_shift);
   void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double cell);
   void cut_rows_by_size(double margin);
   void join_rows(std::size_t elements);
@@ -152,6 +163,7 @@ class LayerGrid {
   std::uint32_t columns_ = 0;
   std::uint32_t columns_in_reach_ = 0;
   std::uint32_t row_mask_ = ~std::uint32_t{0};
+  int cell_shift_ = kernels::cell_bits;
   int column_shift_ = kernels::cell_bits;
   float reach_ = 0.0f;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units

@@ -11,19 +11,21 @@ LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
       cursors_(memory) {}
 
 template <int Dim>
-void LayerRecords<Dim>::sort(std::span<const exact::Sphere<Dim>> spheres,
-                             const LayerGrid<Dim>& grid, const kernels::LayerKernels& kernels,
-                             std::size_t workers, base::WorkCounter& work, FarSpheres<Dim>& far) {
+void LayerRecords<Dim>::sort(const kernels::StridedSpheres& spheres, const LayerGrid<Dim>& grid,
+                             const kernels::LayerKernels& kernels, std::size_t workers,
+                             base::WorkCounter& work, FarSpheres<Dim>& far) {
   if (grid.is_by_size()) far.start(workers);
   cursors_.start(grid.layer_count(), workers);
-  base::make_room(records_, spheres.size());
+  base::make_room(records_, spheres.size);
   has_radii_ = !grid.has_equal_radii();
-  if (has_radii_) base::make_room(radii_, spheres.size());
+  if (has_radii_) base::make_room(radii_, spheres.size);
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     std::uint64_t* const counts = cursors_.of(worker);
-    const auto [first, last] = base::share_of(worker, workers, spheres.size());
+    const auto [first, last] = base::share_of(worker, workers, spheres.size);
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) ++counts[grid.layer(spheres[k])];
+      for (std::size_t k = begin; k < end; ++k) {
+        ++counts[grid.layer_of_coordinate(*spheres.place(grid.layer_axis(), k))];
+      }
       if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });
   });
@@ -32,14 +34,14 @@ void LayerRecords<Dim>::sort(std::span<const exact::Sphere<Dim>> spheres,
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     const kernels::RecordsByLayer to{cursors_.of(worker), records_.data(),
                                      has_radii_ ? radii_.data() : nullptr};
-    const auto [first, last] = base::share_of(worker, workers, spheres.size());
+    const auto [first, last] = base::share_of(worker, workers, spheres.size);
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      std::size_t k = begin + kernels.scatter(spheres[begin].center, end - begin, Dim, grid.map(),
-                                              static_cast<std::uint32_t>(begin), to);
+      std::size_t k = begin + kernels.scatter(spheres, begin, end - begin, Dim, grid.map(), to);
       for (; k < end; ++k) {
-        const std::uint64_t place = to.cursors[grid.layer(spheres[k])]++;
-        to.records[place] = grid.record(spheres[k], static_cast<std::uint32_t>(k));
-        if (has_radii_) to.radii[place] = grid.units_of(spheres[k].radius);
+        const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(spheres, k);
+        const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
+        to.records[place] = grid.record(sphere, static_cast<std::uint32_t>(k));
+        if (has_radii_) to.radii[place] = grid.units_of(sphere.radius);
       }
     });
   });

@@ -6,6 +6,7 @@
 #include "engine/layers/layer_cursors.hpp"
 #include "engine/layers/layer_grid.hpp"
 #include "kernels/layers/layer_kernels.hpp"
+#include "kernels/strided_spheres.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +31,7 @@ class LayerRecords {
 
   /// Counts, then scatters: two passes over the elements, each shared by the workers. Where
   /// elements look for smaller ones, the first pass notes the far ones.
-  void sort(std::span<const exact::Sphere<Dim>> spheres, const LayerGrid<Dim>& grid,
+  void sort(const kernels::StridedSpheres& spheres, const LayerGrid<Dim>& grid,
             const kernels::LayerKernels& kernels, std::size_t workers, base::WorkCounter& work,
             FarSpheres<Dim>& far);
 

@@ -61,7 +61,7 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
   if (!may_be_in_layers(set, input)) return std::nullopt;
   const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
-  const double occupancy = sample.mean_occupancy(*grid, input.elements.spheres.first(elements));
+  const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements));
   const double joined = (occupancy - 1.0) * grid->cells_joined();
   const double most = grid->has_wide_cells() ? limits.most_joined_of_clusters : limits.most_joined;
   if (joined > most) return std::nullopt;
@@ -86,7 +86,7 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
   }
   const auto grid = LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
-  const double occupancy = sample.mean_occupancy(*grid, input.elements.spheres.first(elements));
+  const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements));
   if (occupancy - 1.0 > limits.most_crowded_by_size) return std::nullopt;
   return grid;
 }
@@ -96,8 +96,8 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                                        std::uint64_t unit) {
   LayerRecords<Dim>& records = workspace_.layer_records;
   base::WorkCounter& work = workspace_.workers[0]->work();
-  records.sort(input_.elements.spheres.first(set.locals.size()), grid, input_.layer_kernels,
-               worker_count_, work, workspace_.far_spheres);
+  records.sort(input_.spheres.first(set.locals.size()), grid, input_.layer_kernels, worker_count_,
+               work, workspace_.far_spheres);
   const std::size_t layers = grid.layer_count();
   const std::size_t workers = workers_for(grid, set.locals.size());
   const std::size_t stretches = stretches_for(layers, workers);
@@ -140,7 +140,7 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
   const LayerRecords<Dim>& records = workspace_.layer_records;
   SortedLayers<Dim>& sorted = worker.scratch().layers;
   sorted.start(grid, records.largest_layer());
-  const double* const spheres = input_.decider.spheres();
+  const kernels::StridedSpheres* const spheres = input_.decider.spheres();
   const auto sort = [&](std::size_t k) {
     const bool is_layer = k < grid.layer_count();
     // Where most pairs are decided by the spheres themselves, these are sorted along.

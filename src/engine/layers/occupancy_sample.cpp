@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace abut::engine {
 namespace {
@@ -24,13 +25,13 @@ OccupancySample::OccupancySample(base::MemoryMeter& memory)
 
 template <int Dim>
 double OccupancySample::mean_occupancy(const LayerGrid<Dim>& grid,
-                                       std::span<const exact::Sphere<Dim>> spheres) {
-  const auto count = static_cast<double>(spheres.size());
+                                       const kernels::StridedSpheres& spheres) {
+  const auto count = static_cast<double>(spheres.size);
   const auto draws = static_cast<std::size_t>(draws_for_root * std::sqrt(count));
   base::make_room(cells_, draws);
   const std::span cells = std::span(cells_).first(draws);
   for (std::size_t k = 0; k < draws; ++k) {
-    cells[k] = grid.cell(spheres[scattered(k) % spheres.size()]);
+    cells[k] = grid.cell(kernels::sphere_at<Dim>(spheres, scattered(k) % spheres.size));
   }
   std::sort(cells.begin(), cells.end());
   double meetings = 0.0;
@@ -44,8 +45,8 @@ double OccupancySample::mean_occupancy(const LayerGrid<Dim>& grid,
 }
 
 template double OccupancySample::mean_occupancy(const LayerGrid<2>&,
-                                                std::span<const exact::Sphere<2>>);
+                                                const kernels::StridedSpheres&);
 template double OccupancySample::mean_occupancy(const LayerGrid<3>&,
-                                                std::span<const exact::Sphere<3>>);
+                                                const kernels::StridedSpheres&);
 
 }  // namespace abut::engine

@@ -2,9 +2,9 @@
 
 #include "base/array.hpp"
 #include "engine/layers/layer_grid.hpp"
+#include "kernels/strided_spheres.hpp"
 
 #include <cstdint>
-#include <span>
 
 namespace abut::engine {
 
@@ -19,7 +19,7 @@ class OccupancySample {
   /// cell, have 2.
   template <int Dim>
   [[nodiscard]] double mean_occupancy(const LayerGrid<Dim>& grid,
-                                      std::span<const exact::Sphere<Dim>> spheres);
+                                      const kernels::StridedSpheres& spheres);
 
  private:
   base::Array<std::uint64_t> cells_;  ///< of the elements drawn

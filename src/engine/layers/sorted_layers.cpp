@@ -66,7 +66,7 @@ void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_la
 
 template <int Dim>
 void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
-                             const LayerElements& elements, const double* spheres,
+                             const LayerElements& elements, const kernels::StridedSpheres* spheres,
                              const kernels::LayerKernels& kernels, base::WorkCounter& work) {
   std::uint32_t* const table = this->table(k);
   count(grid, table, elements.records, work);
@@ -84,7 +84,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
       grid.column_shift()};
   kernels.split(placed_.data(), size, columns);
   if (!grid.is_by_size()) has_copies_[k % 2] = spheres != nullptr;
-  if (spheres != nullptr) copy(spheres, begin, size, work);
+  if (spheres != nullptr) copy(*spheres, begin, size, work);
   work.did(size + table_size_);
 }
 
@@ -145,15 +145,14 @@ void SortedLayers<Dim>::place(const LayerElements& elements, std::uint32_t* tabl
 
 /// Copies spheres to the places of their records, padding those of anyone.
 template <int Dim>
-void SortedLayers<Dim>::copy(const double* spheres, std::uint32_t begin, std::size_t size,
-                             base::WorkCounter& work) {
+void SortedLayers<Dim>::copy(const kernels::StridedSpheres& spheres, std::uint32_t begin,
+                             std::size_t size, base::WorkCounter& work) {
   constexpr std::size_t fetched_ahead = 48;
   base::make_room(copies_, lead + parts_ * part_);
-  const auto* const packed = reinterpret_cast<const exact::Sphere<Dim>*>(spheres);
   work.in_pieces(0, size, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
-      if (k + fetched_ahead < size) __builtin_prefetch(packed + placed_[k + fetched_ahead].number);
-      copies_[begin + k] = packed[placed_[k].number];
+      if (k + fetched_ahead < size) kernels::fetch<Dim>(spheres, placed_[k + fetched_ahead].number);
+      copies_[begin + k] = kernels::sphere_at<Dim>(spheres, placed_[k].number);
     }
   });
 }

@@ -5,6 +5,7 @@
 #include "engine/layers/layer_grid.hpp"
 #include "engine/layers/layer_records.hpp"
 #include "kernels/layers/layer_kernels.hpp"
+#include "kernels/strided_spheres.hpp"
 
 #include <array>
 #include <cstddef>
@@ -30,9 +31,10 @@ class SortedLayers {
   void start(const LayerGrid<Dim>& grid, std::size_t largest_layer);
 
   /// Sorts the records of layer k, by counting, into its part, with copies of their spheres unless
-  /// `spheres`, packed, is null.
+  /// `spheres` is null.
   void sort(const LayerGrid<Dim>& grid, std::size_t k, const LayerElements& elements,
-            const double* spheres, const kernels::LayerKernels& kernels, base::WorkCounter& work);
+            const kernels::StridedSpheres* spheres, const kernels::LayerKernels& kernels,
+            base::WorkCounter& work);
 
   /// Layer k and the one above it, both of which must have been sorted.
   [[nodiscard]] kernels::LayerPair pair(const LayerGrid<Dim>& grid, std::size_t k) const noexcept;
@@ -53,7 +55,8 @@ class SortedLayers {
                                             std::uint32_t begin) const noexcept;
   void place(const LayerElements& elements, std::uint32_t* table, std::uint32_t begin,
              base::WorkCounter& work);
-  void copy(const double* spheres, std::uint32_t begin, std::size_t size, base::WorkCounter& work);
+  void copy(const kernels::StridedSpheres& spheres, std::uint32_t begin, std::size_t size,
+            base::WorkCounter& work);
   void pad(const LayerGrid<Dim>& grid, const std::uint32_t* table, kernels::PositionRecord* placed,
            std::uint32_t end) noexcept;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/strided_spheres.hpp"
 #include "kernels/tile_view.hpp"
 
 #include <abut/simd.hpp>
@@ -9,15 +10,15 @@
 
 namespace abut::kernels {
 
-/// Bits of a position below its cell: a cell is 2^20 units wide, as on a device
-/// (docs/derivations/whole_numbers.md).
+/// Bits of a position below its cell, where cells are no wider than the reach needs: 2^20 units, as
+/// on a device (docs/derivations/whole_numbers.md).
 inline constexpr int cell_bits = 20;
 
 /// Positions are below this on every axis, so that any two of them, and `far_position`, differ by a
 /// number of 32 bits with its sign.
 inline constexpr double end_of_positions = 0x1p31 - 0x1p22;
 
-/// Position, along a row, of what is no element: two cells or more before every element.
+/// Position, along a row, of what is no element: two reaches or more before every element.
 inline constexpr std::int32_t far_position = -(1 << 21);
 
 /// Bound of the error of a distance between whole positions, in units.
@@ -139,10 +140,11 @@ struct FarSphere {
 
 /// The kernels of layers for one instruction set. All give the same pairs in the same order.
 struct LayerKernels {
-  /// Writes the record of sphere k, whose number is first_number + k, to the next place of its
-  /// layer. Treats spheres from the front and returns how many it treated.
-  std::size_t (*scatter)(const double* spheres, std::size_t count, int dimensions,
-                         const PositionMap& map, std::uint32_t first_number,
+  /// Writes the record of each of `count` spheres, from number `first` on, to the next place of its
+  /// layer. Treats spheres from the front and returns how many it treated: none where their centers
+  /// lie neither in contiguous columns nor in contiguous records.
+  std::size_t (*scatter)(const kernels::StridedSpheres& spheres, std::size_t first,
+                         std::size_t count, int dimensions, const PositionMap& map,
                          const RecordsByLayer& to);
 
   /// Splits records into columns. Records are readable, and columns writable, up to widest_vector

@@ -172,8 +172,8 @@ class ScalarSmallerTester : ScalarTester {
   const ThreeLayers& layers_;
 };
 
-std::size_t scatter(const double*, std::size_t, int, const PositionMap&, std::uint32_t,
-                    const RecordsByLayer&) {
+std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, int,
+                    const PositionMap&, const RecordsByLayer&) {
   return 0;
 }
 

@@ -62,88 +62,17 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 #include "kernels/layers/simd_far_tester-inl.hpp"
 
 #if HWY_TARGET == HWY_SCALAR
-std::size_t scatter(const double*, std::size_t, int, const PositionMap&, std::uint32_t,
-                    const RecordsByLayer&) {
+std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, int,
+                    const PositionMap&, const RecordsByLayer&) {
   return 0;
 }
 #else
-/// Up to four doubles of an element from that one on: its center, its radius, in 2D the next.
-using DoubleTag = hn::CappedTag<double, 4>;
-using Doubles = hn::Vec<DoubleTag>;
-constexpr DoubleTag doubles{};
-using WordTag = hn::FixedTag<std::int32_t, 4>;
-using Words = hn::Vec<WordTag>;
-constexpr WordTag words{};
+#include "kernels/layers/simd_layer_writer-inl.hpp"
 
-/// Positions of an element, made in one part or two; what is no axis becomes 0.
-template <std::size_t parts>
-class PositionLanes {
- public:
-  HWY_INLINE PositionLanes(const PositionMap& map, int dimensions) {
-    double lower[4] = {};
-    double units[4] = {};
-    for (int axis = 0; axis < dimensions; ++axis) {
-      lower[axis] = map.lower[axis];
-      units[axis] = map.units_of_one;
-    }
-    for (std::size_t k = 0; k < parts; ++k) {
-      lower_[k] = hn::LoadU(doubles, lower + k * width);
-      units_[k] = hn::LoadU(doubles, units + k * width);
-    }
-  }
-
-  [[nodiscard]] HWY_INLINE Words of(const double* sphere) const {
-    if constexpr (parts == 1) {
-      return part(sphere, 0);
-    } else {
-      return hn::Combine(words, part(sphere, 1), part(sphere, 0));
-    }
-  }
-
- private:
-  static constexpr std::size_t width = 4 / parts;
-
-  [[nodiscard]] HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, DoubleTag>> part(const double* sphere,
-                                                                             std::size_t k) const {
-    const Doubles from_lower = hn::Sub(hn::LoadU(doubles, sphere + k * width), lower_[k]);
-    return hn::DemoteTo(hn::Rebind<std::int32_t, DoubleTag>(), hn::Mul(from_lower, units_[k]));
-  }
-
-  Doubles lower_[parts];
-  Doubles units_[parts];
-};
-
-template <int Dim>
-std::size_t scatter_in(const double* spheres, std::size_t count, const PositionMap& map,
-                       std::uint32_t first_number, const RecordsByLayer& to) {
-  const PositionLanes<4 / hn::MaxLanes(DoubleTag())> positions(map, Dim);
-  // In 2D the last one has no next.
-  const std::size_t end = Dim == 2 && count > 0 ? count - 1 : count;
-  std::int32_t lane[4] = {0, 0, 0, static_cast<std::int32_t>(first_number)};
-  Words number = hn::LoadU(words, lane);
-  lane[3] = 1;
-  const Words one = hn::LoadU(words, lane);
-  const double* const along_layers = spheres + map.layer_axis;
-  const double lower = map.lower[map.layer_axis];
-  for (std::size_t k = 0; k < end; ++k) {
-    const auto position =
-        static_cast<std::int32_t>((along_layers[k * (Dim + 1)] - lower) * map.units_of_one);
-    const std::uint64_t place =
-        to.cursors[static_cast<std::uint32_t>(position) >> map.layer_shift]++;
-    const double* const sphere = spheres + k * (Dim + 1);
-    hn::StoreU(hn::Or(positions.of(sphere), number), words, to.records[place].position);
-    if (to.radii != nullptr) {
-      to.radii[place] = radius_in_units(sphere[Dim], map);
-    }
-    number = hn::Add(number, one);
-  }
-  return end;
-}
-
-std::size_t scatter(const double* spheres, std::size_t count, int dimensions,
-                    const PositionMap& map, std::uint32_t first_number, const RecordsByLayer& to) {
-  return dimensions == 2 ? scatter_in<2>(spheres, count, map, first_number, to)
-                         : scatter_in<3>(spheres, count, map, first_number, to);
+std::size_t scatter(const kernels::StridedSpheres& spheres, std::size_t first, std::size_t count,
+                    int dimensions, const PositionMap& map, const RecordsByLayer& to) {
+  return dimensions == 2 ? scatter_in<2>(spheres, first, count, map, to)
+                         : scatter_in<3>(spheres, first, count, map, to);
 }
 #endif
 

@@ -42,8 +42,8 @@ class FarSpheresOf : public ::testing::Test {
       const std::size_t begin = spheres_.size() * w / workers;
       const std::size_t end = spheres_.size() * (w + 1) / workers;
       const std::size_t middle = (begin + end) / 2;
-      far.note(std::span(spheres_), layers, begin, middle, w);
-      far.note(std::span(spheres_), layers, middle, end, w);
+      far.note(kernels::strided_spheres<its_dim>(spheres_), layers, begin, middle, w);
+      far.note(kernels::strided_spheres<its_dim>(spheres_), layers, middle, end, w);
     }
     far.sort(layers);
   }

@@ -226,13 +226,43 @@ TYPED_TEST(LayerGridOf, CellsAreNotManyMoreThanElements) {
       ASSERT_TRUE(grid);
       double cells = 1.0;
       for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
-        const double along = extent[axis] * grid->map().units_of_one / units_of_cell;
+        const double along =
+            std::ldexp(extent[axis] * grid->map().units_of_one, -grid->cell_shift());
         cells *= std::max(1.0, along);
       }
       EXPECT_LE(cells, 3.001 * elements) << cell;
       EXPECT_LE(grid->map().units_of_one, units_of_cell / cell);
     }
   }
+}
+
+/// In cells wider than the reach needs, the unit is the finest of which a reach has 2^20 at most
+/// and with which positions have their 31 bits: half of it has one or the other no more.
+TYPED_TEST(LayerGridOf, WideCellsHaveFinerUnits) {
+  bool is_as_fine_as_reaches = false;
+  bool is_as_fine_as_positions = false;
+  for (const double least : {1.0, 0.3, 0.01, 1e-5, 1e-12}) {
+    for (const double side : {3.0, 60.0, 1000.0}) {
+      const std::array<double, 3> extent{side, 0.9 * side, 0.8 * side};
+      const auto grid =
+          layer_grid_over<TypeParam::value>(this->box(extent), 0.9 * least, least, 20000);
+      ASSERT_TRUE(grid);
+      EXPECT_EQ(grid->has_wide_cells(), grid->cell_shift() > kernels::cell_bits ||
+                                            least * grid->map().units_of_one < units_of_cell);
+      const double units_of_reach = least * grid->map().units_of_one;
+      const double units_of_axis = side * grid->map().units_of_one;
+      EXPECT_LE(units_of_reach, units_of_cell);
+      EXPECT_LT(units_of_axis, kernels::end_of_positions);
+      const bool fit_no_finer_reach = 2.0 * units_of_reach > units_of_cell;
+      const bool fit_no_finer_positions = 2.0 * units_of_axis >= kernels::end_of_positions;
+      EXPECT_TRUE(fit_no_finer_reach || fit_no_finer_positions) << least << " " << side;
+      is_as_fine_as_reaches |= fit_no_finer_reach && grid->cell_shift() > kernels::cell_bits;
+      is_as_fine_as_positions |= fit_no_finer_positions;
+      EXPECT_LT(grid->map().layer_shift, 32);
+    }
+  }
+  EXPECT_TRUE(is_as_fine_as_reaches);
+  EXPECT_TRUE(is_as_fine_as_positions);
 }
 
 TYPED_TEST(LayerGridOf, FlatBoxesAndPoints) {

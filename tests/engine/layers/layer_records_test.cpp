@@ -7,6 +7,7 @@
 #include "kernels/layers/layer_kernels.hpp"
 #include "support/nobody_asked.hpp"
 #include "support/rows_variants.hpp"
+#include "support/sphere_layouts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,11 +43,15 @@ class LayerRecordsOf : public ::testing::Test {
       expected[grid.layer(spheres[k])].push_back(
           {grid.record(spheres[k], k), grid.units_of(spheres[k].radius)});
     }
+    std::size_t turn = spheres.size();
     for (const Simd level : simd_levels_here()) {
       for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
         SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
+        const Layout layout = all_layouts[++turn % all_layouts.size()];
+        SCOPED_TRACE(layout);
+        const LaidOut<its_dim> laid_out(spheres, layout);
         NobodyAsked nobody;
-        records_.sort(std::span(spheres), grid, kernels::layer_kernels(level), workers, nobody.work,
+        records_.sort(laid_out.columns(), grid, kernels::layer_kernels(level), workers, nobody.work,
                       far_);
         std::size_t largest = 0;
         for (std::size_t layer = 0; layer < expected.size(); ++layer) {
@@ -104,7 +109,7 @@ TYPED_TEST(LayerRecordsOf, TheHookIsAskedInBothPasses) {
   };
   base::ProgressReporter progress(hook);
   base::WorkCounter work(progress, 0);
-  this->records_.sort(std::span(spheres), this->grid_over(spheres),
+  this->records_.sort(kernels::strided_spheres<dim>(spheres), this->grid_over(spheres),
                       kernels::layer_kernels(Simd::scalar), 1, work, this->far_);
   EXPECT_GE(asked, 2 * count / (base::ProgressReporter::steps_between_calls + 8192));
 }

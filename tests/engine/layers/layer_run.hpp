@@ -5,6 +5,7 @@
 #include "engine/rows.hpp"
 #include "support/rows_variants.hpp"
 #include "support/same_pairs.hpp"
+#include "support/sphere_layouts.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -85,6 +86,25 @@ LayerRun run_rows(const Spheres<Dim>& spheres, const engine::RowsSettings& setti
           context.exact_decisions};
 }
 
+/// The same where the spheres lie, which is not done at all but in layers.
+template <int Dim>
+LayerRun run_in_place(const Spheres<Dim>& spheres, Layout layout,
+                      const engine::RowsSettings& settings) {
+  const LaidOut<Dim> laid_out(spheres, layout);
+  base::DetectionContext context;
+  engine::Workspace<Dim> workspace(context.memory);
+  KeptPairs sink;
+  const bool in_layers = engine::rows_in_place<Dim>(laid_out.columns(), bounds_of<Dim>(spheres),
+                                                    settings, workspace, sink, context);
+  return {sink.pairs(), in_layers, context.candidate_tests, context.exact_decisions};
+}
+
+inline void expect_same(const LayerRun& first, const LayerRun& other) {
+  EXPECT_TRUE(std::ranges::equal(first.pairs, other.pairs));
+  EXPECT_EQ(first.candidate_tests, other.candidate_tests);
+  EXPECT_EQ(first.exact_decisions, other.exact_decisions);
+}
+
 /// The contact pairs in canonical order: spheres that overlap along the longest axis, decided
 /// exactly on their numbers, as direct_check decides all.
 template <int Dim>
@@ -120,8 +140,8 @@ PairVector directly_checked(const Spheres<Dim>& spheres, double margin) {
 /// The way that a scene must have taken: without this a test of layers could pass in tiles.
 enum class Way { layers, tiles };
 
-/// From every level and number of workers the pairs of `directly_checked`, in the same order as
-/// found after as many tests.
+/// From every level and number of workers, and in layers from every layout, the pairs of
+/// `directly_checked`, in the same order as found after as many tests.
 template <int Dim>
 void expect_right_in_layers(const Spheres<Dim>& spheres, double margin = 0.0, Way way = Way::layers,
                             const engine::LayerLimits& limits = always_in_layers) {
@@ -129,15 +149,21 @@ void expect_right_in_layers(const Spheres<Dim>& spheres, double margin = 0.0, Wa
   const LayerRun first = run_rows<Dim>(spheres, settings);
   EXPECT_EQ(first.in_layers, way == Way::layers);
   EXPECT_TRUE(same_pairs(directly_checked<Dim>(spheres, margin), first.pairs));
+  std::size_t turn = spheres.size();
   for (const Simd level : simd_levels_here()) {
     for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
       SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
       settings.simd = level;
       settings.workers = workers;
-      const LayerRun other = run_rows<Dim>(spheres, settings);
-      EXPECT_TRUE(std::ranges::equal(first.pairs, other.pairs));
-      EXPECT_EQ(first.candidate_tests, other.candidate_tests);
-      EXPECT_EQ(first.exact_decisions, other.exact_decisions);
+      expect_same(first, run_rows<Dim>(spheres, settings));
+      const Layout layout = all_layouts[++turn % all_layouts.size()];
+      SCOPED_TRACE(layout);
+      const LayerRun in_place = run_in_place<Dim>(spheres, layout, settings);
+      if (in_place.in_layers) {
+        expect_same(first, in_place);
+      } else {
+        EXPECT_TRUE(in_place.pairs.empty());
+      }
     }
   }
 }

@@ -23,7 +23,7 @@ class OccupancySampleOf : public ::testing::Test {
   double mean_occupancy(const Spheres<its_dim>& spheres) {
     const auto grid =
         layer_grid_over<its_dim>(bounds_of<its_dim>(spheres), 1.0, 1.0, spheres.size());
-    return sample_.mean_occupancy(grid.value(), std::span(spheres));
+    return sample_.mean_occupancy(grid.value(), kernels::strided_spheres<its_dim>(spheres));
   }
 
   base::MemoryMeter memory_;
@@ -77,7 +77,7 @@ TYPED_TEST(OccupancySampleOf, IsTheSameEachTime) {
   base::MemoryMeter memory;
   engine::OccupancySample other(memory);
   const auto grid = layer_grid_over<dim>(bounds_of<dim>(spheres), 1.0, 1.0, spheres.size());
-  EXPECT_EQ(other.mean_occupancy(grid.value(), std::span(spheres)), first);
+  EXPECT_EQ(other.mean_occupancy(grid.value(), kernels::strided_spheres<dim>(spheres)), first);
 }
 
 TYPED_TEST(OccupancySampleOf, FewElements) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "kernels/strided_spheres.hpp"
+
+#include <abut/element_view.hpp>
+
+#include <optional>
+
+namespace abut::elements {
+
+/// The columns of the caller's spheres or discs, where their numbers are doubles that can be read
+/// as such. A common radius is read from `common_radius`, which must outlive
+/// them.
+[[nodiscard]] std::optional<kernels::StridedSpheres> strided_spheres(const ElementView& spheres,
+                                                                     const double* common_radius);
+
+}  // namespace abut::elements

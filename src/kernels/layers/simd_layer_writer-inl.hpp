@@ -1,0 +1,133 @@
+// Elements scattered to their layers, a block of records at a time, included once for each
+// instruction set into the namespace of layer_search_simd.cpp.
+
+using DoubleTag = hn::ScalableTag<double>;
+using Doubles = hn::Vec<DoubleTag>;
+constexpr DoubleTag doubles{};
+using WordTag = hn::Rebind<std::int32_t, DoubleTag>;
+constexpr WordTag words{};
+constexpr std::size_t elements_at_once = hn::MaxLanes(DoubleTag());
+
+/// Centers in a column of contiguous numbers for each axis.
+template <int Dim>
+class CenterColumns {
+ public:
+  HWY_INLINE explicit CenterColumns(const kernels::StridedSpheres& spheres) : spheres_(spheres) {}
+
+  [[nodiscard]] static bool fit(const kernels::StridedSpheres& spheres) {
+    return std::all_of(spheres.stride, spheres.stride + Dim,
+                       [](std::ptrdiff_t stride) { return stride == 1; });
+  }
+
+  HWY_INLINE void load(std::size_t k, Doubles* center) const {
+    for (int axis = 0; axis < Dim; ++axis) {
+      center[axis] = hn::LoadU(doubles, spheres_.begin[axis] + k);
+    }
+  }
+
+ private:
+  const kernels::StridedSpheres& spheres_;
+};
+
+/// Centers in records of so many numbers, contiguous and one behind the other.
+template <int Dim, int Length>
+class CenterRecords {
+ public:
+  HWY_INLINE explicit CenterRecords(const kernels::StridedSpheres& spheres)
+      : records_(spheres.begin[0]) {}
+
+  [[nodiscard]] static bool fit(const kernels::StridedSpheres& spheres) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      if (spheres.stride[axis] != Length) return false;
+      if (spheres.begin[axis] != spheres.begin[0] + axis) return false;
+    }
+    return true;
+  }
+
+  HWY_INLINE void load(std::size_t k, Doubles* center) const {
+    Doubles other;
+    if constexpr (Length == 2) {
+      hn::LoadInterleaved2(doubles, records_ + k * 2, center[0], center[1]);
+    } else if constexpr (Dim == 2) {
+      hn::LoadInterleaved3(doubles, records_ + k * 3, center[0], center[1], other);
+    } else if constexpr (Length == 3) {
+      hn::LoadInterleaved3(doubles, records_ + k * 3, center[0], center[1], center[2]);
+    } else {
+      hn::LoadInterleaved4(doubles, records_ + k * 4, center[0], center[1], center[2], other);
+    }
+  }
+
+ private:
+  const double* records_;
+};
+
+template <int Dim>
+class LayerWriter {
+ public:
+  HWY_INLINE LayerWriter(const PositionMap& map, const kernels::StridedSpheres& spheres,
+                         const RecordsByLayer& to)
+      : map_(map), spheres_(spheres), to_(to) {}
+
+  /// Returns how many elements it treated, whole vectors of them.
+  template <class Centers>
+  std::size_t scatter(const Centers& centers, std::size_t first, std::size_t count) const {
+    HWY_ALIGN PositionRecord block[block_size];
+    const std::size_t whole = count - count % elements_at_once;
+    for (std::size_t k = 0; k < whole; k += block_size) {
+      const std::size_t size = std::min(block_size, whole - k);
+      make_records(centers, first + k, size, block);
+      write(first + k, size, block);
+    }
+    return whole;
+  }
+
+ private:
+  static constexpr std::size_t block_size = 128;
+
+  /// In 2D the third position is 0.
+  template <class Centers>
+  HWY_INLINE void make_records(const Centers& centers, std::size_t first, std::size_t count,
+                               PositionRecord* block) const {
+    const Doubles units = hn::Set(doubles, map_.units_of_one);
+    for (std::size_t k = 0; k < count; k += elements_at_once) {
+      Doubles center[Dim];
+      centers.load(first + k, center);
+      auto position = [&](int axis) HWY_ATTR {
+        const Doubles from_lower = hn::Sub(center[axis], hn::Set(doubles, map_.lower[axis]));
+        return hn::DemoteTo(words, hn::Mul(from_lower, units));
+      };
+      const auto third = Dim == 2 ? hn::Zero(words) : position(Dim - 1);
+      const auto number =
+          hn::Add(hn::Iota(words, 0), hn::Set(words, static_cast<std::int32_t>(first + k)));
+      hn::StoreInterleaved4(position(0), position(1), third, number, words, block[k].position);
+    }
+  }
+
+  HWY_INLINE void write(std::size_t first, std::size_t count, const PositionRecord* block) const {
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto position = static_cast<std::uint32_t>(block[k].position[map_.layer_axis]);
+      const std::uint64_t place = to_.cursors[position >> map_.layer_shift]++;
+      to_.records[place] = block[k];
+      if (to_.radii != nullptr) {
+        to_.radii[place] = radius_in_units(spheres_.radius(first + k), map_);
+      }
+    }
+  }
+
+  const PositionMap& map_;
+  const kernels::StridedSpheres& spheres_;
+  const RecordsByLayer& to_;
+};
+
+template <int Dim>
+std::size_t scatter_in(const kernels::StridedSpheres& spheres, std::size_t first, std::size_t count,
+                       const PositionMap& map, const RecordsByLayer& to) {
+  const LayerWriter<Dim> layers(map, spheres, to);
+  const auto scatter = [&](const auto& centers) { return layers.scatter(centers, first, count); };
+  if (CenterColumns<Dim>::fit(spheres)) return scatter(CenterColumns<Dim>(spheres));
+  using Points = CenterRecords<Dim, Dim>;
+  using Packed = CenterRecords<Dim, Dim + 1>;
+  if (Points::fit(spheres)) return scatter(Points(spheres));
+  if (Packed::fit(spheres)) return scatter(Packed(spheres));
+  return 0;
+}

@@ -77,10 +77,13 @@ Statistics PairSearch::find_in(const DetectionRequest& request, PairSink& sink,
     statistics.search_seconds = stopwatch.lap();
     return statistics;
   }
-  if (may_search_in_place(request) &&
-      own.search.search_in_place(request.elements, task, own.elements, sink, context, statistics)) {
-    statistics.search_seconds = stopwatch.lap() - statistics.gather_seconds;
-    return statistics;
+  if (may_search_in_place(request)) {
+    if (own.search.search_in_place(request.elements, task, own.elements, sink, context,
+                                   statistics)) {
+      statistics.search_seconds = stopwatch.lap() - statistics.gather_seconds;
+      return statistics;
+    }
+    context.progress.begin("gather", request.size());
   }
   if (request.others == nullptr) {
     elements::gather<Dim>(request.elements, {task.settings.workers, task.settings.simd},

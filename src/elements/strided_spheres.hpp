@@ -8,9 +8,8 @@
 
 namespace abut::elements {
 
-/// The columns of the caller's spheres or discs, where their numbers are doubles that can be read
-/// as such. A common radius is read from `common_radius`, which must outlive
-/// them.
+/// The caller's spheres or discs where they lie, if their numbers are doubles that can be read as
+/// such. A common radius is read from `common_radius`, which must outlive the result.
 [[nodiscard]] std::optional<kernels::StridedSpheres> strided_spheres(const ElementView& spheres,
                                                                      const double* common_radius);
 

@@ -13,7 +13,7 @@ namespace abut::kernels {
 ///   holds    centers        nothing    radii
 ///
 /// Number k of a column lies k strides behind its begin. A column whose stride is 0 is one number
-/// that all spheres share.
+/// that all spheres share. Columns may lie in each other, as those of packed records do.
 struct StridedSpheres {
   static constexpr int radii = 3;
 

@@ -90,7 +90,7 @@ class LaidOut {
   }
 
   std::size_t size_;
-  std::array<std::size_t, 4> begin_{};
+  std::size_t begin_[4] = {};
   std::vector<double> numbers_;
   kernels::StridedSpheres columns_{};
 };

@@ -35,6 +35,19 @@ class PairSink {
   /// with the same number.
   virtual void expect_workers(std::size_t count) = 0;
 
+  /// Announces that the next units are [first, first + count), and that finish_unit tells of each;
+  /// called while no worker searches, and not at all for units that nobody tells of.
+  virtual void expect_units(std::uint64_t first, std::size_t count) {
+    static_cast<void>(first);
+    static_cast<void>(count);
+  }
+
+  /// Tells that the next pairs of the worker are those of the unit.
+  virtual void begin_unit(const Origin&) {}
+
+  /// Tells that all pairs of the unit are committed.
+  virtual void finish_unit(const Origin&) {}
+
   /// Returns a buffer for pairs, which is this worker's own until it commits.
   [[nodiscard]] virtual std::span<ContactPair> buffer(std::size_t worker) = 0;
 

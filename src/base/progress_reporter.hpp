@@ -51,8 +51,13 @@ class ProgressReporter {
   }
 
   /// `count` more elements of the phase are treated. For any worker; asks nobody.
-  void advance(std::uint64_t count) noexcept {
-    if (hook_ != nullptr) done_.fetch_add(count, std::memory_order_relaxed);
+  void advance(std::uint64_t count) noexcept { done_.fetch_add(count, std::memory_order_relaxed); }
+
+  /// The share of the phase that is done: about, where images are treated too, and 0 where only a
+  /// hook is told.
+  [[nodiscard]] double share_done() const noexcept {
+    const auto done = static_cast<double>(done_.load(std::memory_order_relaxed));
+    return total_ == 0 ? 0.0 : done / static_cast<double>(total_);
   }
 
   /// `steps` more are done on the caller's thread. Throws Stopped where another worker has failed.

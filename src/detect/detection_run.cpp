@@ -75,7 +75,7 @@ template <class ListWriter>
 Statistics DetectionRun::list(const DetectionRequest& request, const lists::PairDemand& demand,
                               ListWriter&& write) {
   return guarded(request, [&](DetectionContext& context) {
-    found_.start_anew(demand);
+    found_.start_anew(demand, &context.progress);
     Statistics statistics = search_.find(request, found_, context);
     statistics.contact_pairs = found_.size();
     search_.skin().note_survivors(found_.size());
@@ -89,12 +89,15 @@ Statistics DetectionRun::list(const DetectionRequest& request, const lists::Pair
 }
 
 Statistics DetectionRun::list_pairs(const DetectionRequest& request, const PairArrays& arrays) {
-  lists::ListBuffer list_buffer(arrays.pairs, arrays.shifts);
+  lists::ListBuffer list_buffer(arrays.pairs, arrays.shifts, found_shifts(request), memory_);
   lists::GeometryBuffers geometry(arrays.geometry);
   const Options& options = request.options;
   const Statistics result =
-      list(request, {options.max_pairs, found_shifts(request), options.order, list_buffer.buffer()},
-           [&](const Writing& writing) { write_pairs(request, arrays, writing); });
+      list(request, {options.max_pairs, found_shifts(request), options.order, &list_buffer},
+           [&](const Writing& writing) {
+             list_buffer.hand_over();
+             write_pairs(request, arrays, writing);
+           });
   list_buffer.keep();
   geometry.keep();
   return result;
@@ -114,7 +117,7 @@ void DetectionRun::measure(const DetectionRequest& request, PairGeometry& geomet
 void DetectionRun::write_pairs(const DetectionRequest& request, const PairArrays& arrays,
                                const Writing& writing) {
   Stopwatch stopwatch;
-  const std::size_t kept = found_.in_buffer();
+  const std::size_t kept = found_.kept_in_list();
   const std::size_t shift_count = with_shifts(request) ? found_.size() : 0;
   const lists::ResultBuffer pair_buffer(arrays.pairs, found_.size(), memory_, kept);
   const lists::ResultBuffer shift_buffer(arrays.shifts, shift_count, memory_,
@@ -134,7 +137,7 @@ void DetectionRun::order_pairs(const DetectionRequest& request, const PairArrays
   const lists::FoundPieces pieces = found_.pieces();
   const lists::OutputBuffer target{arrays.pairs, arrays.shifts};
   if (!found_.must_be_sorted()) {
-    return order_.join(pieces, target, workers, work, found_.in_buffer());
+    return order_.join(pieces, target, workers, work);
   }
   order_.use(kernels::order_kernels(kernels::level_to_run(request.options.simd)));
   order_.sort(pieces, request.elements.size(), target, workers, work);

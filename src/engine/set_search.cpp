@@ -96,7 +96,7 @@ void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Di
 template <int Dim>
 void SetSearch<Dim>::finish() {
   for (const auto& worker : workspace_.workers) {
-    worker->finish_unit();
+    worker->hand_over();
     context_.candidate_tests += worker->candidate_tests();
     context_.exact_decisions += worker->exact_decisions();
   }
@@ -171,13 +171,15 @@ void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& 
   const auto search_one = [&](std::size_t w, std::size_t tile, base::WorkCounter& work) {
     work.did(1);
     TileSearcher<Dim>& worker = *workspace_.workers[w];
-    if (tiles.own_count(tile) == 0) return;
     worker.begin_unit(next_unit_ + tile);
-    search_tile(set, grid, tiles, tile,
-                {&worker, worker.scratch().levels, worker.scratch().histogram, 0});
+    if (tiles.own_count(tile) > 0) {
+      search_tile(set, grid, tiles, tile,
+                  {&worker, worker.scratch().levels, worker.scratch().histogram, 0});
+    }
     if (worker_count_ > 1) worker.finish_unit();
     context_.progress.advance(tiles.own_count(tile));
   };
+  input_.sink.expect_units(next_unit_, grid.tile_count);
   base::for_each_index(worker_count_, grid.tile_count, work_at(at), search_one);
   next_unit_ += grid.tile_count;
   context_.progress.poll();
@@ -192,7 +194,7 @@ void SetSearch<Dim>::search_one_tile(const SearchSet<Dim>& set, const TileGrid<D
   first.begin_unit(next_unit_++);
   search_tile(set, grid, tiles, grid.first_tile(),
               {&first, first.scratch().levels, first.scratch().histogram, 0, Parallel::layers});
-  first.finish_unit();
+  first.hand_over();
   context_.progress.advance(set.locals.size());
   context_.progress.poll();
   search_waiting(at);
@@ -203,7 +205,7 @@ void SetSearch<Dim>::search_one_tile(const SearchSet<Dim>& set, const TileGrid<D
 template <int Dim>
 void SetSearch<Dim>::search_pairs(double unit, const SearchPlace& at) {
   if (at.parallel == Parallel::tiles) return at.worker->search(unit);
-  at.worker->finish_unit();
+  at.worker->hand_over();
   const SortedTile<Dim>& tile = at.worker->scratch().tile;
   const kernels::Layers all = kernels::all_layers(tile.view(), Dim);
   const auto layers = static_cast<std::size_t>(all.end);
@@ -215,6 +217,7 @@ void SetSearch<Dim>::search_pairs(double unit, const SearchPlace& at) {
     worker.search(tile, {static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)}, unit);
     worker.finish_unit();
   };
+  input_.sink.expect_units(next_unit_, parts);
   base::for_each_index(worker_count_, parts, work_at(at), search_part);
   next_unit_ += parts;
   at.worker->begin_unit(next_unit_++);

@@ -47,10 +47,17 @@ void TileSearcher<Dim>::start(const SearchInput<Dim>& input) {
 template <int Dim>
 void TileSearcher<Dim>::begin_unit(std::uint64_t unit) {
   origin_.unit = unit;
+  input_->sink.begin_unit(origin_);
 }
 
 template <int Dim>
 void TileSearcher<Dim>::finish_unit() {
+  hand_over();
+  input_->sink.finish_unit(origin_);
+}
+
+template <int Dim>
+void TileSearcher<Dim>::hand_over() {
   take();
   flush();
   pairs_ = {};

@@ -49,8 +49,10 @@ class TileSearcher {
 
   /// Pairs found from here on belong to this unit of the search.
   void begin_unit(std::uint64_t unit);
-  /// Hands on the pairs found so far.
+  /// Hands on the pairs found so far, which are all of the unit.
   void finish_unit();
+  /// Hands on the pairs found so far.
+  void hand_over();
 
   [[nodiscard]] WorkerScratch<Dim>& scratch() noexcept { return scratch_; }
 

@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,12 @@ class FilteringSink : public base::PairSink {
     if (buffers_.size() < count) buffers_.resize(count);
     next_->expect_workers(count);
   }
+
+  void expect_units(std::uint64_t first, std::size_t count) final {
+    next_->expect_units(first, count);
+  }
+  void begin_unit(const base::Origin& origin) final { next_->begin_unit(origin); }
+  void finish_unit(const base::Origin& origin) final { next_->finish_unit(origin); }
 
   [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) final {
     buffers_[worker].batch = {next_->buffer(worker), {}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace abut::lists {
 namespace {
@@ -12,7 +13,17 @@ namespace {
 constexpr std::size_t smallest_chunk = 4096;
 constexpr std::size_t largest_chunk = std::size_t{1} << 19;
 
+/// The share of a search that tells what the rest of it finds, and the room for more than that:
+/// what is not written to takes addresses only, and too little would be written twice.
+constexpr double least_share = 1.0 / 16.0;
+constexpr double room_to_spare = 1.125;
+
 }  // namespace
+
+bool FoundPairs::PairSegment::is_followed_by(const PairSegment& next) const noexcept {
+  if (unit != next.unit || (pairs == nullptr) != (next.pairs == nullptr)) return false;
+  return pairs == nullptr ? place + count == next.place : pairs + count == next.pairs;
+}
 
 FoundPairs::~FoundPairs() {
   for (const auto& worker : workers_) {
@@ -23,48 +34,157 @@ FoundPairs::~FoundPairs() {
   }
 }
 
-void FoundPairs::start_anew(const PairDemand& demand) {
+void FoundPairs::start_anew(const PairDemand& demand, const base::ProgressReporter* progress) {
   demand_ = demand;
-  OutputBuffer& buffer = demand_.buffer;
-  if (demand.shifts == Shifts::stored) {
-    buffer.pairs = buffer.pairs.first(std::min(buffer.pairs.size(), buffer.shifts.size()));
-  }
+  progress_ = progress;
   comes_in_canonical_order_ = false;
-  in_buffer_ = 0;
   total_ = 0;
+  places_.clear();
+  list_has_room_ = demand.list != nullptr && !demand.list->room().pairs.empty();
   for (const auto& worker : workers_) {
     worker->current = 0;
     worker->segments.clear();
+    worker->in_list = 0;
+    worker->found = 0;
     for (Chunk& chunk : worker->chunks) chunk.filled = 0;
   }
 }
 
 void FoundPairs::expect_workers(std::size_t count) {
   while (workers_.size() < count) workers_.push_back(std::make_unique<Worker>());
-  if (count > 1 || must_be_sorted()) demand_.buffer = {};
+  worker_count_ = count;
+  if (!must_be_sorted()) return;
+  demand_.list = nullptr;
+  list_has_room_ = false;
+}
+
+void FoundPairs::expect_units(std::uint64_t first, std::size_t count) {
+  if (worker_count_ > 1 && demand_.list != nullptr) places_.start(first, count, total_);
+}
+
+void FoundPairs::begin_unit(const base::Origin& origin) {
+  if (worker_count_ == 1) return;
+  Worker& worker = *workers_[origin.worker];
+  worker.unit = origin.unit;
+  worker.found = 0;
+}
+
+void FoundPairs::finish_unit(const base::Origin& origin) {
+  if (worker_count_ == 1 || demand_.list == nullptr) return;
+  Worker& worker = *workers_[origin.worker];
+  places_.finish(origin.unit, worker.found);
+  bring_to_list(worker);
+}
+
+/// A single worker's pairs stand one after the other, as if they were of one unit.
+std::optional<std::size_t> FoundPairs::place_of(std::uint64_t unit) const noexcept {
+  if (worker_count_ == 1) return 0;
+  return places_.of(unit);
 }
 
 std::span<ContactPair> FoundPairs::buffer(std::size_t number) {
-  if (buffer_is_next()) return demand_.buffer.pairs.subspan(in_buffer_);
   Worker& worker = *workers_[number];
   const auto free_in = [&](std::size_t k) {
     return worker.chunks[k].pairs.size() - worker.chunks[k].filled;
   };
+  if (const OutputBuffer room = next_in_list(worker); worker.writes_to_list) return room.pairs;
   while (worker.current < worker.chunks.size() && free_in(worker.current) < smallest_buffer) {
     ++worker.current;
   }
-  if (worker.current == worker.chunks.size()) add_chunk(worker);
+  if (worker.current == worker.chunks.size()) {
+    grow_list();
+    if (const OutputBuffer room = next_in_list(worker); worker.writes_to_list) return room.pairs;
+    add_chunk(worker);
+  }
   Chunk& chunk = worker.chunks[worker.current];
   return std::span(chunk.pairs).subspan(chunk.filled);
 }
 
 std::span<ImageShift> FoundPairs::shift_buffer(std::size_t number) {
-  if (demand_.shifts == Shifts::none) return {};
-  if (buffer_is_next()) return demand_.buffer.shifts.subspan(in_buffer_);
+  if (!with_shifts()) return {};
   Worker& worker = *workers_[number];
+  if (worker.writes_to_list) return next_in_list(worker).shifts;
   Chunk& chunk = worker.chunks[worker.current];
   if (chunk.shifts.empty()) make_room_for_shifts(chunk);
   return std::span(chunk.shifts).subspan(chunk.filled);
+}
+
+OutputBuffer FoundPairs::next_in_list(Worker& worker) {
+  bring_to_list(worker);
+  worker.writes_to_list = false;
+  const bool all_are_there = worker.in_list == worker.segments.size();
+  const auto place = place_of(worker.unit);
+  if (!list_has_room_ || !all_are_there || !place) return {};
+  const OutputBuffer room = room_in_list(*place + worker.found);
+  worker.writes_to_list = !room.pairs.empty();
+  return room;
+}
+
+OutputBuffer FoundPairs::room_in_list(std::size_t begin) {
+  const std::size_t size = demand_.list->room().pairs.size();
+  if (size < begin + smallest_buffer) return {};
+  // As chunks grow, so does the part that is used.
+  const std::size_t end = std::min(size, begin + std::clamp(begin, smallest_chunk, largest_chunk));
+  const std::lock_guard lock(list_mutex_);
+  demand_.list->use(end);
+  return demand_.list->room().part(begin, end - begin);
+}
+
+/// Copies what a worker has in chunks, as far as its place in the list is known.
+void FoundPairs::bring_to_list(Worker& worker) {
+  if (!list_has_room_ || worker.in_list == worker.segments.size()) return;
+  const OutputBuffer list = demand_.list->room();
+  for (; worker.in_list < worker.segments.size(); ++worker.in_list) {
+    PairSegment& segment = worker.segments[worker.in_list];
+    const auto place = place_of(segment.unit);
+    if (!place || *place + segment.number + segment.count > list.pairs.size()) return;
+    segment.place = *place + segment.number;
+    {
+      const std::lock_guard lock(list_mutex_);
+      demand_.list->use(segment.place + segment.count);
+    }
+    const OutputBuffer target = list.part(segment.place, segment.count);
+    std::copy_n(segment.pairs, segment.count, target.pairs.begin());
+    if (with_shifts()) std::copy_n(segment.shifts, segment.count, target.shifts.begin());
+    segment.pairs = nullptr;
+  }
+  worker.current = 0;
+  for (Chunk& chunk : worker.chunks) chunk.filled = 0;
+}
+
+/// 0 if too little of the search is done.
+std::size_t FoundPairs::expected_total() const noexcept {
+  const double share = progress_ == nullptr ? 0.0 : progress_->share_done();
+  const PairCount found = total_;
+  if (found == 0 || share < least_share) return 0;
+  const double total = static_cast<double>(found) / std::min(share, 1.0);
+  return static_cast<std::size_t>(room_to_spare * total);
+}
+
+/// A list that several workers write to stays where it is. One that must grow once more, since more
+/// came than was expected, does so by a half at least.
+void FoundPairs::grow_list() {
+  if (demand_.list == nullptr) return;
+  const std::lock_guard lock(list_mutex_);
+  if (worker_count_ > 1 && list_has_room_) return;
+  const std::size_t expected = expected_total();
+  if (expected == 0) return;
+  const std::size_t had = demand_.list->room().pairs.size();
+  if (demand_.list->grow(std::max(expected, had + had / 2), kept_in_list())) {
+    list_has_room_ = true;
+  } else {
+    progress_ = nullptr;
+  }
+}
+
+std::size_t FoundPairs::kept_in_list() const noexcept {
+  std::size_t end = 0;
+  for (const auto& worker : workers_) {
+    if (worker->in_list == 0) continue;
+    const PairSegment& last = worker->segments[worker->in_list - 1];
+    end = std::max(end, last.place + last.count);
+  }
+  return end;
 }
 
 void FoundPairs::make_room_for_shifts(Chunk& chunk) {
@@ -91,20 +211,6 @@ void FoundPairs::add_chunk(Worker& worker) {
   }
 }
 
-std::pair<std::span<const ContactPair>, const ImageShift*> FoundPairs::take(Worker& worker,
-                                                                            std::size_t count) {
-  const bool with_shifts = demand_.shifts == Shifts::stored;
-  if (buffer_is_next()) {
-    const OutputBuffer& buffer = demand_.buffer;
-    const std::size_t begin = std::exchange(in_buffer_, in_buffer_ + count);
-    return {buffer.pairs.subspan(begin, count), with_shifts ? &buffer.shifts[begin] : nullptr};
-  }
-  Chunk& chunk = worker.chunks[worker.current];
-  const std::size_t begin = std::exchange(chunk.filled, chunk.filled + count);
-  return {std::span<const ContactPair>(chunk.pairs).subspan(begin, count),
-          with_shifts ? chunk.shifts.data() + begin : nullptr};
-}
-
 void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
   if ((total_ += count) > demand_.limit) {
     throw Error(ErrorCode::limit_exceeded,
@@ -113,19 +219,22 @@ void FoundPairs::commit(std::size_t count, const base::Origin& origin) {
                     "without storing them");
   }
   Worker& worker = *workers_[origin.worker];
-  const auto [added, shifts] = take(worker, count);
-  if (!worker.segments.empty()) {
-    PairSegment& last = worker.segments.back();
-    // A chunk may begin where the caller's buffer ends; the two are not one segment.
-    const auto* const end_of_buffer = demand_.buffer.pairs.data() + demand_.buffer.pairs.size();
-    const bool is_elsewhere = added.data() == end_of_buffer;
-    if (last.unit == origin.unit && last.pairs.data() + last.pairs.size() == added.data() &&
-        !is_elsewhere) {
-      last.pairs = {last.pairs.data(), last.pairs.size() + count};
-      return;
-    }
+  PairSegment added{
+      origin.unit, std::exchange(worker.found, worker.found + count), count, nullptr, nullptr, 0};
+  if (worker.writes_to_list) {
+    added.place = *place_of(origin.unit) + added.number;
+  } else {
+    Chunk& chunk = worker.chunks[worker.current];
+    added.pairs = chunk.pairs.data() + chunk.filled;
+    if (with_shifts()) added.shifts = chunk.shifts.data() + chunk.filled;
+    chunk.filled += count;
   }
-  worker.segments.push_back({origin.unit, worker.segments.size(), added, shifts});
+  if (!worker.segments.empty() && worker.segments.back().is_followed_by(added)) {
+    worker.segments.back().count += count;
+    return;
+  }
+  worker.segments.push_back(added);
+  if (worker.writes_to_list) ++worker.in_list;
 }
 
 FoundPieces FoundPairs::pieces() {
@@ -139,11 +248,14 @@ FoundPieces FoundPairs::pieces() {
   });
   pieces_.clear();
   shift_pieces_.clear();
+  const OutputBuffer list = demand_.list == nullptr ? OutputBuffer{} : demand_.list->room();
   for (const PairSegment& segment : segments_) {
-    pieces_.push_back(segment.pairs);
-    if (demand_.shifts == Shifts::stored) {
-      shift_pieces_.emplace_back(segment.shifts, segment.pairs.size());
-    }
+    const bool is_in_list = segment.pairs == nullptr;
+    const OutputBuffer there =
+        is_in_list ? list.part(segment.place, segment.count) : OutputBuffer{};
+    pieces_.push_back(is_in_list ? there.pairs : std::span(segment.pairs, segment.count));
+    if (!with_shifts()) continue;
+    shift_pieces_.push_back(is_in_list ? there.shifts : std::span(segment.shifts, segment.count));
   }
   return {pieces_, shift_pieces_};
 }

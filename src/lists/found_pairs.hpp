@@ -2,32 +2,24 @@
 
 #include "base/array.hpp"
 #include "base/pair_sink.hpp"
+#include "base/progress_reporter.hpp"
+#include "lists/list_buffer.hpp"
+#include "lists/unit_places.hpp"
 
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
 #include <abut/pair_list.hpp>
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace abut::lists {
-
-/// The caller's arrays, as far as they have memory: room for pairs, and for as many shifts where
-/// these are wanted.
-struct OutputBuffer {
-  std::span<ContactPair> pairs;
-  std::span<ImageShift> shifts;
-
-  [[nodiscard]] OutputBuffer part(std::size_t begin, std::size_t count) const {
-    return {pairs.subspan(begin, count), shifts.empty() ? shifts : shifts.subspan(begin, count)};
-  }
-};
 
 /// Pairs that lie together, and their shifts where these were found.
 struct FoundPiece {
@@ -53,12 +45,16 @@ struct PairDemand {
   PairCount limit = unlimited_pairs;
   Shifts shifts = Shifts::none;
   Order order = Order::as_found;
-  OutputBuffer buffer = {};  ///< for the first pairs, where they come as they are to stand
+  ListBuffer* list = nullptr;  ///< for pairs that come as they are to stand
 };
 
 /// Stores pairs as they are found, up to the limit and the memory bound: each worker in chunks of
-/// its own, which stay where they are. Their order is known when all are found. Where one worker
-/// finds them all in the order that is wanted, the first ones go to the caller's buffer at once.
+/// its own, which stay where they are. Their order is known when all are found.
+///
+/// Where pairs come in the order that is wanted, they go to the list as far as it has room: those
+/// of a single worker at once, those of several when it is known where their unit begins
+/// (UnitPlaces). A list without room grows when a chunk is full and enough of the search is done to
+/// tell how many pairs there will be.
 class FoundPairs final : public base::PairSink {
  public:
   explicit FoundPairs(base::MemoryMeter& memory) : memory_(memory) {}
@@ -66,19 +62,23 @@ class FoundPairs final : public base::PairSink {
   FoundPairs(const FoundPairs&) = delete;
   FoundPairs& operator=(const FoundPairs&) = delete;
 
-  /// Forgets the pairs and keeps the memory.
-  void start_anew(const PairDemand& demand);
+  /// Forgets the pairs and keeps the memory. `progress` tells which share of the search is done;
+  /// without it the list does not grow.
+  void start_anew(const PairDemand& demand, const base::ProgressReporter* progress = nullptr);
 
   void expect_canonical_order() override { comes_in_canonical_order_ = true; }
   void expect_workers(std::size_t count) override;
+  void expect_units(std::uint64_t first, std::size_t count) override;
+  void begin_unit(const base::Origin& origin) override;
+  void finish_unit(const base::Origin& origin) override;
   [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) override;
   [[nodiscard]] std::span<ImageShift> shift_buffer(std::size_t worker) override;
   void commit(std::size_t count, const base::Origin& origin) override;
 
   [[nodiscard]] PairCount size() const noexcept { return total_; }
 
-  /// The number of pairs that stand in the caller's buffer: the first ones.
-  [[nodiscard]] std::size_t in_buffer() const noexcept { return in_buffer_; }
+  /// The number of pairs that the list must keep, since some of them stand there already.
+  [[nodiscard]] std::size_t kept_in_list() const noexcept;
 
   /// Tells whether the pairs came in canonical order.
   [[nodiscard]] bool come_in_canonical_order() const noexcept { return comes_in_canonical_order_; }
@@ -88,8 +88,8 @@ class FoundPairs final : public base::PairSink {
     return demand_.order == Order::canonical && !comes_in_canonical_order_;
   }
 
-  /// Contiguous pieces in as_found order, with shifts where these are wanted. Valid until the next
-  /// call or the next pairs.
+  /// Contiguous pieces in as_found order, with shifts where these are wanted; those in the list are
+  /// where they are to stand. Valid until the next call or the next pairs.
   [[nodiscard]] FoundPieces pieces();
 
  private:
@@ -99,36 +99,53 @@ class FoundPairs final : public base::PairSink {
     ShiftArray shifts;  ///< as many as pairs, or none if none were ever wanted
   };
 
-  /// Pairs of one unit that lie together.
+  /// Pairs of one unit that lie together, in a chunk or in the list.
   struct PairSegment {
     std::uint64_t unit;
-    std::size_t number;  ///< among the worker's own
-    std::span<const ContactPair> pairs;
-    const ImageShift* shifts;  ///< of the first of them; null where shifts are not wanted
+    std::size_t number;  ///< of the first pair, among those that its worker found of the unit
+    std::size_t count;
+    const ContactPair* pairs;  ///< in a chunk; null in the list
+    const ImageShift* shifts;  ///< likewise; null where shifts are not wanted
+    std::size_t place;         ///< in the list
+
+    [[nodiscard]] bool is_followed_by(const PairSegment& next) const noexcept;
   };
 
   struct alignas(128) Worker {
     std::vector<Chunk> chunks;
     std::size_t current = 0;
     std::vector<PairSegment> segments;
+    std::size_t in_list = 0;  ///< number of segments in the list: the first ones
+    std::uint64_t unit = 0;
+    std::size_t found = 0;        ///< pairs of the unit
+    bool writes_to_list = false;  ///< into the buffer that it was given last
   };
 
-  /// True if the next pairs go to the caller's buffer, as long as enough of it is left.
-  [[nodiscard]] bool buffer_is_next() const noexcept {
-    return demand_.buffer.pairs.size() - in_buffer_ >= smallest_buffer;
-  }
-  /// The next `count` pairs of a worker, and their shifts.
-  [[nodiscard]] std::pair<std::span<const ContactPair>, const ImageShift*> take(Worker& worker,
-                                                                                std::size_t count);
+  [[nodiscard]] bool with_shifts() const noexcept { return demand_.shifts == Shifts::stored; }
+  [[nodiscard]] std::optional<std::size_t> place_of(std::uint64_t unit) const noexcept;
+
+  /// The rest of the list, from a pair on; empty where that is too small.
+  [[nodiscard]] OutputBuffer room_in_list(std::size_t begin);
+  /// Room in the list for the next pairs of a worker; empty if they go to a chunk.
+  [[nodiscard]] OutputBuffer next_in_list(Worker& worker);
+  void bring_to_list(Worker& worker);
+  /// Makes room for all pairs in the list, if their number can be told and there is memory.
+  void grow_list();
+  [[nodiscard]] std::size_t expected_total() const noexcept;
+
   void add_chunk(Worker& worker);
   void make_room_for_shifts(Chunk& chunk);
 
   base::MemoryMeter& memory_;
   PairDemand demand_;
+  const base::ProgressReporter* progress_ = nullptr;
   bool comes_in_canonical_order_ = false;
-  std::size_t in_buffer_ = 0;
   std::vector<std::unique_ptr<Worker>> workers_;
+  std::size_t worker_count_ = 0;
   std::atomic<PairCount> total_ = 0;
+  UnitPlaces places_;  ///< where there are several workers
+  std::mutex list_mutex_;
+  std::atomic<bool> list_has_room_ = false;
   std::vector<PairSegment> segments_;
   std::vector<std::span<const ContactPair>> pieces_;
   std::vector<std::span<const ImageShift>> shift_pieces_;

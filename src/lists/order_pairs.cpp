@@ -16,7 +16,9 @@ namespace {
 
 template <class T>
 void copy_to(std::span<const T> piece, std::span<T> target, std::uint64_t begin) {
-  if (!piece.empty()) std::copy(piece.begin(), piece.end(), target.subspan(begin).begin());
+  const bool is_there = piece.data() == target.data() + begin;
+  if (!piece.empty() && !is_there)
+    std::copy(piece.begin(), piece.end(), target.subspan(begin).begin());
 }
 
 /// Calls body(piece) for the pieces of a share.
@@ -91,7 +93,7 @@ void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t 
 }  // namespace
 
 void PairOrder::join(const FoundPieces& pieces, const OutputBuffer& target, std::size_t workers,
-                     base::WorkCounter& work, std::size_t in_place) {
+                     base::WorkCounter& work) {
   base::make_room(begin_, pieces.size());
   std::uint64_t end = 0;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -101,7 +103,6 @@ void PairOrder::join(const FoundPieces& pieces, const OutputBuffer& target, std:
   const auto join_piece = [&](std::size_t, std::size_t k, base::WorkCounter& its_work) {
     const FoundPiece piece = pieces[k];
     its_work.did(1 + piece.pairs.size());
-    if (begin_[k] < in_place) return;
     copy_to(piece.pairs, target.pairs, begin_[k]);
     copy_to(piece.shifts, target.shifts, begin_[k]);
   };

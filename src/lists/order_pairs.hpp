@@ -24,10 +24,10 @@ class PairOrder {
   /// Takes other kernels than plain C++.
   void use(const kernels::OrderKernels& kernels) noexcept { kernels_ = kernels; }
 
-  /// Writes the pairs one after the other; `target` has room for all. The first pieces, `in_place`
-  /// pairs in all, stand there already.
+  /// Writes the pairs one after the other; `target` has room for all. Pieces that lie there already
+  /// lie where they belong.
   void join(const FoundPieces& pieces, const OutputBuffer& target, std::size_t workers,
-            base::WorkCounter& work, std::size_t in_place = 0);
+            base::WorkCounter& work);
 
   /// Writes the pairs sorted by (first, second, shift): first into ranges of elements whose pairs
   /// fit into the cache, then each range. Linear in elements + pairs while elements have few

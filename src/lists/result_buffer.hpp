@@ -2,7 +2,6 @@
 
 #include "base/array.hpp"
 #include "base/memory_meter.hpp"
-#include "lists/found_pairs.hpp"
 
 #include <abut/pair_list.hpp>
 
@@ -110,32 +109,6 @@ class SizedGeometry {
   ResultBuffer<Vector> points_;
   ResultBuffer<double> distances_;
   ResultBuffer<Vector> vectors_;
-};
-
-/// Offers all the capacity of a list as output buffer, so that pairs can be written where they are
-/// to stand. The list is emptied again unless keep() is called.
-class ListBuffer {
- public:
-  ListBuffer(PairArray& pairs, ShiftArray& shifts) : pairs_(pairs), shifts_(shifts) {
-    pairs.resize(pairs.capacity());
-    shifts.resize(shifts.capacity());
-  }
-  ~ListBuffer() {
-    if (is_kept_) return;
-    pairs_.clear();
-    shifts_.clear();
-  }
-
-  ListBuffer(const ListBuffer&) = delete;
-  ListBuffer& operator=(const ListBuffer&) = delete;
-
-  [[nodiscard]] OutputBuffer buffer() const noexcept { return {pairs_, shifts_}; }
-  void keep() noexcept { is_kept_ = true; }
-
- private:
-  PairArray& pairs_;
-  ShiftArray& shifts_;
-  bool is_kept_ = false;
 };
 
 }  // namespace abut::lists

@@ -5,6 +5,7 @@
 #include "periodic/images.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,11 @@ class ImageSink final : public base::PairSink {
                   const kernels::ImageKernels& kernels);
 
   void expect_workers(std::size_t count) override;
+  void expect_units(std::uint64_t first, std::size_t count) override {
+    next_->expect_units(first, count);
+  }
+  void begin_unit(const base::Origin& origin) override { next_->begin_unit(origin); }
+  void finish_unit(const base::Origin& origin) override { next_->finish_unit(origin); }
   [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) override;
   void commit(std::size_t count, const base::Origin& origin) override;
 

@@ -128,6 +128,28 @@ TEST_P(MemoryFaults, LeaveTheDetectorWorking) {
   }
 }
 
+/// A list that is to grow while pairs are found, and cannot, is filled when all are found.
+TEST_P(MemoryFaults, OfAListThatGrowsLoseNoPair) {
+  const scenes::Scene scene = scenes::scene_named("dense").make(5000, 1);
+  const Options options{.order = Order::as_found, .threads = 1};
+  const PairList expected = find_contact_pairs(view_of(scene), Domain::open(), options);
+  std::size_t done_without = 0;
+  bool refused = true;
+  for (std::uint64_t which = 0; refused && which < most_allocations; ++which) {
+    PairList found;
+    const Attempt attempt =
+        attempted([&] { found = find_contact_pairs(view_of(scene), Domain::open(), options); },
+                  which, GetParam());
+    refused = attempt.was_refused;
+    EXPECT_NE(attempt.end, Attempt::End::bad_alloc);
+    if (attempt.end != Attempt::End::done) continue;
+    if (refused) ++done_without;
+    ASSERT_TRUE(std::ranges::equal(expected.pairs(), found.pairs())) << which;
+  }
+  EXPECT_FALSE(refused);
+  EXPECT_EQ(done_without > 0, GetParam() == Refuse::one);
+}
+
 /// On an error nothing has changed, and the update may be tried again.
 void expect_history_as_it_was(const Detectors& g, const PairList& before, const PairList& now,
                               Refuse how) {

@@ -1,15 +1,14 @@
-// From pairs as several workers found them to lists: FoundPairs, join, canonical order, rows of
-// neighbors.
+// From pairs as several workers found them to lists: canonical order, rows of neighbors.
 
 #include "kernels/order_kernels.hpp"
 #include "lists/csr_builder.hpp"
 #include "lists/found_pairs.hpp"
 #include "lists/order_pairs.hpp"
+#include "lists/pair_units.hpp"
 #include "scenes/random.hpp"
 #include "support/nobody_asked.hpp"
 #include "support/oracle.hpp"
 
-#include <abut/error.hpp>
 #include <abut/simd.hpp>
 
 #include <gtest/gtest.h>
@@ -18,204 +17,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <set>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace abut::testing {
 namespace {
 
-using scenes::Random;
-using testing::PairVector;
+constexpr std::size_t elements = Units::elements;
 
-constexpr std::size_t elements = 5000;
-
-testing::NobodyAsked nobody;
-
-/// Any shift that tells the pair.
-ImageShift shift_of(const ContactPair& pair) {
-  return {static_cast<std::int32_t>(pair.first), -static_cast<std::int32_t>(pair.second), 7};
-}
-
-/// Units of pairs, found by workers in any order; each unit's pairs in one worker, in several
-/// commits.
-struct Units {
-  std::vector<PairVector> pairs;
-
-  explicit Units(std::uint64_t seed) {
-    Random random(seed);
-    for (std::size_t unit = 0; unit < 60; ++unit) {
-      PairVector here(random.below(10) == 0 ? 20000 : random.below(300));
-      for (ContactPair& pair : here) {
-        pair.first = static_cast<ElementIndex>(random.below(elements - 1));
-        pair.second =
-            static_cast<ElementIndex>(pair.first + 1 + random.below(elements - 1 - pair.first));
-      }
-      pairs.push_back(std::move(here));
-    }
-    // Each pair once, as detections find them.
-    std::set<ContactPair> seen;
-    for (PairVector& unit : pairs) {
-      std::erase_if(unit, [&](const ContactPair& pair) { return !seen.insert(pair).second; });
-    }
-  }
-
-  [[nodiscard]] PairVector together() const {
-    PairVector result;
-    for (const PairVector& unit : pairs) result.insert(result.end(), unit.begin(), unit.end());
-    return result;
-  }
-
-  void deliver(lists::FoundPairs& found, std::size_t workers, std::uint64_t seed) const {
-    Random random(seed);
-    found.expect_workers(workers);
-    std::vector<std::size_t> order(pairs.size());
-    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-    for (std::size_t left = order.size(); left > 1; --left) {
-      std::swap(order[left - 1], order[random.below(left)]);
-    }
-    for (const std::size_t unit : order) {
-      deliver_unit(found, unit, random.below(workers), random);
-    }
-  }
-
-  void deliver_in_order(lists::FoundPairs& found) const {
-    Random random(1);
-    found.expect_workers(1);
-    for (std::size_t unit = 0; unit < pairs.size(); ++unit) deliver_unit(found, unit, 0, random);
-  }
-
-  void deliver_unit(lists::FoundPairs& found, std::size_t unit, std::size_t worker,
-                    Random& random) const {
-    for (std::size_t done = 0; done < pairs[unit].size();) {
-      const auto room = found.buffer(worker);
-      ASSERT_GE(room.size(), base::PairSink::smallest_buffer);
-      const std::size_t count =
-          std::min({room.size(), pairs[unit].size() - done, 1 + random.below(5000)});
-      const std::span piece = std::span(pairs[unit]).subspan(done, count);
-      std::copy(piece.begin(), piece.end(), room.begin());
-      const auto shifts = found.shift_buffer(worker);
-      if (!shifts.empty()) {
-        ASSERT_GE(shifts.size(), count);
-        std::transform(piece.begin(), piece.end(), shifts.begin(), shift_of);
-      }
-      found.commit(count, {worker, unit});
-      done += count;
-    }
-  }
-};
-
-PairVector joined(lists::FoundPairs& found, std::size_t workers) {
-  const auto pieces = found.pieces();
-  PairVector result(found.size());
-  base::MemoryMeter memory;
-  lists::PairOrder(memory).join(pieces, {result, {}}, workers, nobody.work);
-  return result;
-}
-
-TEST(FoundPairs, ComeInTheOrderOfUnitsWhoeverFoundThem) {
-  const Units units(1);
-  for (const std::size_t workers : {1U, 2U, 7U}) {
-    base::MemoryMeter memory;
-    lists::FoundPairs found(memory);
-    for (std::uint64_t seed = 2; seed < 5; ++seed) {
-      found.start_anew({});
-      units.deliver(found, workers, seed);
-      EXPECT_EQ(joined(found, workers), units.together());
-    }
-  }
-}
-
-TEST(FoundPairs, KeepTheirMemoryAndGiveItBackAtTheEnd) {
-  const Units units(1);
-  base::MemoryMeter memory;
-  {
-    lists::FoundPairs found(memory);
-    units.deliver(found, 2, 3);
-    const std::uint64_t held = memory.held();
-    EXPECT_GE(held, found.size() * sizeof(ContactPair));
-    found.start_anew({});
-    EXPECT_EQ(found.size(), 0U);
-    EXPECT_EQ(found.pieces().size(), 0U);
-    units.deliver(found, 2, 3);
-    EXPECT_EQ(memory.held(), held);
-  }
-  EXPECT_EQ(memory.held(), 0U);
-}
-
-/// A single worker's, in ascending units: whatever does not fit into the room goes to chunks.
-TEST(FoundPairs, OfOneWorkerStandWhereTheyAreWanted) {
-  const Units units(1);
-  const PairVector expected = units.together();
-  for (const std::size_t room : {std::size_t{0}, std::size_t{511}, std::size_t{5000},
-                                 expected.size(), expected.size() + 1000}) {
-    base::MemoryMeter memory;
-    lists::FoundPairs found(memory);
-    PairVector target(std::max(room, expected.size()));
-    found.start_anew({.buffer = {std::span(target).first(room), {}}});
-    units.deliver_in_order(found);
-    const std::size_t in_place = found.in_buffer();
-    EXPECT_LE(in_place, room);
-    EXPECT_GE(in_place + base::PairSink::smallest_buffer, std::min(room, expected.size()));
-    target.resize(expected.size());
-    lists::PairOrder(memory).join(found.pieces(), {target, {}}, 1, nobody.work, in_place);
-    EXPECT_EQ(target, expected) << "room for " << room;
-  }
-}
-
-/// Shifts too, as far as there is room for both.
-TEST(FoundPairs, OfOneWorkerStandWithTheirShiftsWhereTheyAreWanted) {
-  const Units units(1);
-  const PairVector expected = units.together();
-  const std::size_t all = expected.size();
-  std::vector<ImageShift> expected_shifts(all);
-  std::transform(expected.begin(), expected.end(), expected_shifts.begin(), shift_of);
-  for (const auto& [room, room_for_shifts] :
-       {std::pair{all, all}, {all, std::size_t{5000}}, {std::size_t{5000}, all}, {all, {}}}) {
-    base::MemoryMeter memory;
-    lists::FoundPairs found(memory);
-    PairVector target(all);
-    std::vector<ImageShift> shifts(all);
-    found.start_anew(
-        {.shifts = Shifts::stored,
-         .buffer = {std::span(target).first(room), std::span(shifts).first(room_for_shifts)}});
-    units.deliver_in_order(found);
-    const std::size_t in_place = found.in_buffer();
-    const std::size_t lent = std::min(room, room_for_shifts);
-    EXPECT_LE(in_place, lent);
-    EXPECT_GE(in_place + base::PairSink::smallest_buffer, lent);
-    lists::PairOrder(memory).join(found.pieces(), {target, shifts}, 1, nobody.work, in_place);
-    EXPECT_EQ(target, expected) << "room for " << room << " and " << room_for_shifts;
-    EXPECT_EQ(shifts, expected_shifts) << "room for " << room << " and " << room_for_shifts;
-  }
-}
-
-TEST(FoundPairs, OfSeveralWorkersDoNot) {
-  const Units units(1);
-  base::MemoryMeter memory;
-  lists::FoundPairs found(memory);
-  PairVector target(units.together().size());
-  found.start_anew({.buffer = {target, {}}});
-  units.deliver(found, 2, 3);
-  EXPECT_EQ(found.in_buffer(), 0U);
-  EXPECT_EQ(joined(found, 2), units.together());
-}
-
-TEST(FoundPairs, OneMoreThanTheLimitIsAnError) {
-  base::MemoryMeter memory;
-  lists::FoundPairs found(memory);
-  found.start_anew({.limit = 100});
-  found.expect_workers(2);
-  static_cast<void>(found.buffer(0));
-  found.commit(60, {0, 0});
-  static_cast<void>(found.buffer(1));
-  found.commit(40, {1, 1});
-  static_cast<void>(found.buffer(0));
-  EXPECT_THROW(found.commit(1, {0, 2}), Error);
-}
+NobodyAsked nobody;
 
 TEST(OrderPairs, CanonicalIsSorted) {
   for (std::uint64_t seed = 1; seed < 4; ++seed) {

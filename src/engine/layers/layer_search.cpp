@@ -101,6 +101,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   const std::size_t layers = grid.layer_count();
   const std::size_t workers = workers_for(grid, set.locals.size());
   const std::size_t stretches = stretches_for(layers, workers);
+  input_.sink.expect_units(unit, stretches);
   base::for_each_index(workers, stretches, work,
                        [&](std::size_t w, std::size_t stretch, base::WorkCounter& its_work) {
                          const auto [first, last] = base::share_of(stretch, stretches, layers);
@@ -111,7 +112,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                          } else {
                            search_stretch(grid, first, last, worker, its_work);
                          }
-                         if (workers > 1) worker.finish_unit();
+                         if (worker_count_ > 1) worker.finish_unit();
                        });
   context_.progress.poll();
   return unit + stretches;

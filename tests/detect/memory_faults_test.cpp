@@ -130,7 +130,7 @@ TEST_P(MemoryFaults, LeaveTheDetectorWorking) {
 
 /// A list that is to grow while pairs are found, and cannot, is filled when all are found.
 TEST_P(MemoryFaults, OfAListThatGrowsLoseNoPair) {
-  const scenes::Scene scene = scenes::scene_named("dense").make(5000, 1);
+  const scenes::Scene scene = scenes::scene_named("dense").make(25000, 1);
   const Options options{.order = Order::as_found, .threads = 1};
   const PairList expected = find_contact_pairs(view_of(scene), Domain::open(), options);
   std::size_t done_without = 0;

@@ -1,6 +1,7 @@
 #include "benchmarks/device/device_forms.hpp"
 
 #include "benchmarks/device/device_timing.hpp"
+#include "scenes/scene.hpp"
 
 #include <abut/detector.hpp>
 #include <abut/device.hpp>
@@ -63,7 +64,7 @@ class FormMeasurement {
     device::Detector on_device(options);
     const auto* expected = &find(on_processor, elements_.on_host);
     const auto* found = &find(on_device, elements_.copy.elements());
-    DeviceRow of_processor = row_for("abut, processor: " + form, *expected);
+    DeviceRow of_processor = row_for("abut on the processor: " + form, *expected);
     DeviceRow of_device = row_for("abut::device: " + form, *found);
     of_device.is_right = same(found->to_host(), *expected);
     // Detectors of their own, so that the first call is one.

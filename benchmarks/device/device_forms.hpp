@@ -1,6 +1,6 @@
 #pragma once
 
-#include "benchmarks/device/device_case.hpp"
+#include "benchmarks/device/device_row.hpp"
 
 #include <cstdint>
 #include <string_view>

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "benchmarks/common/timing.hpp"
-#include "benchmarks/device/device_case.hpp"
+#include "benchmarks/device/device_row.hpp"
+#include "scenes/scene.hpp"
 
 #include <abut/element_view.hpp>
 

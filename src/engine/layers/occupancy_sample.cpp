@@ -1,9 +1,9 @@
 #include "engine/layers/occupancy_sample.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 namespace abut::engine {
 namespace {
@@ -21,27 +21,41 @@ std::uint64_t scattered(std::uint64_t k) {
 }  // namespace
 
 OccupancySample::OccupancySample(base::MemoryMeter& memory)
-    : cells_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)) {}
+    : drawn_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
+      cells_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
+      counts_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
 
 template <int Dim>
 double OccupancySample::mean_occupancy(const LayerGrid<Dim>& grid,
                                        const kernels::StridedSpheres& spheres) {
   const auto count = static_cast<double>(spheres.size);
   const auto draws = static_cast<std::size_t>(draws_for_root * std::sqrt(count));
-  base::make_room(cells_, draws);
-  const std::span cells = std::span(cells_).first(draws);
+  base::make_room(drawn_, draws);
   for (std::size_t k = 0; k < draws; ++k) {
-    cells[k] = grid.cell(kernels::sphere_at<Dim>(spheres, scattered(k) % spheres.size));
-  }
-  std::sort(cells.begin(), cells.end());
-  double meetings = 0.0;
-  for (std::size_t begin = 0, end = 0; begin < draws; begin = end) {
-    while (end < draws && cells[end] == cells[begin]) ++end;
-    const auto here = static_cast<double>(end - begin);
-    meetings += here * (here - 1.0) / 2.0;
+    drawn_[k] = grid.cell(kernels::sphere_at<Dim>(spheres, scattered(k) % spheres.size));
   }
   const auto drawn = static_cast<double>(draws);
+  const auto meetings = static_cast<double>(pairs_in_a_cell(draws));
   return meetings * count / (drawn * (drawn - 1.0) / 2.0);
+}
+
+/// Number of pairs among the first elements drawn that share a cell. Each is looked up in a hash
+/// table with twice as many slots; even if all cells met in one slot, that would take no more than
+/// draws^2 / 2 steps, 32 for each element of the system.
+std::uint64_t OccupancySample::pairs_in_a_cell(std::size_t draws) {
+  const std::size_t slots = std::bit_ceil(2 * draws);
+  base::make_room(cells_, slots);
+  base::make_room(counts_, slots);
+  std::fill_n(counts_.begin(), slots, 0U);
+  std::uint64_t pairs = 0;
+  for (std::size_t k = 0; k < draws; ++k) {
+    const std::uint64_t cell = drawn_[k];
+    std::size_t slot = scattered(cell) & (slots - 1);
+    while (counts_[slot] != 0 && cells_[slot] != cell) slot = (slot + 1) & (slots - 1);
+    cells_[slot] = cell;
+    pairs += counts_[slot]++;
+  }
+  return pairs;
 }
 
 template double OccupancySample::mean_occupancy(const LayerGrid<2>&,

@@ -4,6 +4,7 @@
 #include "engine/layers/layer_grid.hpp"
 #include "kernels/strided_spheres.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace abut::engine {
@@ -22,7 +23,11 @@ class OccupancySample {
                                       const kernels::StridedSpheres& spheres);
 
  private:
-  base::Array<std::uint64_t> cells_;  ///< of the elements drawn
+  [[nodiscard]] std::uint64_t pairs_in_a_cell(std::size_t draws);
+
+  base::Array<std::uint64_t> drawn_;   ///< cells of the elements drawn
+  base::Array<std::uint64_t> cells_;   ///< hash table: a cell in each slot that is taken
+  base::Array<std::uint32_t> counts_;  ///< of elements in it; 0 where the slot is free
 };
 
 }  // namespace abut::engine

@@ -5,14 +5,16 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 namespace abut::engine {
 namespace {
 
-/// Stretches of layers for each of several workers, at most: layers differ in what they hold. The
-/// first layer of each stretch but one is sorted twice, so that shorter ones do not pay.
-constexpr std::size_t stretches_for_each = 6;
-constexpr std::size_t layers_of_stretch = 6;
+/// Several workers take stretches of layers. The first layer of each stretch but one is sorted
+/// twice, so that short ones do not pay; but the last ones must be short, or one worker is done
+/// long before another. Where each worker has few layers, all are in one stretch.
+constexpr std::size_t few_layers_for_each = 12;
+constexpr std::size_t shortest_stretch = 3;
 
 /// The law of memory of `rows`, which the registry states: so many integers for an element, less
 /// those of its record, and for a further thread.
@@ -43,11 +45,18 @@ bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std:
   return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
 }
 
-std::size_t stretches_for(std::size_t layers, std::size_t workers) {
-  if (workers == 1) return 1;
-  const std::size_t for_each =
-      std::clamp(layers / (layers_of_stretch * workers), std::size_t{1}, stretches_for_each);
-  return std::min(layers, for_each * workers);
+/// Ends of the stretches. Each takes two thirds of a worker's share of the layers that are left.
+std::vector<std::size_t> stretch_ends(std::size_t layers, std::size_t workers) {
+  if (workers == 1) return {layers};
+  const bool are_few = layers < few_layers_for_each * workers;
+  std::vector<std::size_t> ends;
+  for (std::size_t end = 0; end < layers; ends.push_back(end)) {
+    const std::size_t left = layers - end;
+    const std::size_t share = are_few ? (layers + workers - 1) / workers
+                                      : std::max(2 * left / (3 * workers), shortest_stretch);
+    end += std::min(left, share);
+  }
+  return ends;
 }
 
 }  // namespace
@@ -100,11 +109,12 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                work, workspace_.far_spheres);
   const std::size_t layers = grid.layer_count();
   const std::size_t workers = workers_for(grid, set.locals.size());
-  const std::size_t stretches = stretches_for(layers, workers);
-  input_.sink.expect_units(unit, stretches);
-  base::for_each_index(workers, stretches, work,
+  const std::vector<std::size_t> ends = stretch_ends(layers, workers);
+  input_.sink.expect_units(unit, ends.size());
+  base::for_each_index(workers, ends.size(), work,
                        [&](std::size_t w, std::size_t stretch, base::WorkCounter& its_work) {
-                         const auto [first, last] = base::share_of(stretch, stretches, layers);
+                         const std::size_t first = stretch == 0 ? 0 : ends[stretch - 1];
+                         const std::size_t last = ends[stretch];
                          TileSearcher<Dim>& worker = *workspace_.workers[w];
                          worker.begin_unit(unit + stretch);
                          if (grid.is_by_size()) {
@@ -115,7 +125,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                          if (worker_count_ > 1) worker.finish_unit();
                        });
   context_.progress.poll();
-  return unit + stretches;
+  return unit + ends.size();
 }
 
 /// The workers that have room for their layers, each for two or three of the largest, and for the

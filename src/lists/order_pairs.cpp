@@ -14,11 +14,12 @@ namespace abut::lists {
 
 namespace {
 
+/// Copies a piece to its place, if it does not lie there already.
 template <class T>
 void copy_to(std::span<const T> piece, std::span<T> target, std::uint64_t begin) {
-  const bool is_there = piece.data() == target.data() + begin;
-  if (!piece.empty() && !is_there)
-    std::copy(piece.begin(), piece.end(), target.subspan(begin).begin());
+  if (piece.empty()) return;
+  T* const place = target.subspan(begin).data();
+  if (piece.data() != place) std::copy(piece.begin(), piece.end(), place);
 }
 
 /// Calls body(piece) for the pieces of a share.

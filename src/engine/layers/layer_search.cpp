@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <span>
-#include <vector>
 
 namespace abut::engine {
 namespace {
@@ -45,19 +44,35 @@ bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std:
   return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
 }
 
-/// Ends of the stretches. Each takes two thirds of a worker's share of the layers that are left.
-std::vector<std::size_t> stretch_ends(std::size_t layers, std::size_t workers) {
-  if (workers == 1) return {layers};
-  const bool are_few = layers < few_layers_for_each * workers;
-  std::vector<std::size_t> ends;
-  for (std::size_t end = 0; end < layers; ends.push_back(end)) {
-    const std::size_t left = layers - end;
-    const std::size_t share = are_few ? (layers + workers - 1) / workers
-                                      : std::max(2 * left / (3 * workers), shortest_stretch);
-    end += std::min(left, share);
+/// The stretches one after the other: each is two thirds of a worker's share of the layers left.
+class Stretches {
+ public:
+  Stretches(std::size_t layers, std::size_t workers) : layers_(layers), workers_(workers) {}
+
+  [[nodiscard]] std::size_t count() const noexcept {
+    std::size_t stretches = 0;
+    for (std::size_t end = 0; end < layers_; end += length_from(end)) ++stretches;
+    return stretches;
   }
-  return ends;
-}
+  [[nodiscard]] std::size_t begin(std::size_t stretch) const noexcept {
+    std::size_t layer = 0;
+    for (std::size_t k = 0; k < stretch; ++k) layer += length_from(layer);
+    return layer;
+  }
+
+ private:
+  [[nodiscard]] std::size_t length_from(std::size_t layer) const noexcept {
+    if (workers_ == 1) return layers_;
+    const std::size_t left = layers_ - layer;
+    const bool are_few = layers_ < few_layers_for_each * workers_;
+    const std::size_t share = are_few ? (layers_ + workers_ - 1) / workers_
+                                      : std::max(2 * left / (3 * workers_), shortest_stretch);
+    return std::min(left, share);
+  }
+
+  std::size_t layers_;
+  std::size_t workers_;
+};
 
 }  // namespace
 
@@ -107,14 +122,14 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   base::WorkCounter& work = workspace_.workers[0]->work();
   records.sort(input_.spheres.first(set.locals.size()), grid, input_.layer_kernels, worker_count_,
                work, workspace_.far_spheres);
-  const std::size_t layers = grid.layer_count();
   const std::size_t workers = workers_for(grid, set.locals.size());
-  const std::vector<std::size_t> ends = stretch_ends(layers, workers);
-  input_.sink.expect_units(unit, ends.size());
-  base::for_each_index(workers, ends.size(), work,
+  const Stretches stretches(grid.layer_count(), workers);
+  const std::size_t count = stretches.count();
+  input_.sink.expect_units(unit, count);
+  base::for_each_index(workers, count, work,
                        [&](std::size_t w, std::size_t stretch, base::WorkCounter& its_work) {
-                         const std::size_t first = stretch == 0 ? 0 : ends[stretch - 1];
-                         const std::size_t last = ends[stretch];
+                         const std::size_t first = stretches.begin(stretch);
+                         const std::size_t last = stretches.begin(stretch + 1);
                          TileSearcher<Dim>& worker = *workspace_.workers[w];
                          worker.begin_unit(unit + stretch);
                          if (grid.is_by_size()) {
@@ -125,7 +140,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                          if (worker_count_ > 1) worker.finish_unit();
                        });
   context_.progress.poll();
-  return unit + ends.size();
+  return unit + count;
 }
 
 /// The workers that have room for their layers, each for two or three of the largest, and for the

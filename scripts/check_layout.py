@@ -93,6 +93,7 @@ EXCEPTIONS = {
     ("tests/properties/skin_soak_test.cpp", "Soak.TwoThousand"): "one loop of steps",
 }
 
+# What no file may hold. The first pattern only names the words that it looks for.
 ANYWHERE = [
     (r"\b(TODO|FIXME|XXX)\b", "an open end; finish it or file an issue"),
     (r"(?<![\w.:/}>])/(home|root|work|tmp|Users|opt)/", "an absolute path of one machine"),

@@ -95,7 +95,7 @@ Statistics DetectionRun::list_pairs(const DetectionRequest& request, const PairA
   const Statistics result =
       list(request, {options.max_pairs, found_shifts(request), options.order, &list_buffer},
            [&](const Writing& writing) {
-             list_buffer.hand_over();
+             list_buffer.hand_over(found_.size(), found_.kept_in_list(), writing.context.work);
              write_pairs(request, arrays, writing);
            });
   list_buffer.keep();

@@ -1,5 +1,7 @@
 #include "lists/found_pairs.hpp"
 
+#include "lists/copy_in_pieces.hpp"
+
 #include <abut/error.hpp>
 
 #include <algorithm>
@@ -34,13 +36,14 @@ FoundPairs::~FoundPairs() {
   }
 }
 
-void FoundPairs::start_anew(const PairDemand& demand, const base::ProgressReporter* progress) {
+void FoundPairs::start_anew(const PairDemand& demand, base::ProgressReporter* progress) {
   demand_ = demand;
   progress_ = progress;
   comes_in_canonical_order_ = false;
   total_ = 0;
   places_.clear();
   list_has_room_ = demand.list != nullptr && !demand.list->room().pairs.empty();
+  list_can_grow_ = true;
   for (const auto& worker : workers_) {
     worker->current = 0;
     worker->segments.clear();
@@ -53,9 +56,12 @@ void FoundPairs::start_anew(const PairDemand& demand, const base::ProgressReport
 void FoundPairs::expect_workers(std::size_t count) {
   while (workers_.size() < count) workers_.push_back(std::make_unique<Worker>());
   worker_count_ = count;
-  if (!must_be_sorted()) return;
-  demand_.list = nullptr;
-  list_has_room_ = false;
+  if (must_be_sorted()) {
+    demand_.list = nullptr;
+    list_has_room_ = false;
+  }
+  if (demand_.list == nullptr) return;
+  for (std::size_t k = 0; k < count; ++k) workers_[k]->work = base::WorkCounter(*progress_, k);
 }
 
 void FoundPairs::expect_units(std::uint64_t first, std::size_t count) {
@@ -92,7 +98,7 @@ std::span<ContactPair> FoundPairs::buffer(std::size_t number) {
     ++worker.current;
   }
   if (worker.current == worker.chunks.size()) {
-    grow_list();
+    grow_list(worker.work);
     if (const OutputBuffer room = next_in_list(worker); worker.writes_to_list) return room.pairs;
     add_chunk(worker);
   }
@@ -144,8 +150,10 @@ void FoundPairs::bring_to_list(Worker& worker) {
       demand_.list->use(segment.place + segment.count);
     }
     const OutputBuffer target = list.part(segment.place, segment.count);
-    std::copy_n(segment.pairs, segment.count, target.pairs.begin());
-    if (with_shifts()) std::copy_n(segment.shifts, segment.count, target.shifts.begin());
+    copy_in_pieces(std::span(segment.pairs, segment.count), target.pairs, worker.work);
+    if (with_shifts()) {
+      copy_in_pieces(std::span(segment.shifts, segment.count), target.shifts, worker.work);
+    }
     segment.pairs = nullptr;
   }
   worker.current = 0;
@@ -154,7 +162,7 @@ void FoundPairs::bring_to_list(Worker& worker) {
 
 /// 0 if too little of the search is done.
 std::size_t FoundPairs::expected_total() const noexcept {
-  const double share = progress_ == nullptr ? 0.0 : progress_->share_done();
+  const double share = progress_->share_done();
   const PairCount found = total_;
   if (found == 0 || share < least_share) return 0;
   const double total = static_cast<double>(found) / std::min(share, 1.0);
@@ -163,18 +171,15 @@ std::size_t FoundPairs::expected_total() const noexcept {
 
 /// A list that several workers write to stays where it is. One that must grow once more, since more
 /// came than was expected, does so by a half at least.
-void FoundPairs::grow_list() {
+void FoundPairs::grow_list(base::WorkCounter& work) {
   if (demand_.list == nullptr) return;
   const std::lock_guard lock(list_mutex_);
-  if (worker_count_ > 1 && list_has_room_) return;
+  if (!list_can_grow_ || (worker_count_ > 1 && list_has_room_)) return;
   const std::size_t expected = expected_total();
   if (expected == 0) return;
   const std::size_t had = demand_.list->room().pairs.size();
-  if (demand_.list->grow(std::max(expected, had + had / 2), kept_in_list())) {
-    list_has_room_ = true;
-  } else {
-    progress_ = nullptr;
-  }
+  list_can_grow_ = demand_.list->grow(std::max(expected, had + had / 2), kept_in_list(), work);
+  if (list_can_grow_) list_has_room_ = true;
 }
 
 std::size_t FoundPairs::kept_in_list() const noexcept {

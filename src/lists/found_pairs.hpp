@@ -62,9 +62,9 @@ class FoundPairs final : public base::PairSink {
   FoundPairs(const FoundPairs&) = delete;
   FoundPairs& operator=(const FoundPairs&) = delete;
 
-  /// Forgets the pairs and keeps the memory. `progress` tells which share of the search is done;
-  /// without it the list does not grow.
-  void start_anew(const PairDemand& demand, const base::ProgressReporter* progress = nullptr);
+  /// Forgets the pairs and keeps the memory. Where there is a list, `progress` must be given: it
+  /// tells which share of the search is done, and is told of pairs that are copied to the list.
+  void start_anew(const PairDemand& demand, base::ProgressReporter* progress = nullptr);
 
   void expect_canonical_order() override { comes_in_canonical_order_ = true; }
   void expect_workers(std::size_t count) override;
@@ -119,6 +119,7 @@ class FoundPairs final : public base::PairSink {
     std::uint64_t unit = 0;
     std::size_t found = 0;        ///< pairs of the unit
     bool writes_to_list = false;  ///< into the buffer that it was given last
+    base::WorkCounter work;       ///< of copies to the list
   };
 
   [[nodiscard]] bool with_shifts() const noexcept { return demand_.shifts == Shifts::stored; }
@@ -130,7 +131,7 @@ class FoundPairs final : public base::PairSink {
   [[nodiscard]] OutputBuffer next_in_list(Worker& worker);
   void bring_to_list(Worker& worker);
   /// Makes room for all pairs in the list, if their number can be told and there is memory.
-  void grow_list();
+  void grow_list(base::WorkCounter& work);
   [[nodiscard]] std::size_t expected_total() const noexcept;
 
   void add_chunk(Worker& worker);
@@ -138,7 +139,7 @@ class FoundPairs final : public base::PairSink {
 
   base::MemoryMeter& memory_;
   PairDemand demand_;
-  const base::ProgressReporter* progress_ = nullptr;
+  base::ProgressReporter* progress_ = nullptr;
   bool comes_in_canonical_order_ = false;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::size_t worker_count_ = 0;
@@ -146,6 +147,7 @@ class FoundPairs final : public base::PairSink {
   UnitPlaces places_;  ///< where there are several workers
   std::mutex list_mutex_;
   std::atomic<bool> list_has_room_ = false;
+  bool list_can_grow_ = true;  ///< until there is no memory for it
   std::vector<PairSegment> segments_;
   std::vector<std::span<const ContactPair>> pieces_;
   std::vector<std::span<const ImageShift>> shift_pieces_;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "base/memory_meter.hpp"
+#include "base/progress_reporter.hpp"
+#include "lists/copy_in_pieces.hpp"
 
 #include <abut/options.hpp>
 #include <abut/pair.hpp>
@@ -52,9 +54,9 @@ class ListBuffer {
 
   /// Makes room for `size` pairs; the first `kept` stay. False, and no room for so many, where
   /// there is no memory for them.
-  [[nodiscard]] bool grow(std::size_t size, std::size_t kept) {
-    const bool has_room =
-        reserve(pairs_, size, kept) && (stored_ == Shifts::none || reserve(shifts_, size, kept));
+  [[nodiscard]] bool grow(std::size_t size, std::size_t kept, base::WorkCounter& work) {
+    const bool has_room = reserve(pairs_, size, kept, work) &&
+                          (stored_ == Shifts::none || reserve(shifts_, size, kept, work));
     use_capacity();
     return has_room;
   }
@@ -70,6 +72,15 @@ class ListBuffer {
   /// Leaves it to others to count the bytes.
   void hand_over() noexcept { memory_.give_back_pairs(bytes_of(std::exchange(used_, 0))); }
 
+  /// Hands over a list that has room for `size` pairs, and a little more for later lists, if there
+  /// is memory for it; the first `kept` stay.
+  void hand_over(std::size_t size, std::size_t kept, base::WorkCounter& work) {
+    if (kept > 0 && room().pairs.size() < size) {
+      static_cast<void>(grow(size + size / 8, kept, work));
+    }
+    hand_over();
+  }
+
   void keep() noexcept { is_kept_ = true; }
 
  private:
@@ -78,16 +89,20 @@ class ListBuffer {
   }
 
   template <class Values>
-  static bool reserve(Values& values, std::size_t size, std::size_t kept) {
+  static bool reserve(Values& values, std::size_t size, std::size_t kept, base::WorkCounter& work) {
     if (values.capacity() >= size) return true;
-    values.resize(std::min(values.size(), kept));
+    Values larger(values.get_allocator());
     try {
-      values.reserve(size);
+      larger.reserve(size);
     } catch (const std::bad_alloc&) {
       return false;
     } catch (const std::length_error&) {
       return false;
     }
+    larger.resize(std::min(values.size(), kept));
+    copy_in_pieces<typename Values::value_type>(std::span(values).first(larger.size()), larger,
+                                                work);
+    values.swap(larger);
     return true;
   }
 

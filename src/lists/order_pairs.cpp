@@ -1,9 +1,9 @@
 #include "lists/order_pairs.hpp"
 
 #include "base/asking_workers.hpp"
+#include "lists/copy_in_pieces.hpp"
 #include "lists/far_apart.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <concepts>
 #include <cstddef>
@@ -16,10 +16,11 @@ namespace {
 
 /// Copies a piece to its place, if it does not lie there already.
 template <class T>
-void copy_to(std::span<const T> piece, std::span<T> target, std::uint64_t begin) {
+void copy_to(std::span<const T> piece, std::span<T> target, std::uint64_t begin,
+             base::WorkCounter& work) {
   if (piece.empty()) return;
-  T* const place = target.subspan(begin).data();
-  if (piece.data() != place) std::copy(piece.begin(), piece.end(), place);
+  const std::span place = target.subspan(begin, piece.size());
+  if (piece.data() != place.data()) copy_in_pieces(piece, place, work);
 }
 
 /// Calls body(piece) for the pieces of a share.
@@ -103,9 +104,9 @@ void PairOrder::join(const FoundPieces& pieces, const OutputBuffer& target, std:
   }
   const auto join_piece = [&](std::size_t, std::size_t k, base::WorkCounter& its_work) {
     const FoundPiece piece = pieces[k];
-    its_work.did(1 + piece.pairs.size());
-    copy_to(piece.pairs, target.pairs, begin_[k]);
-    copy_to(piece.shifts, target.shifts, begin_[k]);
+    its_work.did(1);
+    copy_to(piece.pairs, target.pairs, begin_[k], its_work);
+    copy_to(piece.shifts, target.shifts, begin_[k], its_work);
   };
   base::for_each_index(workers, pieces.size(), work, join_piece);
 }

@@ -106,7 +106,7 @@ std::size_t put_in_list(const Units& units, UsedList list, Shifts stored, bool m
   base::ProgressReporter progress;
   lists::FoundPairs found(memory);
   lists::ListBuffer buffer(list.pairs, list.shifts, stored, memory);
-  found.start_anew({.shifts = stored, .list = &buffer}, may_grow ? &progress : nullptr);
+  found.start_anew({.shifts = stored, .list = &buffer}, may_grow ? &progress : &nobody.progress);
   units.deliver_in_order(found, progress);
   const std::size_t in_list = found.kept_in_list();
   expect_joined(found, list, buffer, units.together(), stored);
@@ -185,7 +185,7 @@ TEST(FoundPairs, InAListThatGrowsAreCountedOnce) {
     lists::FoundPairs found(memory);
     {
       lists::ListBuffer buffer(list.pairs, list.shifts, Shifts::none, memory);
-      found.start_anew({.list = &buffer}, grows ? &progress : nullptr);
+      found.start_anew({.list = &buffer}, grows ? &progress : &nobody.progress);
       units.deliver_in_order(found, progress);
       EXPECT_EQ(buffer.used() >= found.size(), grows);
       EXPECT_GE(memory.held(), bytes);
@@ -200,9 +200,9 @@ TEST(ListBuffer, CannotGrowBeyondWhatThereIs) {
   UsedList list(10, 0);
   lists::ListBuffer buffer(list.pairs, list.shifts, Shifts::none, memory);
   buffer.room().pairs[0] = {1, 2};
-  EXPECT_FALSE(buffer.grow(std::numeric_limits<std::size_t>::max() / 4, 1));
+  EXPECT_FALSE(buffer.grow(std::numeric_limits<std::size_t>::max() / 4, 1, nobody.work));
   EXPECT_EQ(buffer.room().pairs.size(), 10U);
-  EXPECT_TRUE(buffer.grow(20, 1));
+  EXPECT_TRUE(buffer.grow(20, 1, nobody.work));
   EXPECT_EQ(buffer.room().pairs[0], (ContactPair{1, 2}));
 }
 
@@ -236,7 +236,7 @@ TEST(FoundPairs, OfSeveralWorkersStandInTheListWhereUnitsAreTold) {
   lists::FoundPairs found(memory);
   UsedList list(expected.size(), 0);
   lists::ListBuffer buffer(list.pairs, list.shifts, Shifts::none, memory);
-  found.start_anew({.list = &buffer});
+  found.start_anew({.list = &buffer}, &nobody.progress);
   units.deliver(found, 2, 3);
   EXPECT_EQ(found.kept_in_list(), 0U);
   EXPECT_EQ(joined(found, 2), expected);
@@ -255,7 +255,7 @@ TEST(FoundPairs, OfUnitsThatAreNotToldKeepTheirPlaces) {
   base::MemoryMeter memory;
   lists::FoundPairs found(memory);
   lists::ListBuffer buffer(list.pairs, list.shifts, Shifts::none, memory);
-  found.start_anew({.list = &buffer});
+  found.start_anew({.list = &buffer}, &nobody.progress);
   found.expect_workers(2);
   Random random(3);
   const auto deliver = [&](const Units& from, std::size_t unit, std::uint64_t as) {

@@ -97,6 +97,12 @@ void add_lists(std::vector<Task>& tasks) {
                      static_cast<void>(
                          find_contact_pairs(view_of(dense()), Domain::open(), options));
                    }});
+  tasks.push_back({"list as found", [](const Options& options) {
+                     Options as_found = options;
+                     as_found.order = Order::as_found;
+                     static_cast<void>(
+                         find_contact_pairs(view_of(dense()), Domain::open(), as_found));
+                   }});
   tasks.push_back({"list of mixed sizes", [](const Options& options) {
                      static_cast<void>(
                          find_contact_pairs(view_of(mixed()), Domain::open(), options));

@@ -174,19 +174,22 @@ def findings(matrix):
 def short_for_another(matrix):
     """The table of another machine, with the times of all N."""
     head = (["scene, N", "abut `auto`", "aim", "grid / abut", "best package", "package / abut"]
-            + [f"at {power(n)}" for n in matrix.counts] + ["slope", "2 threads"])
+            + [f"at {power(n)}" for n in matrix.counts]
+            + ["slope", "2 threads", "bytes / N", "first call / later"])
     rows = []
     for scene in matrix.scenes:
         count = matrix.main_count(scene)
-        ours = matrix.ns(scene, count, DEFAULT)
+        own = matrix.row(scene, count, DEFAULT)
+        ours = median(own)
         package_ns, package = matrix.best(scene, count, matrix.packages)
         rows.append([label(matrix, scene), plain(ours), plain(aims.ns(scene, count), 0),
                      times(ratio(matrix.ns(scene, count, "plain_grid"), ours)),
                      f"{plain(package_ns, 0)} {short(package) if package else ''}".strip(),
                      times(ratio(package_ns, ours))]
                     + [plain(matrix.ns(scene, n, DEFAULT)) for n in matrix.counts]
-                    + [plain(matrix.slope(scene, DEFAULT), 3),
-                       speedup(matrix, scene, count, 2)])
+                    + [plain(matrix.slope(scene, DEFAULT), 3), speedup(matrix, scene, count, 2),
+                       plain(own["peak_bytes"] / count, 0),
+                       times(ratio(own["ns_first"], ours))])
     return table(head, rows)
 
 

@@ -37,6 +37,17 @@ std::size_t repetitions_of(const Seconds& first, const Effort& effort) {
                                              static_cast<double>(effort.most_repetitions)));
 }
 
+void take_turns_anew(const Scene& scene, const Effort& effort,
+                     std::vector<Measurement>& measurements) {
+  for (std::size_t round = 1; round < effort.first_runs; ++round) {
+    for (Measurement& m : measurements) {
+      if (!m.trial.can_run() || m.trial.first.wall > effort.seconds) continue;
+      const auto run = first_run_apart(*m.entry, scene, effort.time_limit);
+      if (run) m.first_runs.push_back(*run);
+    }
+  }
+}
+
 void take_turns(const Scene& scene, const Effort& effort, std::vector<Measurement>& measurements) {
   std::vector<Runner> runners;
   Answer answer;
@@ -70,10 +81,13 @@ CaseResult run_case(const Scene& scene, const std::vector<Entry>& entries,
     const bool failed_before =
         entry.task == Task::list && found != known.end() && !found->second.can_run();
     m.trial = failed_before ? found->second : try_apart(entry, scene, reference, effort.time_limit);
+    if (m.trial.can_run()) m.first_runs.push_back(m.trial.first);
     result.measurements.push_back(std::move(m));
   }
   result.reference = reference.name;
-  if (effort.most_repetitions > 0) take_turns(scene, effort, result.measurements);
+  if (effort.most_repetitions == 0) return result;
+  take_turns_anew(scene, effort, result.measurements);
+  take_turns(scene, effort, result.measurements);
   return result;
 }
 

@@ -113,7 +113,7 @@ int main_of(int argc, char** argv) {
   app.add_flag("--quick", quick, "small scenes, two repetitions: whether it works at all");
   CLI11_PARSE(app, argc, argv);
   if (quick) {
-    plan.effort = {10, 0.1, 2, 3};
+    plan.effort = {10, 0.1, 2, 3, 2};
     if (counts->empty()) plan.counts = {1e3, 1e4};
   }
   std::sort(plan.counts.begin(), plan.counts.end());

@@ -32,7 +32,8 @@ std::string number(double value) {
 }
 
 std::string times(const Measurement& m, double ns) {
-  std::string text = m.trial.can_run() ? number(m.trial.first.wall * ns) : "";
+  std::string text;
+  if (!m.first_runs.empty()) text = number(summary(m.first_runs, &Seconds::wall).median * ns);
   text += ',' + std::to_string(m.runs.size());
   if (m.runs.empty()) return text + ",,,,";
   const MedianAndMinimum wall = summary(m.runs, &Seconds::wall);

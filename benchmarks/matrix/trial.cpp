@@ -50,16 +50,26 @@ void write_all(int file, std::span<const std::byte> bytes) {
   }
 }
 
+/// The contestant after its first run, in the process of its own, and its answer.
+struct FirstRun {
+  std::unique_ptr<Contestant> contestant;
+  Answer answer;
+
+  FirstRun(const Entry& entry, const Scene& scene, unsigned time_limit, Report& report) {
+    limit_memory();
+    contestant = entry.make();
+    contestant->prepare(scene);
+    start_clock(time_limit);
+    report.first = timed_run(*contestant, scene, answer);
+    stop_clock();
+  }
+};
+
 /// In the process of its own.
 void attempt(const Entry& entry, const Scene& scene, const Reference* reference, int file,
              unsigned time_limit, Report& report) {
-  limit_memory();
-  const std::unique_ptr<Contestant> contestant = entry.make();
-  contestant->prepare(scene);
-  Answer answer;
-  start_clock(time_limit);
-  report.first = timed_run(*contestant, scene, answer);
-  stop_clock();
+  const FirstRun run(entry, scene, time_limit, report);
+  const auto& [contestant, answer] = run;
   report.pairs = std::max<std::uint64_t>(answer.count, answer.pairs.size());
   const Counters counters = contestant->counters();
   report.candidate_tests = counters.candidate_tests;
@@ -92,6 +102,24 @@ Trial trial_of(const Report& report, const Apart& apart) {
   return trial;
 }
 
+/// What a process of its own reports of `body(report)`.
+template <class Body>
+Trial reported_by(Body&& body) {
+  const Shared<Report> report;
+  const Apart apart = run_apart([&] {
+    try {
+      body(*report);
+    } catch (const std::bad_alloc&) {
+      report->verdict = Verdict::refused;
+      set(report->reason, "needs more memory than there is");
+    } catch (const std::exception& error) {
+      report->verdict = Verdict::refused;
+      set(report->reason, error.what());
+    }
+  });
+  return trial_of(*report, apart);
+}
+
 Trial try_into(const Entry& entry, const Scene& scene, const Reference* reference, int file,
                unsigned time_limit) {
   if (entry.most_elements > 0 && scene.size() > entry.most_elements) {
@@ -105,19 +133,8 @@ Trial try_into(const Entry& entry, const Scene& scene, const Reference* referenc
     trial.reason = "would not end within the time limit, going by fewer elements";
     return trial;
   }
-  const Shared<Report> report;
-  const Apart apart = run_apart([&] {
-    try {
-      attempt(entry, scene, reference, file, time_limit, *report);
-    } catch (const std::bad_alloc&) {
-      report->verdict = Verdict::refused;
-      set(report->reason, "needs more memory than there is");
-    } catch (const std::exception& error) {
-      report->verdict = Verdict::refused;
-      set(report->reason, error.what());
-    }
-  });
-  return trial_of(*report, apart);
+  return reported_by(
+      [&](Report& report) { attempt(entry, scene, reference, file, time_limit, report); });
 }
 
 std::span<const ContactPair> pairs_in(int file) {
@@ -148,6 +165,16 @@ Seconds timed_run(Contestant& contestant, const Scene& scene, Answer& answer) {
 Trial try_apart(const Entry& entry, const Scene& scene, const Reference& reference,
                 unsigned time_limit) {
   return try_into(entry, scene, &reference, -1, time_limit);
+}
+
+std::optional<Seconds> first_run_apart(const Entry& entry, const Scene& scene,
+                                       unsigned time_limit) {
+  const Trial trial = reported_by([&](Report& report) {
+    const FirstRun run(entry, scene, time_limit, report);
+    report.verdict = Verdict::unchecked;
+  });
+  if (!trial.can_run()) return std::nullopt;
+  return trial.first;
 }
 
 Trial try_as_reference(const Entry& entry, const Scene& scene, Reference& reference,

@@ -52,6 +52,10 @@ struct Reference {
 [[nodiscard]] Trial try_as_reference(const Entry& entry, const scenes::Scene& scene,
                                      Reference& reference, unsigned time_limit);
 
+/// Runs `entry` once more in a fresh process and compares nothing; the time, if it ends well.
+[[nodiscard]] std::optional<Seconds> first_run_apart(const Entry& entry, const scenes::Scene& scene,
+                                                     unsigned time_limit);
+
 /// Wall and CPU time of one run, by the contestant's own clock if it has one.
 [[nodiscard]] Seconds timed_run(Contestant& contestant, const scenes::Scene& scene, Answer& answer);
 

@@ -15,6 +15,10 @@ namespace abut::engine {
 struct LayerLimits {
   /// Fewer elements are searched as fast in one tile.
   std::size_t least_elements = 20'000;
+  /// The same in clusters: tiles would be cut anew around each. Fewer have no full layers.
+  std::size_t least_elements_of_clusters = 4'000;
+  /// Mean occupancy of wide cells from which so few elements count as clusters.
+  double least_occupancy_of_clusters = 6.0;
   /// Beside the work for an element there is work for a row and for a layer.
   double least_elements_of_layer = 256.0;
   /// Mean number of elements in two runs that are joined in a vector of eight, up to which layers

@@ -35,8 +35,7 @@ template <int Dim>
 bool may_be_in_layers(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
   const std::size_t elements = set.locals.size();
   return !input.elements.are_boxes() && pair_with_none_but_each_other(set) &&
-         set.locals.are_the_first() && elements >= input.layer_limits.least_elements &&
-         elements <= most_elements;
+         set.locals.are_the_first() && elements <= most_elements;
 }
 
 template <int Dim>
@@ -82,10 +81,15 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
                                             OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  if (!may_be_in_layers(set, input)) return std::nullopt;
+  const std::size_t fewest = std::min(limits.least_elements, limits.least_elements_of_clusters);
+  const bool are_few = elements < limits.least_elements;
+  if (!may_be_in_layers(set, input) || elements < fewest) return std::nullopt;
   const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
-  const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements));
+  if (are_few && !grid->has_wide_cells()) return std::nullopt;
+  const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements),
+                                                 are_few ? SampleSize::small : SampleSize::full);
+  if (are_few && occupancy < limits.least_occupancy_of_clusters) return std::nullopt;
   const double joined = (occupancy - 1.0) * grid->cells_joined();
   const double most = grid->has_wide_cells() ? limits.most_joined_of_clusters : limits.most_joined;
   if (joined > most) return std::nullopt;
@@ -99,7 +103,7 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
                                                     OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  if (!may_be_in_layers(set, input)) return std::nullopt;
+  if (!may_be_in_layers(set, input) || elements < limits.least_elements) return std::nullopt;
   const CellBySize best = choose_cell_by_size<Dim>(estimate.classes, estimate.sizes, set.bounds);
   if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * estimate.other_cost))
     return std::nullopt;
@@ -110,7 +114,8 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
   }
   const auto grid = LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
-  const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements));
+  const double occupancy =
+      sample.mean_occupancy(*grid, input.spheres.first(elements), SampleSize::full);
   if (occupancy - 1.0 > limits.most_crowded_by_size) return std::nullopt;
   return grid;
 }

@@ -8,8 +8,11 @@
 namespace abut::engine {
 namespace {
 
-/// 8 sqrt(N) draws share a cell 32 times for each 1 of mean occupancy, give or take a fifth.
-constexpr double draws_for_root = 8.0;
+/// 8 sqrt(N) draws share a cell 32 times for each 1 of mean occupancy, give or take a fifth; 2
+/// sqrt(N) draws do so twice.
+double draws_for_root(SampleSize size) {
+  return size == SampleSize::full ? 8.0 : 2.0;
+}
 
 /// A bijection of 64 bits that scatters neighbours (the finalizer of MurmurHash3, A. Appleby).
 std::uint64_t scattered(std::uint64_t k) {
@@ -27,9 +30,9 @@ OccupancySample::OccupancySample(base::MemoryMeter& memory)
 
 template <int Dim>
 double OccupancySample::mean_occupancy(const LayerGrid<Dim>& grid,
-                                       const kernels::StridedSpheres& spheres) {
+                                       const kernels::StridedSpheres& spheres, SampleSize size) {
   const auto count = static_cast<double>(spheres.size);
-  const auto draws = static_cast<std::size_t>(draws_for_root * std::sqrt(count));
+  const auto draws = static_cast<std::size_t>(draws_for_root(size) * std::sqrt(count));
   base::make_room(drawn_, draws);
   for (std::size_t k = 0; k < draws; ++k) {
     drawn_[k] = grid.cell(kernels::sphere_at<Dim>(spheres, scattered(k) % spheres.size));
@@ -58,9 +61,9 @@ std::uint64_t OccupancySample::pairs_in_a_cell(std::size_t draws) {
   return pairs;
 }
 
-template double OccupancySample::mean_occupancy(const LayerGrid<2>&,
-                                                const kernels::StridedSpheres&);
-template double OccupancySample::mean_occupancy(const LayerGrid<3>&,
-                                                const kernels::StridedSpheres&);
+template double OccupancySample::mean_occupancy(const LayerGrid<2>&, const kernels::StridedSpheres&,
+                                                SampleSize);
+template double OccupancySample::mean_occupancy(const LayerGrid<3>&, const kernels::StridedSpheres&,
+                                                SampleSize);
 
 }  // namespace abut::engine

@@ -9,6 +9,10 @@
 
 namespace abut::engine {
 
+/// The size of a sample: a full one tells a mean occupancy of 1 to a fifth, a small one, which
+/// costs a quarter, one of 16.
+enum class SampleSize { small, full };
+
 /// Estimates how crowded cells are from some elements drawn at random, which are the same each
 /// time.
 class OccupancySample {
@@ -20,7 +24,7 @@ class OccupancySample {
   /// cell, have 2.
   template <int Dim>
   [[nodiscard]] double mean_occupancy(const LayerGrid<Dim>& grid,
-                                      const kernels::StridedSpheres& spheres);
+                                      const kernels::StridedSpheres& spheres, SampleSize size);
 
  private:
   [[nodiscard]] std::uint64_t pairs_in_a_cell(std::size_t draws);

@@ -20,10 +20,11 @@ class OccupancySampleOf : public ::testing::Test {
   static constexpr std::size_t side = its_dim == 2 ? 172 : 31;
 
   /// In cells of size 1.
-  double mean_occupancy(const Spheres<its_dim>& spheres) {
+  double mean_occupancy(const Spheres<its_dim>& spheres,
+                        engine::SampleSize size = engine::SampleSize::full) {
     const auto grid =
         layer_grid_over<its_dim>(bounds_of<its_dim>(spheres), 1.0, 1.0, spheres.size());
-    return sample_.mean_occupancy(grid.value(), kernels::strided_spheres<its_dim>(spheres));
+    return sample_.mean_occupancy(grid.value(), kernels::strided_spheres<its_dim>(spheres), size);
   }
 
   base::MemoryMeter memory_;
@@ -57,6 +58,18 @@ TYPED_TEST(OccupancySampleOf, ClustersAreManyTimesAsCrowded) {
   EXPECT_GT(this->mean_occupancy(spheres), 60.0);
 }
 
+/// A small sample tells clusters from elements spread at random, which have 2.
+TYPED_TEST(OccupancySampleOf, ASmallOneTellsClusters) {
+  constexpr int dim = TypeParam::value;
+  const double width = dim == 2 ? 100.0 : 21.5;
+  for (int round = 0; round < 20; ++round) {
+    const auto spread = uniform_spheres<dim>(this->random_, 10000, {width, width, width});
+    EXPECT_LT(this->mean_occupancy(spread, engine::SampleSize::small), 6.0);
+    const auto clustered = clumps<dim>(this->random_, 10000, 30, {width, width, width}, 0.1);
+    EXPECT_GT(this->mean_occupancy(clustered, engine::SampleSize::small), 6.0);
+  }
+}
+
 /// One crowd among many that are no crowd.
 TYPED_TEST(OccupancySampleOf, ACrowdOfATenth) {
   constexpr int dim = TypeParam::value;
@@ -77,7 +90,9 @@ TYPED_TEST(OccupancySampleOf, IsTheSameEachTime) {
   base::MemoryMeter memory;
   engine::OccupancySample other(memory);
   const auto grid = layer_grid_over<dim>(bounds_of<dim>(spheres), 1.0, 1.0, spheres.size());
-  EXPECT_EQ(other.mean_occupancy(grid.value(), kernels::strided_spheres<dim>(spheres)), first);
+  EXPECT_EQ(other.mean_occupancy(grid.value(), kernels::strided_spheres<dim>(spheres),
+                                 engine::SampleSize::full),
+            first);
 }
 
 TYPED_TEST(OccupancySampleOf, FewElements) {

@@ -1,5 +1,6 @@
 // Contact pairs of periodic domains, with their image shifts, through every face of the library.
 
+#include "detect/image_pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/error_expectations.hpp"
 #include "support/periodic_oracle.hpp"
@@ -23,16 +24,8 @@ namespace {
 
 using scenes::Random;
 using scenes::Scene;
-using ImagePairs = std::vector<ImagePair>;
 
 const Options with_shifts{.shifts = Shifts::stored};
-
-ImagePairs together(const PairList& list) {
-  EXPECT_EQ(list.shifts().size(), list.size());
-  ImagePairs result;
-  for (std::size_t k = 0; k < list.size(); ++k) result.push_back({list[k], list.shifts()[k]});
-  return result;
-}
 
 std::vector<ContactPair> without_shifts(const ImagePairs& pairs) {
   std::vector<ContactPair> result;

@@ -164,5 +164,17 @@ TYPED_TEST(LayerSearchOf, Clusters) {
   }
 }
 
+/// By the limits that users meet: layers where few elements lie in clusters, else tiles.
+TYPED_TEST(LayerSearchOf, FewElementsInClusters) {
+  constexpr int dim = TypeParam::value;
+  const std::array extent{300.0, 300.0, 300.0};
+  expect_right_in_layers<dim>(clumps<dim>(this->random_, 10'000, 40, extent, 0.5), 0.0, Way::layers,
+                              {});
+  expect_right_in_layers<dim>(clumps<dim>(this->random_, 3'000, 40, extent, 0.5), 0.0, Way::tiles,
+                              {});
+  expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, 10'000, extent), 0.0, Way::tiles,
+                              {});
+}
+
 }  // namespace
 }  // namespace abut::testing

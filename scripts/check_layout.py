@@ -80,7 +80,7 @@ PAGE_LINES, PAGE_COLUMNS = 300, 100
 EXCEPTIONS = {
     ("src/engine/tiles.cpp", "scatter_locals has"): "one line over; splits with its periodic twin",
     ("src/kernels/element_kernels_simd.cpp", "arrange_in has"): "the vector loop with its tail",
-    ("src/kernels/image_kernels_simd.cpp", "wrap_in has"): "the vector loop with its tail",
+    ("src/kernels/images/image_kernels_simd.cpp", "wrap_in has"): "the vector loop with its tail",
     ("src/reference/screening_array.cpp", "screening_array has"): "read beside the book's page",
     ("tests/engine/sorted_tile_test.cpp", "SortedTileOf.Cells"): "one tile checked against all cells",
     ("tests/history/history_test.cpp", "HistoryInSpace.Knows"): "twenty steps of one system",

@@ -8,6 +8,7 @@
 #include "elements/lattice_of.hpp"
 #include "elements/strided_spheres.hpp"
 #include "grid/integerise.hpp"
+#include "periodic/periodic_rows.hpp"
 
 #include <abut/error.hpp>
 
@@ -80,8 +81,10 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
   const registry::AlgorithmInput<Dim> input{packed, elements.bounds, task.settings, *workspace_,
                                             *periodic_};
   if (task.domain.is_periodic()) {
-    return entry.on_images(input, elements.spheres, elements::lattice_of(task.domain), sink,
-                           context);
+    workspace_->most_in_layers = 0;
+    entry.on_images(input, elements.spheres, elements::lattice_of(task.domain), sink, context);
+    was_in_layers_ = workspace_->most_in_layers >= packed.size();
+    return;
   }
   if (entry.on_elements != nullptr) {
     entry.on_elements(input, sink, context);
@@ -94,8 +97,7 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
 template <int Dim>
 bool ElementSearch<Dim>::may_be_in_place(const ElementView& elements,
                                          const SearchTask& task) const {
-  return was_in_layers_ && !task.domain.is_periodic() &&
-         elements.size() >= task.settings.layers.least_elements &&
+  return was_in_layers_ && elements.size() >= task.settings.layers.least_elements &&
          choose(task.options, elements.size()).row->info.algorithm == Algorithm::rows;
 }
 
@@ -113,8 +115,15 @@ bool ElementSearch<Dim>::search_in_place(const ElementView& spheres, const Searc
   statistics.gather_seconds = stopwatch.lap();
   note(choose(task.options, spheres.size()), task, statistics);
   context.progress.begin("search", spheres.size());
-  was_in_layers_ =
-      engine::rows_in_place<Dim>(*columns, room.bounds, task.settings, *workspace_, sink, context);
+  if (task.domain.is_periodic()) {
+    const exact::Lattice lattice = elements::lattice_of(task.domain);
+    was_in_layers_ =
+        periodic::periodic_rows_in_place<Dim>(*columns, {{}, room.bounds, lattice, task.settings},
+                                              *workspace_, *periodic_, sink, context);
+  } else {
+    was_in_layers_ = engine::rows_in_place<Dim>(*columns, room.bounds, task.settings, *workspace_,
+                                                sink, context);
+  }
   return was_in_layers_;
 }
 

@@ -4,6 +4,7 @@
 #include "elements/number_reader.hpp"
 #include "elements/reject_element.hpp"
 #include "elements/sphere_reader.hpp"
+#include "elements/strided_spheres.hpp"
 #include "elements/valid_element.hpp"
 #include "grid/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
@@ -62,13 +63,20 @@ exact::Sphere<Dim> stand_in(const exact::Box<Dim>& box) {
 template <int Dim>
 class Gatherer {
  public:
-  Gatherer(const ElementView& elements, GatheredElements<Dim>& gathered, Simd simd)
-      : elements_(elements),
+  Gatherer(const ElementView& view, GatheredElements<Dim>& gathered, Simd simd)
+      : elements_(view),
         spheres_(gathered.spheres),
         boxes_(gathered.boxes),
         kernels_(kernels::element_kernels(simd)) {
-    if (elements.shape() == Shape::sphere) reader_.emplace(elements);
+    if (view.shape() != Shape::sphere) return;
+    reader_.emplace(view);
+    common_radius_ = view.common_radius();
+    in_place_ = strided_spheres(view, &common_radius_);
   }
+
+  Gatherer(const Gatherer&) = delete;
+  Gatherer& operator=(const Gatherer&) = delete;
+  ~Gatherer() = default;
 
   /// Bounds of the elements [first, last). Throws at the first bad one.
   [[nodiscard]] grid::Bounds<Dim> read(std::size_t first, std::size_t last) const {
@@ -86,13 +94,14 @@ class Gatherer {
 
   /// At most elements_at_a_time.
   void read_spheres(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
+    if (in_place_) first += read_vectors(*in_place_, first, {first, last}, bounds);
+    if (first == last) return;
+    // Columns, which suit vectors, or the last spheres of such as suited them before.
     std::array<double, SphereReader::numbers * elements_at_a_time> room;
     const std::size_t count = last - first;
     const kernels::ElementColumns columns = reader_->read(first, count, room);
-    std::size_t k = grid::widen(bounds, [&](kernels::ElementBounds& packed) {
-      return keeps() ? kernels_.pack(columns, count, Dim, spheres_[first].center, packed)
-                     : kernels_.check(columns, count, Dim, packed);
-    });
+    std::size_t k =
+        read_vectors(kernels::strided_spheres(columns, count), 0, {first, last}, bounds);
     for (; k < count; ++k) {
       const exact::Sphere<Dim> sphere = sphere_at<Dim>(columns, k);
       if (!is_valid(sphere)) reject_element(first + k, sphere);
@@ -100,6 +109,22 @@ class Gatherer {
       bounds.include_center(sphere);
       bounds.include_radius(sphere.radius);
     }
+  }
+
+  struct NumberRange {
+    std::size_t first;
+    std::size_t last;
+  };
+
+  /// Reads spheres in vectors, from this place of the columns on, and returns how many.
+  std::size_t read_vectors(const kernels::StridedSpheres& columns, std::size_t place,
+                           const NumberRange& numbers, grid::Bounds<Dim>& bounds) const {
+    const std::size_t count = numbers.last - numbers.first;
+    return grid::widen(bounds, [&](kernels::ElementBounds& widened) {
+      return keeps() ? kernels_.pack(columns, place, count, Dim, spheres_[numbers.first].center,
+                                     widened)
+                     : kernels_.check(columns, place, count, Dim, widened);
+    });
   }
 
   void read_boxes(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
@@ -116,7 +141,9 @@ class Gatherer {
   const ElementView& elements_;
   std::span<exact::Sphere<Dim>> spheres_;
   std::span<exact::Box<Dim>> boxes_;
-  std::optional<SphereReader> reader_;  ///< of spheres
+  std::optional<SphereReader> reader_;               ///< of spheres
+  double common_radius_ = 0.0;                       ///< if they have one
+  std::optional<kernels::StridedSpheres> in_place_;  ///< if they can be read so
   kernels::ElementKernels kernels_;
 };
 

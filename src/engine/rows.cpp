@@ -66,7 +66,7 @@ SearchInput<Dim> input_of(const exact::Elements<Dim>& elements,
                           const ExactDecider& decider, const RowsCall& call) {
   const Simd simd = call.settings.simd;
   return {elements,
-          spheres,
+          kernels::SphereParts(spheres),
           decider,
           margin,
           0.0,

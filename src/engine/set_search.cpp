@@ -44,7 +44,7 @@ bool is_clustered(const SortedTile<Dim>& tile) {
          tile.squared_occupancy() < most_mean_occupancy * tile.size();
 }
 
-void count_radii(RadiusHistogram& histogram, const kernels::StridedSpheres& spheres,
+void count_radii(RadiusHistogram& histogram, const kernels::SphereParts& spheres,
                  const Numbers& numbers, base::WorkCounter& work) {
   work.in_pieces(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) histogram.add(spheres.radius(numbers[k]));

@@ -8,7 +8,7 @@
 #include "exact/elements.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
-#include "kernels/strided_spheres.hpp"
+#include "kernels/sphere_parts.hpp"
 #include "kernels/tile_search.hpp"
 
 #include <cstdint>
@@ -20,11 +20,11 @@ namespace abut::engine {
 template <int Dim>
 struct SearchInput {
   exact::Elements<Dim>
-      elements;  ///< as the engine maps them; none where they are in `spheres` only
-  kernels::StridedSpheres spheres;  ///< the same where their numbers lie; stand-ins of boxes
-  const ExactDecider& decider;      ///< of what single precision leaves open
-  double margin;                    ///< in the scale of `elements`
-  double least_cell;                ///< positions are not known well enough for smaller
+      elements;                  ///< as the engine maps them; none where they are in `spheres` only
+  kernels::SphereParts spheres;  ///< the same where their numbers lie; stand-ins of boxes
+  const ExactDecider& decider;   ///< of what single precision leaves open
+  double margin;                 ///< in the scale of `elements`
+  double least_cell;             ///< positions are not known well enough for smaller
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
   kernels::LayerKernels layer_kernels;

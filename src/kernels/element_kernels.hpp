@@ -1,5 +1,7 @@
 #pragma once
 
+#include "kernels/strided_spheres.hpp"
+
 #include <abut/simd.hpp>
 
 #include <cstddef>
@@ -12,6 +14,14 @@ struct ElementColumns {
   const double* center[3];
   const double* radius;
 };
+
+/// The same columns as such of any stride.
+[[nodiscard]] inline StridedSpheres strided_spheres(const ElementColumns& columns,
+                                                    std::size_t count) noexcept {
+  return {{columns.center[0], columns.center[1], columns.center[2], columns.radius},
+          {1, 1, 1, 1},
+          count};
+}
 
 /// grid::Bounds without the number of dimensions.
 struct ElementBounds {
@@ -60,14 +70,15 @@ struct Arrangement {
 /// many elements it treated; what is left is the caller's, who has the same in plain C++ (so the
 /// level `scalar` treats none).
 struct ElementKernels {
-  /// Packs elements into records (center, radius) and widens the bounds. Stops before a vector that
-  /// holds a number that is not finite, or a negative radius.
-  std::size_t (*pack)(const ElementColumns& columns, std::size_t count, int dimensions,
-                      double* records, ElementBounds& bounds);
+  /// Packs the spheres from number `first` on into records (center, radius) and widens the bounds.
+  /// Stops before a vector that holds a number that is not finite, or a negative radius. Treats
+  /// none whose numbers lie neither in contiguous columns nor in contiguous records.
+  std::size_t (*pack)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                      int dimensions, double* records, ElementBounds& bounds);
 
   /// Widens the bounds likewise, and writes nothing else.
-  std::size_t (*check)(const ElementColumns& columns, std::size_t count, int dimensions,
-                       ElementBounds& bounds);
+  std::size_t (*check)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                       int dimensions, ElementBounds& bounds);
 
   /// Widens the bounds by records that are known to be valid.
   std::size_t (*bound)(const double* records, std::size_t count, int dimensions,

@@ -10,18 +10,19 @@
 #include "kernels/place_format.hpp"
 #include "kernels/tile_view.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using DoubleTag = hn::ScalableTag<double>;
-using Doubles = hn::Vec<DoubleTag>;
+#include "kernels/simd_sphere_columns-inl.hpp"
+
 using Mask = hn::Mask<DoubleTag>;
-constexpr DoubleTag doubles{};
 constexpr std::size_t lanes = hn::MaxLanes(DoubleTag());
 
 /// Bounds of the elements of each lane.
@@ -96,18 +97,18 @@ class BoundsWriter {
 };
 
 /// Widens the bounds by the elements before the first vector with a bad one, and writes them.
-template <int Dim, class Writer>
-std::size_t read_columns(const ElementColumns& columns, std::size_t count, ElementBounds& bounds,
-                         const Writer& writer) {
+template <int Dim, class Spheres, class Writer>
+std::size_t read_spheres(const Spheres& spheres, std::size_t first, std::size_t count,
+                         ElementBounds& bounds, const Writer& writer) {
   const Doubles largest = hn::Set(doubles, std::numeric_limits<double>::max());
   LaneBounds<Dim> lane_bounds(bounds);
   std::size_t k = 0;
   for (; k + lanes <= count; k += lanes) {
     Doubles center[Dim];
-    const Doubles radius = hn::LoadU(doubles, columns.radius + k);
+    Doubles radius;
+    spheres.load(first + k, center, radius);
     Mask valid = hn::And(hn::Ge(radius, hn::Zero(doubles)), hn::Le(radius, largest));
     for (int axis = 0; axis < Dim; ++axis) {
-      center[axis] = hn::LoadU(doubles, columns.center[axis] + k);
       valid = hn::And(valid, hn::Le(hn::Abs(center[axis]), largest));
     }
     if (HWY_UNLIKELY(!hn::AllTrue(doubles, valid))) break;
@@ -314,16 +315,26 @@ std::size_t arrange_in(const Arrangement& job) {
 }
 #endif
 
-std::size_t pack(const ElementColumns& columns, std::size_t count, int dimensions, double* records,
-                 ElementBounds& bounds) {
-  return dimensions == 2 ? read_columns<2>(columns, count, bounds, RecordWriter<2>(records))
-                         : read_columns<3>(columns, count, bounds, RecordWriter<3>(records));
+std::size_t pack(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                 int dimensions, double* records, ElementBounds& bounds) {
+  const auto run = [&](auto dim) {
+    return with_loader<dim()>(spheres, [&](const auto& loader) {
+      return read_spheres<dim()>(loader, first, count, bounds, RecordWriter<dim()>(records));
+    });
+  };
+  return dimensions == 2 ? run(std::integral_constant<int, 2>())
+                         : run(std::integral_constant<int, 3>());
 }
 
-std::size_t check(const ElementColumns& columns, std::size_t count, int dimensions,
-                  ElementBounds& bounds) {
-  return dimensions == 2 ? read_columns<2>(columns, count, bounds, BoundsWriter())
-                         : read_columns<3>(columns, count, bounds, BoundsWriter());
+std::size_t check(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                  int dimensions, ElementBounds& bounds) {
+  const auto run = [&](auto dim) {
+    return with_loader<dim()>(spheres, [&](const auto& loader) {
+      return read_spheres<dim()>(loader, first, count, bounds, BoundsWriter());
+    });
+  };
+  return dimensions == 2 ? run(std::integral_constant<int, 2>())
+                         : run(std::integral_constant<int, 3>());
 }
 
 std::size_t bound(const double* records, std::size_t count, int dimensions, ElementBounds& bounds) {

@@ -5,7 +5,7 @@
 #include "kernels/displacement_kernels.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/follow_kernels.hpp"
-#include "kernels/image_kernels.hpp"
+#include "kernels/images/image_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 #include "kernels/measure_kernels.hpp"
 #include "kernels/order_kernels.hpp"
@@ -163,10 +163,12 @@ ElementKernels element_kernels(Simd level) {
   static_cast<void>(level);
   // Plain C++ is the caller's.
   return {
-      [](const ElementColumns&, std::size_t, int, double*, ElementBounds&) {
+      [](const StridedSpheres&, std::size_t, std::size_t, int, double*, ElementBounds&) {
         return std::size_t{0};
       },
-      [](const ElementColumns&, std::size_t, int, ElementBounds&) { return std::size_t{0}; },
+      [](const StridedSpheres&, std::size_t, std::size_t, int, ElementBounds&) {
+        return std::size_t{0};
+      },
       [](const double*, std::size_t, int, ElementBounds&) { return std::size_t{0}; },
       [](const double*, std::size_t, int, const PlaceMap&, std::uint32_t*) {
         return std::size_t{0};
@@ -183,11 +185,10 @@ ImageKernels image_kernels(Simd level) {
   if (level != Simd::scalar) return simd_image_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
-  return {[](const double*, std::size_t, int, const OrthogonalCellMap&, double*, void*,
-             CenterBounds&, BlockList&) { return std::size_t{0}; },
-          [](const double*, std::size_t, int, const OrthogonalCellMap&, BlockList&) {
-            return std::size_t{0};
-          },
+  return {[](const StridedSpheres&, std::size_t, std::size_t, int, const OrthogonalCellMap&,
+             double*, void*, CenterBounds&, BlockList&) { return std::size_t{0}; },
+          [](const StridedSpheres&, std::size_t, std::size_t, int, const OrthogonalCellMap&,
+             BlockList&) { return std::size_t{0}; },
           [](const ContactPair*, std::size_t, std::uint32_t, ContactPair*, BlockList&) {
             return KeptPairs{0, 0};
           }};

@@ -39,13 +39,15 @@ struct CellExtent {
   }
 };
 
-template <int Dim>
-[[nodiscard]] CellExtent<Dim> extent_of(std::span<const exact::Sphere<Dim>> spheres,
+/// Returns the extent of the spheres sphere_at(0), sphere_at(1), ...
+template <int Dim, class SphereAt>
+[[nodiscard]] CellExtent<Dim> extent_of(std::size_t count_of_spheres, const SphereAt& sphere_at,
                                         const OrthogonalCell<Dim>& orthogonal_cell) noexcept {
   return with_count<Dim>(orthogonal_cell.count, [&](auto count) {
     const OrthogonalCell<Dim> map = orthogonal_cell;  // a copy that nothing can change
     CellExtent<Dim> extent;
-    for (const exact::Sphere<Dim>& sphere : spheres) {
+    for (std::size_t number = 0; number < count_of_spheres; ++number) {
+      const exact::Sphere<Dim> sphere = sphere_at(number);
       for (std::size_t k = 0; k < count(); ++k) {
         const double place = map.coordinate(k, sphere.center);
         extent.lower[k] = std::min(extent.lower[k], place);
@@ -57,6 +59,13 @@ template <int Dim>
     }
     return extent;
   });
+}
+
+template <int Dim>
+[[nodiscard]] CellExtent<Dim> extent_of(std::span<const exact::Sphere<Dim>> spheres,
+                                        const OrthogonalCell<Dim>& orthogonal_cell) noexcept {
+  return extent_of<Dim>(
+      spheres.size(), [&](std::size_t k) { return spheres[k]; }, orthogonal_cell);
 }
 
 /// Returns the extent of a box. If sides are aligned, it is that of its elements, in rounded

@@ -42,6 +42,11 @@ class GhostWindow {
     do {
       measure(reaches, scale, farthest_numbers);
     } while (lower(farthest_numbers));
+    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+      for (std::size_t l = k + 1; l < orthogonal_cell_.count; ++l) {
+        is_block_ = is_block_ && orthogonal_cell_.offset[k][l] == 0.0;
+      }
+    }
   }
 
   [[nodiscard]] ABUT_HD std::size_t sides() const noexcept { return orthogonal_cell_.count; }
@@ -66,6 +71,25 @@ class GhostWindow {
   /// ghost's numbers, the first that is not 0 is at least 1, and earlier ones do not move it along
   /// that side.
   [[nodiscard]] const std::array<double, Dim>& outer_below() const noexcept { return outer_below_; }
+
+  /// Tells whether the half shell has one image of a local element, next to the cell along one
+  /// side, and which: as of most elements that have any. It is false, besides, where images along
+  /// one side move elements along another.
+  [[nodiscard]] bool has_one_image(const exact::Sphere<Dim>& local,
+                                   ImageNumbers& numbers) const noexcept {
+    std::int64_t images = 0;
+    std::int64_t others = 0;
+    for (std::size_t k = 0; k < Dim; ++k) {
+      if (k >= orthogonal_cell_.count) break;
+      const double place = orthogonal_cell_.coordinate(k, local.center);
+      const double lower = extent_.lower[k] - below_[k].at(local.radius);
+      const double upper = extent_.upper[k] + above_[k].at(local.radius);
+      numbers[k] = below(upper - place);
+      images += numbers[k];
+      others |= below(place - lower) | (numbers[k] & ~std::int64_t{1});
+    }
+    return is_block_ && images == 1 && others == 0;
+  }
 
   /// Calls visit(first, last, numbers) for rows of images of a local element that may be within
   /// reach, by their numbers along the sides, the last of which runs from first to last; no further
@@ -246,6 +270,7 @@ class GhostWindow {
   std::array<double, Dim> widest_{};
   std::array<double, Dim> outer_below_{};
   std::array<double, Dim> most_cells_{};
+  bool is_block_ = true;  ///< no side's vector moves elements along a later side
 };
 
 }  // namespace abut::lattice

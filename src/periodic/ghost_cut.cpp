@@ -24,26 +24,25 @@ struct SizesOfHistogram {
 }  // namespace
 
 template <int Dim>
-double choose_ghost_cut(std::span<const exact::Sphere<Dim>> spheres,
-                        const grid::Bounds<Dim>& bounds,
+double choose_ghost_cut(const kernels::StridedSpheres& spheres, const grid::Bounds<Dim>& bounds,
                         const lattice::ReducedLattice<Dim>& lattice, double margin,
                         engine::RadiusHistogram& histogram) {
   const double largest = bounds.largest_radius;
   if (lattice.count == 0 || !(bounds.smallest_radius < largest)) return HUGE_VAL;
   return lattice::choose_ghost_cut(
-      static_cast<double>(spheres.size()), largest, lattice, margin, [&] {
+      static_cast<double>(spheres.size), largest, lattice, margin, [&] {
         histogram.clear();
-        for (const exact::Sphere<Dim>& sphere : spheres) histogram.add(sphere.radius);
+        for (std::size_t k = 0; k < spheres.size; ++k) histogram.add(spheres.radius(k));
         return SizesOfHistogram{histogram,
                                 engine::RadiusHistogram::class_of(bounds.smallest_radius),
                                 engine::RadiusHistogram::class_of(largest)};
       });
 }
 
-template double choose_ghost_cut(std::span<const exact::Sphere<2>>, const grid::Bounds<2>&,
+template double choose_ghost_cut(const kernels::StridedSpheres&, const grid::Bounds<2>&,
                                  const lattice::ReducedLattice<2>&, double,
                                  engine::RadiusHistogram&);
-template double choose_ghost_cut(std::span<const exact::Sphere<3>>, const grid::Bounds<3>&,
+template double choose_ghost_cut(const kernels::StridedSpheres&, const grid::Bounds<3>&,
                                  const lattice::ReducedLattice<3>&, double,
                                  engine::RadiusHistogram&);
 

@@ -3,6 +3,7 @@
 #include "engine/radius_histogram.hpp"
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
+#include "kernels/strided_spheres.hpp"
 #include "lattice/reduced_lattice.hpp"
 
 #include <span>
@@ -14,7 +15,7 @@ namespace abut::periodic {
 ///
 /// The estimate: elements fill the cell evenly, and a ghost costs as much as a local element.
 template <int Dim>
-[[nodiscard]] double choose_ghost_cut(std::span<const exact::Sphere<Dim>> spheres,
+[[nodiscard]] double choose_ghost_cut(const kernels::StridedSpheres& spheres,
                                       const grid::Bounds<Dim>& bounds,
                                       const lattice::ReducedLattice<Dim>& lattice, double margin,
                                       engine::RadiusHistogram& histogram);

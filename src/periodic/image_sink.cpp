@@ -66,7 +66,7 @@ std::size_t ImageSink<Dim>::name(ImageBuffer& buffer, std::size_t count) const {
 template <int Dim>
 std::size_t ImageSink<Dim>::keep(std::span<const ContactPair> pairs, ContactPair* to,
                                  kernels::BlockList& with_ghost) const {
-  const auto locals = static_cast<std::uint32_t>(images_->locals().size());
+  const auto locals = static_cast<std::uint32_t>(images_->locals().size);
   auto [k, kept] = kernels_.keep_with_local(pairs.data(), pairs.size(), locals, to, with_ghost);
   for (; k < pairs.size(); ++k) {
     if (pairs[k].first >= locals) continue;
@@ -110,7 +110,7 @@ void ImageSink<Dim>::name_block(ImageBuffer& buffer, std::size_t begin, std::siz
     return;
   }
   for (std::size_t place = begin; place < end; ++place) {
-    if (buffer.pairs[place].second < images_->locals().size()) {
+    if (buffer.pairs[place].second < images_->locals().size) {
       name_local(buffer, place);
     } else {
       name_ghost(buffer, place);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/pair_sink.hpp"
-#include "kernels/image_kernels.hpp"
+#include "kernels/images/image_kernels.hpp"
 #include "periodic/images.hpp"
 
 #include <cstddef>
@@ -55,7 +55,7 @@ class ImageSink final : public base::PairSink {
   void name_ghost(ImageBuffer& buffer, std::size_t place) const;
   void name_shifts(const ImageBuffer& buffer, std::size_t count) const;
   [[nodiscard]] const Ghost& ghost_of(const ContactPair& pair) const {
-    return images_->ghosts()[pair.second - images_->locals().size()];
+    return images_->ghosts()[pair.second - images_->locals().size];
   }
 
   base::PairSink* next_ = nullptr;

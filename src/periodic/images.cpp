@@ -44,55 +44,72 @@ void require_narrow_windows(std::size_t sides, const GhostWindows<Dim>& windows)
 template <int Dim>
 Images<Dim>::Images(base::MemoryMeter& memory)
     : memory_(memory),
-      own_locals_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)),
+      own_spheres_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)),
       cells_moved_(memory),
       own_ghosts_(base::make_array_for_overwrite<Ghost>(memory, 0)) {}
 
 template <int Dim>
 void Images<Dim>::find(base::Array<exact::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
                        const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings) {
+  start_anew(kernels::strided_spheres<Dim>(elements), bounds, lattice, settings);
+  locals_and_ghosts_ = elements;
+  find_with({elements, elements.size()}, settings);
+}
+
+template <int Dim>
+void Images<Dim>::find(const kernels::StridedSpheres& elements, const grid::Bounds<Dim>& bounds,
+                       const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings) {
   start_anew(elements, bounds, lattice, settings);
-  if (elements.empty() || lattice.count == 0) return;
+  find_with({own_spheres_, 0}, settings);
+}
+
+/// Finds the images of the elements as given. If none must be moved, the array for their ghosts is
+/// the one that is given with them.
+template <int Dim>
+void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settings) {
+  const lattice::ReducedLattice<Dim>& lattice = *lattice_;
+  if (given_.size == 0 || lattice.count == 0) return;
   const lattice::OrthogonalCell<Dim> orthogonal_cell(lattice, 1.0);
-  measure(elements, orthogonal_cell, settings.workers);
-  const lattice::Reaches reaches{bounds.largest_radius, settings.margin, settings.shape};
+  measure(orthogonal_cell, settings.workers);
+  const lattice::Reaches reaches{bounds_.largest_radius, settings.margin, settings.shape};
   const Windows windows(lattice, orthogonal_cell, extent_, reaches, settings.size_cut, 1.0);
   if (!lattice::is_in_range(orthogonal_cell, extent_, windows.of_large)) {
-    lattice::check_range<Dim>(elements, lattice, settings.margin, settings.shape);
+    check_range(given, settings);
   }
   const Along along = lattice::sides_to_wrap<Dim>(orthogonal_cell, extent_, windows.of_large);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
     slack_ = lattice::slack_of_ghosts * magnitude_of(windows.of_large, along, settings.shape);
-    return add_ghosts(elements, {orthogonal_cell, windows, {}, {}}, settings);
+    return add_ghosts(given, {orthogonal_cell, windows, {}, false}, settings);
   }
-  overwrite(own_locals_, elements.size(), elements.size() + elements.size() / 8);
+  overwrite(own_spheres_, given_.size, given_.size + given_.size / 8);
+  locals_ = kernels::strided_spheres<Dim>(own_spheres_);
   if (unit_ == 1.0) {
     const WrapEstimate<Dim> wrap_estimate(lattice, orthogonal_cell, extent_, along);
     const Windows after(lattice, orthogonal_cell, wrap_estimate.extent, reaches, settings.size_cut,
                         1.0);
-    if (wrap_fast_if_near(elements, wrap_estimate, {orthogonal_cell, after, along, elements},
-                          settings))
-      return;
+    if (wrap_fast_if_near(wrap_estimate, {orthogonal_cell, after, along, true}, settings)) return;
   }
-  wrap_exactly(elements, orthogonal_cell, along, settings.workers);
+  wrap_exactly(orthogonal_cell, along, settings.workers);
   const lattice::OrthogonalCell<Dim> scaled_orthogonal_cell(lattice, unit_);
-  const lattice::Reaches scaled{bounds.largest_radius * unit_, settings.margin * unit_,
+  const lattice::Reaches scaled{reaches.largest_radius * unit_, settings.margin * unit_,
                                 settings.shape};
   const Windows after(lattice, scaled_orthogonal_cell, extent_, scaled, size_cut_, unit_);
   slack_ = lattice::slack_of_ghosts * magnitude_of(after.of_large, along, settings.shape);
-  add_ghosts(own_locals_, {scaled_orthogonal_cell, after, {}, {}}, settings);
+  add_ghosts({own_spheres_, given_.size}, {scaled_orthogonal_cell, after, {}, false}, settings);
 }
 
 template <int Dim>
-void Images<Dim>::start_anew(std::span<const exact::Sphere<Dim>> elements,
+void Images<Dim>::start_anew(const kernels::StridedSpheres& elements,
                              const grid::Bounds<Dim>& bounds,
                              const lattice::ReducedLattice<Dim>& lattice,
                              const ImageSettings& settings) {
   while (parts_.size() < settings.workers) parts_.emplace_back(memory_);
   lattice_ = &lattice;
-  locals_and_ghosts_ = elements;
-  local_count_ = elements.size();
+  given_ = elements;
+  locals_ = elements;
+  ghost_spheres_ = {};
+  locals_and_ghosts_ = {};
   ghosts_ = {};
   bounds_ = bounds;
   places_ = {};
@@ -109,8 +126,7 @@ void Images<Dim>::start_anew(std::span<const exact::Sphere<Dim>> elements,
 
 /// The extent of the elements as given.
 template <int Dim>
-void Images<Dim>::measure(std::span<const exact::Sphere<Dim>> elements,
-                          const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+void Images<Dim>::measure(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
                           std::size_t workers) {
   vector_of_ = orthogonal_cell.vector_of;
   steps_ = lattice::side_steps<Dim>(*lattice_, orthogonal_cell, unit_);
@@ -119,24 +135,38 @@ void Images<Dim>::measure(std::span<const exact::Sphere<Dim>> elements,
     return;
   }
   base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, elements.size());
-    parts_[worker].extent =
-        lattice::extent_of(elements.subspan(first, last - first), orthogonal_cell);
+    const auto [first, last] = base::share_of(worker, workers, given_.size);
+    const auto sphere_at = [&, begin = first](std::size_t k) {
+      return kernels::sphere_at<Dim>(given_, begin + k);
+    };
+    parts_[worker].extent = lattice::extent_of<Dim>(last - first, sphere_at, orthogonal_cell);
   });
   extent_ = {};
   for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(parts_[worker].extent);
 }
 
+/// Looks at each element, since bounds do not tell whether all are in range.
+template <int Dim>
+void Images<Dim>::check_range(const GhostArray& given, const ImageSettings& settings) {
+  if (given.locals == 0) {
+    overwrite(given.spheres, given_.size, given_.size);
+    for (std::size_t k = 0; k < given_.size; ++k) {
+      given.spheres[k] = kernels::sphere_at<Dim>(given_, k);
+    }
+  }
+  lattice::check_range<Dim>(given.spheres, *lattice_, settings.margin, settings.shape);
+}
+
 /// Moves the elements in the fast way, but does nothing and returns false where rounding would make
 /// the search use larger cells than the reach asks for, or images must be counted.
 template <int Dim>
-bool Images<Dim>::wrap_fast_if_near(std::span<const exact::Sphere<Dim>> elements,
-                                    const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
+bool Images<Dim>::wrap_fast_if_near(const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
                                     const ImageSettings& settings) {
-  const double most = 2.0 * ghosts_of_long_reach * static_cast<double>(elements.size());
-  const double ghosts = most_ghosts<Dim>(elements, plan.windows);
-  if (!wrap_estimate.is_short || !(ghosts <= std::min(most, lattice::most_locals_and_ghosts)))
-    return false;
+  const auto locals = static_cast<double>(given_.size);
+  const double most =
+      std::min(2.0 * ghosts_of_long_reach * locals, lattice::most_locals_and_ghosts - locals);
+  const double ghosts = most_ghosts<Dim>(given_, plan.windows);
+  if (!wrap_estimate.is_short || !(ghosts <= most)) return false;
   const lattice::CellExtent<Dim> as_given = extent_;
   extent_ = wrap_estimate.extent;
   slack_ = slack_of_fast_wraps * magnitude_of(plan.windows.of_large, plan.along, settings.shape);
@@ -146,38 +176,37 @@ bool Images<Dim>::wrap_fast_if_near(std::span<const exact::Sphere<Dim>> elements
   }
   cells_moved_at_most_ = wrap_estimate.most_cells;
   cells_moved_.make_room(
-      elements.size(), std::all_of(wrap_estimate.most_cells.begin(), wrap_estimate.most_cells.end(),
-                                   [](double n) { return n <= MovedCells::most_packed; }));
-  add_ghosts(own_locals_, plan, settings);
+      given_.size, std::all_of(wrap_estimate.most_cells.begin(), wrap_estimate.most_cells.end(),
+                               [](double n) { return n <= MovedCells::most_packed; }));
+  add_ghosts({own_spheres_, given_.size}, plan, settings);
   return true;
 }
 
 template <int Dim>
-void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
-                               const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+void Images<Dim>::wrap_exactly(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
                                const Along& along, std::size_t workers) {
   lattice::WrapSettings wrap_settings;
   wrap_settings.result_unit = unit_;
   const lattice::Wrapper<Dim> wrapper(*lattice_, orthogonal_cell, along, wrap_settings);
-  cells_moved_.make_room(elements.size(), false);
+  cells_moved_.make_room(given_.size, false);
   const lattice::OrthogonalCell<Dim> scaled_orthogonal_cell(*lattice_, unit_);
   base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, elements.size());
+    const auto [first, last] = base::share_of(worker, workers, given_.size);
     FoundGhosts& part = parts_[worker];
     part.farthest = {};
     part.bounds = {};
     for (std::size_t i = first; i < last; ++i) {
-      exact::Sphere<Dim> sphere = elements[i];
+      exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(given_, i);
       const lattice::CellsMoved moved = wrapper.wrap(sphere, i);
       cells_moved_.triples()[i] = moved;
       for (std::size_t k = 0; k < 3; ++k) {
         part.farthest[k] = std::max(part.farthest[k], std::abs(moved[k]));
       }
-      own_locals_[i] = sphere;
+      own_spheres_[i] = sphere;
       part.bounds.include_center(sphere);
       part.bounds.include_radius(sphere.radius);
     }
-    const std::span<const exact::Sphere<Dim>> locals = own_locals_;
+    const std::span<const exact::Sphere<Dim>> locals = own_spheres_;
     part.extent = lattice::extent_of(locals.subspan(first, last - first), scaled_orthogonal_cell);
   });
   extent_ = {};
@@ -193,46 +222,44 @@ void Images<Dim>::wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
   }
 }
 
-/// Adds the ghosts of the first elements of `home`, which are the locals, or will be when they have
-/// been moved.
+/// Adds the ghosts of the locals, which are what they shall be, or will be when they have been
+/// moved.
 template <int Dim>
-void Images<Dim>::add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
+void Images<Dim>::add_ghosts(const GhostArray& array, const Plan& plan,
                              const ImageSettings& settings) {
   require_narrow_windows<Dim>(plan.orthogonal_cell.count, plan.windows);
   note_shifts(plan.orthogonal_cell, plan.windows.of_large);
-  reach_is_long_ = plan.to_move.empty() && is_long_reach<Dim>(home, plan.windows);
-  if (reach_is_long_) {
-    locals_and_ghosts_ = home;
-    return;
+  if (!plan.moves) {
+    reach_is_long_ = is_long_reach<Dim>(locals_, plan.windows);
+    if (array.locals > 0) locals_and_ghosts_ = array.spheres;
+    if (reach_is_long_) return;
+    require_countable<Dim>(locals_, plan.windows);
   }
-  require_countable<Dim>(home, plan.windows);
   auto map = map_of<Dim>(*lattice_, plan.orthogonal_cell, plan.along, plan.windows);
   map.pack = cells_moved_.is_packed();
   const std::size_t workers = settings.workers;
-  const bool moves = !plan.to_move.empty();
   base::for_each_worker(workers, [&](std::size_t worker) {
-    const auto [first, last] = base::share_of(worker, workers, local_count_);
+    const auto [first, last] = base::share_of(worker, workers, locals_.size);
     FoundGhosts& part = parts_[worker];
     base::ProgressReporter* const progress = worker == 0 ? settings.progress : nullptr;
     part.bounds = {};
     part.ghosts.clear();
     for (std::size_t begin = first; begin < last; begin += kernels::BlockList::room) {
       const std::size_t count = std::min(last - begin, kernels::BlockList::room);
-      const auto locals = std::span(home).subspan(begin, count);
       kernels::BlockList outer;
-      if (moves) {
-        wrap_fast<Dim>(plan.to_move.subspan(begin, count), map, settings.kernels, locals,
-                       cells_moved_, begin, part.bounds, outer);
+      if (plan.moves) {
+        wrap_fast<Dim>({given_, begin, count}, map, settings.kernels, array.spheres, cells_moved_,
+                       part.bounds, outer);
       } else {
-        list_outer<Dim>(locals, map, settings.kernels, outer);
+        list_outer<Dim>({locals_, begin, count}, map, settings.kernels, outer);
       }
-      list_ghosts<Dim>(locals, outer, begin, plan.windows, part.ghosts, progress);
+      list_ghosts<Dim>({locals_, begin, count}, outer, plan.windows, part.ghosts, progress);
       if (progress != nullptr && (begin - first) % locals_between_polls == 0) progress->poll();
     }
   });
-  if (moves) join_boxes(workers);
+  if (plan.moves) join_boxes(workers);
   join_ghosts(workers);
-  append_ghosts(home, settings);
+  place_ghosts_at(array, settings);
 }
 
 /// The radii stay what they are.
@@ -260,21 +287,24 @@ void Images<Dim>::join_ghosts(std::size_t workers) {
   ghosts_ = {own_ghosts_.data(), count};
 }
 
-/// Appends the ghosts after the locals in `home`.
 template <int Dim>
-void Images<Dim>::append_ghosts(base::Array<exact::Sphere<Dim>>& home,
-                                const ImageSettings& settings) {
+void Images<Dim>::place_ghosts_at(const GhostArray& array, const ImageSettings& settings) {
   const std::size_t workers = settings.workers;
-  const std::size_t all = local_count_ + ghosts_.size();
-  if (home.capacity() < all) home.reserve(all + ghosts_.size() / 4);
-  home.resize(all);
-  locals_and_ghosts_ = home;
+  const std::size_t all = array.locals + ghosts_.size();
+  if (array.spheres.capacity() < all) array.spheres.reserve(all + ghosts_.size() / 4);
+  array.spheres.resize(all);
+  const std::span spheres(array.spheres);
+  if (array.locals > 0) {
+    locals_and_ghosts_ = spheres;
+    locals_ = kernels::strided_spheres(locals_and_ghosts_.first(array.locals));
+  }
+  const auto ghost_spheres = spheres.subspan(array.locals);
+  ghost_spheres_ = ghost_spheres;
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, ghosts_.size());
-    parts_[worker].places = place_ghosts<Dim>(
-        ghosts_.subspan(first, last - first), std::span(home).first(local_count_), steps_, bounds_,
-        std::span(home).subspan(local_count_ + first, last - first),
-        worker == 0 ? settings.progress : nullptr);
+    parts_[worker].places = place_ghosts<Dim>(ghosts_.subspan(first, last - first), locals_, steps_,
+                                              bounds_, ghost_spheres.subspan(first, last - first),
+                                              worker == 0 ? settings.progress : nullptr);
   });
   for (std::size_t worker = 0; worker < workers; ++worker) places_.include(parts_[worker].places);
 }

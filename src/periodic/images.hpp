@@ -4,7 +4,7 @@
 #include "base/progress_reporter.hpp"
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
-#include "kernels/image_kernels.hpp"
+#include "kernels/images/image_kernels.hpp"
 #include "lattice/cell_extent.hpp"
 #include "lattice/ghost_windows.hpp"
 #include "lattice/reduced_lattice.hpp"
@@ -62,10 +62,17 @@ class Images {
   void find(base::Array<exact::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
             const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
 
+  /// Finds those of elements that stay where they lie. Where no element must be moved, ghosts stand
+  /// in an array of their own. Throws likewise.
+  void find(const kernels::StridedSpheres& elements, const grid::Bounds<Dim>& bounds,
+            const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
+
   /// Locals in the order of the elements, all numbers times unit().
-  [[nodiscard]] std::span<const exact::Sphere<Dim>> locals() const noexcept {
-    return locals_and_ghosts_.first(local_count_);
+  [[nodiscard]] const kernels::StridedSpheres& locals() const noexcept { return locals_; }
+  [[nodiscard]] std::span<const exact::Sphere<Dim>> ghost_spheres() const noexcept {
+    return ghost_spheres_;
   }
+  /// Ghosts behind locals; nothing where they stand apart.
   [[nodiscard]] std::span<const exact::Sphere<Dim>> locals_and_ghosts() const noexcept {
     return locals_and_ghosts_;
   }
@@ -90,8 +97,8 @@ class Images {
   /// Of a small and a large element the ghost is the large one.
   [[nodiscard]] bool counts(std::size_t local, const Ghost& ghost) const noexcept {
     if (all_ghosts_count()) return true;
-    const bool large = locals_and_ghosts_[local].radius >= size_cut_;
-    if (locals_and_ghosts_[ghost.element].radius < size_cut_) return !large;
+    const bool large = locals_.radius(local) >= size_cut_;
+    if (locals_.radius(ghost.element) < size_cut_) return !large;
     return !large || ghost.is_positive();
   }
 
@@ -152,29 +159,33 @@ class Images {
   using Windows = GhostWindows<Dim>;
   using Along = std::array<bool, Dim>;
 
+  /// An array where ghosts are put, behind so many locals: all of them or none.
+  struct GhostArray {
+    base::Array<exact::Sphere<Dim>>& spheres;
+    std::size_t locals;
+  };
+
   /// The way to find ghosts among locals, which may have to be moved first.
   struct Plan {
     const lattice::OrthogonalCell<Dim>& orthogonal_cell;
     const Windows& windows;
     Along along;
-    std::span<const exact::Sphere<Dim>> to_move;
+    bool moves;  ///< the elements as given to the locals
   };
 
-  void start_anew(std::span<const exact::Sphere<Dim>> elements, const grid::Bounds<Dim>& bounds,
+  void start_anew(const kernels::StridedSpheres& elements, const grid::Bounds<Dim>& bounds,
                   const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
-  void measure(std::span<const exact::Sphere<Dim>> elements,
-               const lattice::OrthogonalCell<Dim>& orthogonal_cell, std::size_t workers);
-  bool wrap_fast_if_near(std::span<const exact::Sphere<Dim>> elements,
-                         const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
+  void find_with(const GhostArray& given, const ImageSettings& settings);
+  void measure(const lattice::OrthogonalCell<Dim>& orthogonal_cell, std::size_t workers);
+  void check_range(const GhostArray& given, const ImageSettings& settings);
+  bool wrap_fast_if_near(const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
                          const ImageSettings& settings);
-  void wrap_exactly(std::span<const exact::Sphere<Dim>> elements,
-                    const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Along& along,
+  void wrap_exactly(const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Along& along,
                     std::size_t workers);
-  void add_ghosts(base::Array<exact::Sphere<Dim>>& home, const Plan& plan,
-                  const ImageSettings& settings);
+  void add_ghosts(const GhostArray& array, const Plan& plan, const ImageSettings& settings);
   void join_boxes(std::size_t workers);
   void join_ghosts(std::size_t workers);
-  void append_ghosts(base::Array<exact::Sphere<Dim>>& home, const ImageSettings& settings);
+  void place_ghosts_at(const GhostArray& array, const ImageSettings& settings);
   void note_shifts(const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Window& window);
   [[nodiscard]] double magnitude_of(const Window& window, const Along& along, Shape shape) const;
   void packed_shifts_between(std::span<const ContactPair> pairs,
@@ -184,8 +195,10 @@ class Images {
 
   base::MemoryMeter& memory_;
   const lattice::ReducedLattice<Dim>* lattice_ = nullptr;
+  kernels::StridedSpheres given_{};
+  kernels::StridedSpheres locals_{};
+  std::span<const exact::Sphere<Dim>> ghost_spheres_;
   std::span<const exact::Sphere<Dim>> locals_and_ghosts_;
-  std::size_t local_count_ = 0;
   std::span<const Ghost> ghosts_;
   std::array<std::size_t, Dim> vector_of_{};          ///< lattice::OrthogonalCell::vector_of
   std::array<std::array<double, Dim>, Dim> steps_{};  ///< vectors of the sides times unit_
@@ -203,7 +216,7 @@ class Images {
   /// The side of each axis, where these are shifts themselves.
   std::optional<std::array<std::size_t, 3>> side_of_axis_;
 
-  base::Array<exact::Sphere<Dim>> own_locals_;
+  base::Array<exact::Sphere<Dim>> own_spheres_;  ///< locals that were moved, and their ghosts
   MovedCells cells_moved_;
   base::Array<Ghost> own_ghosts_;
   std::vector<FoundGhosts> parts_;

@@ -3,6 +3,8 @@
 #include "engine/deciders/exact_decider.hpp"
 #include "exact/elements.hpp"
 #include "exact/lattice.hpp"
+#include "exact/periodic_predicate.hpp"
+#include "kernels/strided_spheres.hpp"
 #include "lattice/image_decider.hpp"
 #include "periodic/images.hpp"
 
@@ -17,9 +19,12 @@ template <int Dim>
 // NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): final, nothing is derived from it
 class PeriodicDecider final : public engine::ExactDecider {
  public:
-  PeriodicDecider(const exact::Elements<Dim>& originals, const exact::Lattice& lattice,
-                  const Images<Dim>& images, double margin)
+  /// The originals are the elements as given, their spheres besides where these lie. Packed ones
+  /// may be missing where all shifts fit.
+  PeriodicDecider(const exact::Elements<Dim>& originals, const kernels::StridedSpheres& spheres,
+                  const exact::Lattice& lattice, const Images<Dim>& images, double margin)
       : originals_(originals),
+        spheres_(spheres),
         lattice_(lattice),
         images_(images),
         margin_(margin),
@@ -27,7 +32,7 @@ class PeriodicDecider final : public engine::ExactDecider {
 
   [[nodiscard]] bool within_reach(std::uint32_t first, std::uint32_t second,
                                   std::uint64_t& exact_decisions) const override {
-    const std::size_t locals = originals_.size();
+    const std::size_t locals = spheres_.size;
     if (second < first) std::swap(first, second);
     if (first >= locals) return false;
     if (second < locals) return within_reach(first, {second, {}}, exact_decisions);
@@ -36,11 +41,11 @@ class PeriodicDecider final : public engine::ExactDecider {
 
   void decide(kernels::HitBuffer& hits, std::uint64_t& exact_decisions) const override {
     decide_each(hits, 0, exact_decisions, [this](std::uint32_t element) {
-      if (element >= originals_.size()) return;
+      if (element >= spheres_.size) return;
       if (originals_.are_boxes()) {
         __builtin_prefetch(&originals_.boxes[element]);
       } else {
-        __builtin_prefetch(&originals_.spheres[element]);
+        kernels::fetch<Dim>(spheres_, element);
       }
     });
   }
@@ -49,15 +54,21 @@ class PeriodicDecider final : public engine::ExactDecider {
   [[nodiscard]] bool within_reach(std::uint32_t i, const Ghost& image,
                                   std::uint64_t& exact_decisions) const {
     const auto& [j, cells] = image;
-    if (images_.shifts_always_fit()) {
-      return originals_.within_reach(i, j, images_.shift_between(i, image), lattice_, margin_,
-                                     exact_decisions);
+    if (!images_.shifts_always_fit()) {
+      const lattice::ImageNumbers numbers = images_.numbers_between(i, j, cells);
+      return by_numbers_.shift_within_reach(i, j, numbers, exact_decisions).has_value();
     }
-    const lattice::ImageNumbers numbers = images_.numbers_between(i, j, cells);
-    return by_numbers_.shift_within_reach(i, j, numbers, exact_decisions).has_value();
+    const ImageShift shift = images_.shift_between(i, image);
+    if (originals_.are_boxes()) {
+      return originals_.within_reach(i, j, shift, lattice_, margin_, exact_decisions);
+    }
+    return exact::within_reach(kernels::sphere_at<Dim>(spheres_, i),
+                               kernels::sphere_at<Dim>(spheres_, j), shift, lattice_, margin_,
+                               exact_decisions);
   }
 
   exact::Elements<Dim> originals_;
+  kernels::StridedSpheres spheres_;
   const exact::Lattice& lattice_;
   const Images<Dim>& images_;
   double margin_;

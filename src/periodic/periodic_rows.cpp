@@ -21,12 +21,11 @@ namespace {
 
 /// The search set that takes locals and ghosts alike; pairs of ghosts are dropped.
 template <int Dim>
-engine::SearchSet<Dim> set_of_all(const exact::Elements<Dim>& moved, const Images<Dim>& images) {
+engine::SearchSet<Dim> set_of_all(const Images<Dim>& images) {
   engine::SearchSet<Dim> set;
-  set.locals = engine::Numbers(images.locals().size() + images.ghosts().size());
+  set.locals = engine::Numbers(images.locals().size + images.ghosts().size());
   set.bounds = images.local_bounds();
   set.bounds.include(images.ghost_bounds());
-  if (moved.are_boxes()) set.bounds.count_largest_twice();
   return set;
 }
 
@@ -34,8 +33,9 @@ engine::SearchSet<Dim> set_of_all(const exact::Elements<Dim>& moved, const Image
 /// than copies in its outer tiles.
 template <int Dim>
 engine::SearchSet<Dim> set_with_halo(const exact::Elements<Dim>& moved, const Images<Dim>& images) {
-  const std::size_t locals = images.locals().size();
-  engine::SearchSet<Dim> set = set_of_all(moved, images);
+  const std::size_t locals = images.locals().size;
+  engine::SearchSet<Dim> set = set_of_all(images);
+  if (moved.are_boxes()) set.bounds.count_largest_twice();
   set.locals = engine::Numbers(locals);
   set.halo = engine::Numbers::from(static_cast<std::uint32_t>(locals), images.ghosts().size());
   set.bounds.lower = images.local_bounds().lower;
@@ -47,7 +47,8 @@ engine::SearchSet<Dim> set_with_halo(const exact::Elements<Dim>& moved, const Im
 template <int Dim>
 void search(engine::SetSearch<Dim>& search, const exact::Elements<Dim>& moved,
             const Images<Dim>& images) {
-  const engine::SearchSet<Dim> all = set_of_all(moved, images);
+  engine::SearchSet<Dim> all = set_of_all(images);
+  if (moved.are_boxes()) all.bounds.count_largest_twice();
   if (!images.ghosts_are_outside()) return search.search(all);
   if (!search.search_in_layers(all)) search.search(set_with_halo(moved, images));
 }
@@ -106,26 +107,67 @@ class Given {
 };
 
 template <int Dim>
-void find_images(const Given<Dim>& given, const exact::Elements<Dim>& originals,
-                 const lattice::ReducedLattice<Dim>& reduced, const engine::RowsSettings& settings,
-                 const kernels::ImageKernels& kernels, PeriodicWorkspace<Dim>& own,
-                 base::ProgressReporter& progress) {
-  ImageSettings image_settings{settings.margin * given.unit(), settings.workers, kernels};
-  image_settings.given_unit = given.unit();
-  image_settings.progress = &progress;
-  if (originals.are_boxes()) {
-    image_settings.shape = Shape::box;
-  } else {
-    image_settings.size_cut = choose_ghost_cut<Dim>(given.spheres(), given.bounds(), reduced,
-                                                    image_settings.margin, own.histogram);
-  }
-  if (given.unit() != 1.0) {
-    // An error names the numbers that were given.
-    lattice::check_range<Dim>(originals.spheres, reduced, settings.margin, image_settings.shape,
-                              given.unit());
-  }
-  own.images.find(given.spheres(), given.bounds(), reduced, image_settings);
+kernels::StridedSpheres columns_of(std::span<const exact::Sphere<Dim>> packed) {
+  return kernels::strided_spheres(packed);
 }
+template <int Dim>
+const kernels::StridedSpheres& columns_of(const kernels::StridedSpheres& spheres) {
+  return spheres;
+}
+
+/// Finds the images of spheres, or of boxes that they stand for, in an array or where they lie.
+template <int Dim, class Spheres>
+void find_images(Spheres&& spheres, const grid::Bounds<Dim>& bounds,
+                 const lattice::ReducedLattice<Dim>& reduced, ImageSettings settings,
+                 PeriodicWorkspace<Dim>& own) {
+  if (settings.shape == Shape::sphere) {
+    settings.size_cut = choose_ghost_cut<Dim>(columns_of<Dim>(spheres), bounds, reduced,
+                                              settings.margin, own.histogram);
+  }
+  own.images.find(spheres, bounds, reduced, settings);
+}
+
+/// What a search among images is made of, but for the elements themselves.
+template <int Dim>
+struct PeriodicSearch {
+  const engine::RowsSettings& settings;
+  engine::Workspace<Dim>& workspace;
+  PeriodicWorkspace<Dim>& own;
+  base::PairSink& sink;
+  base::DetectionContext& context;
+
+  [[nodiscard]] ImageSettings image_settings(Shape shape, double given_unit) const {
+    ImageSettings result{settings.margin * given_unit, settings.workers,
+                         kernels::image_kernels(settings.simd)};
+    result.shape = shape;
+    result.given_unit = given_unit;
+    result.progress = &context.progress;
+    return result;
+  }
+
+  /// Returns what `search` does with the search of the images that were found.
+  template <class Search>
+  auto run(const engine::ExactDecider& decider, Search&& search) const {
+    const Images<Dim>& images = own.images;
+    own.image_sink.start_anew(sink, images, kernels::image_kernels(settings.simd));
+    own.image_sink.expect_workers(settings.workers);
+    const exact::Elements<Dim> moved{images.locals_and_ghosts(), own.moved_boxes};
+    const engine::SearchInput<Dim> input{
+        moved,
+        {images.locals(), kernels::strided_spheres(images.ghost_spheres())},
+        decider,
+        settings.margin * images.unit(),
+        images.least_cell(),
+        kernels::tile_kernels(settings.simd),
+        kernels::element_kernels(settings.simd),
+        kernels::layer_kernels(settings.simd),
+        settings.layers,
+        own.image_sink,
+        context.progress};
+    engine::SetSearch<Dim> set_search(input, workspace, settings.workers, context);
+    return search(set_search, moved);
+  }
+};
 
 }  // namespace
 
@@ -140,32 +182,49 @@ bool periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
   const Given<Dim> given(spheres, boxes, bounds, unit, own.enlarged);
   lattice::ReducedLattice<Dim> reduced(unit == 1.0 ? lattice : lattice::times(lattice, unit));
   if (!boxes.empty()) lattice::turn_downwards(reduced);
-  const kernels::ImageKernels kernels = kernels::image_kernels(settings.simd);
-  find_images(given, {spheres, boxes}, reduced, settings, kernels, own, context.progress);
+  const PeriodicSearch<Dim> search_of_all{settings, workspace, own, sink, context};
+  const ImageSettings image_settings =
+      search_of_all.image_settings(boxes.empty() ? Shape::sphere : Shape::box, unit);
+  if (unit != 1.0) {
+    // An error names the numbers that were given.
+    lattice::check_range<Dim>(spheres, reduced, settings.margin, image_settings.shape, unit);
+  }
+  find_images<Dim>(given.spheres(), given.bounds(), reduced, image_settings, own);
 
   const Images<Dim>& images = own.images;
-  const exact::Elements<Dim> originals{std::span(spheres).first(locals), boxes};
   if (images.reach_is_long()) return false;
-  own.image_sink.start_anew(sink, images, kernels);
-  own.image_sink.expect_workers(settings.workers);
-  const PeriodicDecider<Dim> decider(originals, lattice, images, settings.margin);
   own.moved_boxes.clear();
   if (!boxes.empty()) move_boxes<Dim>(boxes, images, settings.workers, own.moved_boxes);
-  const exact::Elements<Dim> moved{images.locals_and_ghosts(), own.moved_boxes};
-  const engine::SearchInput<Dim> input{moved,
-                                       kernels::strided_spheres<Dim>(moved.spheres),
-                                       decider,
-                                       settings.margin * images.unit(),
-                                       images.least_cell(),
-                                       kernels::tile_kernels(settings.simd),
-                                       kernels::element_kernels(settings.simd),
-                                       kernels::layer_kernels(settings.simd),
-                                       settings.layers,
-                                       own.image_sink,
-                                       context.progress};
-  engine::SetSearch<Dim> set_search(input, workspace, settings.workers, context);
-  search(set_search, input.elements, images);
+  const exact::Elements<Dim> originals{std::span(spheres).first(locals), boxes};
+  const PeriodicDecider<Dim> decider(originals, kernels::strided_spheres(originals.spheres),
+                                     lattice, images, settings.margin);
+  search_of_all.run(decider, [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
+    search(set_search, moved, images);
+  });
   return true;
+}
+
+template <int Dim>
+bool periodic_rows_in_place(const kernels::StridedSpheres& spheres, const PeriodicInput<Dim>& asked,
+                            engine::Workspace<Dim>& workspace, PeriodicWorkspace<Dim>& own,
+                            base::PairSink& sink, base::DetectionContext& context) {
+  const auto& [boxes, bounds, lattice, settings] = asked;
+  if (lattice::unit_of<Dim>(lattice, grid::largest_number(bounds, settings.margin)) != 1.0) {
+    return false;
+  }
+  const lattice::ReducedLattice<Dim> reduced(lattice);
+  const PeriodicSearch<Dim> search_of_all{settings, workspace, own, sink, context};
+  find_images<Dim>(spheres, bounds, reduced, search_of_all.image_settings(Shape::sphere, 1.0), own);
+
+  const Images<Dim>& images = own.images;
+  if (images.reach_is_long() || !images.shifts_always_fit()) return false;
+  own.moved_boxes.clear();
+  const PeriodicDecider<Dim> decider({}, spheres, lattice, images, settings.margin);
+  return search_of_all.run(decider, [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
+    if (moved.size() == 0) return set_search.search_in_layers(set_of_all(images));
+    search(set_search, moved, images);
+    return true;
+  });
 }
 
 template bool periodic_rows(base::Array<exact::Sphere<2>>&, const PeriodicInput<2>&,
@@ -174,5 +233,11 @@ template bool periodic_rows(base::Array<exact::Sphere<2>>&, const PeriodicInput<
 template bool periodic_rows(base::Array<exact::Sphere<3>>&, const PeriodicInput<3>&,
                             engine::Workspace<3>&, PeriodicWorkspace<3>&, base::PairSink&,
                             base::DetectionContext&);
+template bool periodic_rows_in_place(const kernels::StridedSpheres&, const PeriodicInput<2>&,
+                                     engine::Workspace<2>&, PeriodicWorkspace<2>&, base::PairSink&,
+                                     base::DetectionContext&);
+template bool periodic_rows_in_place(const kernels::StridedSpheres&, const PeriodicInput<3>&,
+                                     engine::Workspace<3>&, PeriodicWorkspace<3>&, base::PairSink&,
+                                     base::DetectionContext&);
 
 }  // namespace abut::periodic

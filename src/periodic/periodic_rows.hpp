@@ -4,6 +4,7 @@
 #include "engine/rows.hpp"
 #include "exact/box.hpp"
 #include "exact/lattice.hpp"
+#include "kernels/strided_spheres.hpp"
 #include "periodic/periodic_workspace.hpp"
 
 #include <span>
@@ -30,5 +31,15 @@ template <int Dim>
                                  const PeriodicInput<Dim>& asked, engine::Workspace<Dim>& workspace,
                                  PeriodicWorkspace<Dim>& own, base::PairSink& sink,
                                  base::DetectionContext& context);
+
+/// The same of valid spheres wherever their numbers lie, without a packed copy of them. Delivers
+/// nothing and returns false where they must be packed, too: where they lie in one cell but cannot
+/// be searched in layers, and where lattice vectors are so short that elements or shifts need care.
+template <int Dim>
+[[nodiscard]] bool periodic_rows_in_place(const kernels::StridedSpheres& spheres,
+                                          const PeriodicInput<Dim>& asked,
+                                          engine::Workspace<Dim>& workspace,
+                                          PeriodicWorkspace<Dim>& own, base::PairSink& sink,
+                                          base::DetectionContext& context);
 
 }  // namespace abut::periodic

@@ -18,8 +18,7 @@ bool is_outside(const exact::Sphere<Dim>& sphere, const grid::Bounds<Dim>& box) 
 }  // namespace
 
 template <int Dim>
-GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
-                              std::span<const exact::Sphere<Dim>> locals,
+GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts, const kernels::StridedSpheres& locals,
                               const std::array<std::array<double, Dim>, Dim>& steps,
                               const grid::Bounds<Dim>& box_of_locals,
                               std::span<exact::Sphere<Dim>> spheres,
@@ -28,9 +27,9 @@ GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
   constexpr std::size_t ghosts_between_polls = std::size_t{1} << 18;
   GhostPlaces<Dim> places;
   for (std::size_t g = 0; g < ghosts.size(); ++g) {
-    __builtin_prefetch(
-        &locals[ghosts[std::min(g + locals_fetched_ahead, ghosts.size() - 1)].element]);
-    exact::Sphere<Dim> sphere = locals[ghosts[g].element];
+    const Ghost& later = ghosts[std::min(g + locals_fetched_ahead, ghosts.size() - 1)];
+    kernels::fetch<Dim>(locals, later.element);
+    exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(locals, ghosts[g].element);
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       for (std::size_t k = 0; k < Dim; ++k) {
         sphere.center[axis] += ghosts[g].image[k] * steps[k][axis];
@@ -45,11 +44,11 @@ GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
   return places;
 }
 
-template GhostPlaces<2> place_ghosts<2>(std::span<const Ghost>, std::span<const exact::Sphere<2>>,
+template GhostPlaces<2> place_ghosts<2>(std::span<const Ghost>, const kernels::StridedSpheres&,
                                         const std::array<std::array<double, 2>, 2>&,
                                         const grid::Bounds<2>&, std::span<exact::Sphere<2>>,
                                         base::ProgressReporter*);
-template GhostPlaces<3> place_ghosts<3>(std::span<const Ghost>, std::span<const exact::Sphere<3>>,
+template GhostPlaces<3> place_ghosts<3>(std::span<const Ghost>, const kernels::StridedSpheres&,
                                         const std::array<std::array<double, 3>, 3>&,
                                         const grid::Bounds<3>&, std::span<exact::Sphere<3>>,
                                         base::ProgressReporter*);

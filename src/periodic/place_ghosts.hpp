@@ -28,7 +28,7 @@ struct GhostPlaces {
 /// sides, 0 where there are fewer sides than axes. Asks `progress`, if there is one, now and then.
 template <int Dim>
 [[nodiscard]] GhostPlaces<Dim> place_ghosts(std::span<const Ghost> ghosts,
-                                            std::span<const exact::Sphere<Dim>> locals,
+                                            const kernels::StridedSpheres& locals,
                                             const std::array<std::array<double, Dim>, Dim>& steps,
                                             const grid::Bounds<Dim>& box_of_locals,
                                             std::span<exact::Sphere<Dim>> spheres,

@@ -77,30 +77,31 @@ WrapEstimate<Dim>::WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,
 }
 
 template <int Dim>
-void wrap_fast(std::span<const exact::Sphere<Dim>> elements, const kernels::OrthogonalCellMap& map,
+void wrap_fast(const LocalBlock& elements, const kernels::OrthogonalCellMap& map,
                const kernels::ImageKernels& kernels, std::span<exact::Sphere<Dim>> locals,
-               MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds,
-               kernels::BlockList& outer) {
+               MovedCells& cells, grid::Bounds<Dim>& bounds, kernels::BlockList& outer) {
   static_assert(sizeof(lattice::CellsMoved) == 3 * sizeof(std::int32_t));
+  const auto& [given, first, count] = elements;
   kernels::CenterBounds box{};
   std::copy(bounds.lower.begin(), bounds.lower.end(), box.lower);
   std::copy(bounds.upper.begin(), bounds.upper.end(), box.upper);
   void* const out = map.pack ? static_cast<void*>(cells.words() + first)
                              : static_cast<void*>(cells.triples() + first);
-  std::size_t i = kernels.wrap(elements[0].center, elements.size(), Dim, map, locals[0].center, out,
-                               box, outer);
+  std::size_t i =
+      kernels.wrap(given, first, count, Dim, map, locals[first].center, out, box, outer);
   std::copy_n(box.lower, Dim, bounds.lower.begin());
   std::copy_n(box.upper, Dim, bounds.upper.begin());
-  for (; i < elements.size(); ++i) {
-    locals[i] = elements[i];
-    const lattice::CellsMoved moved = wrap_fast<Dim>(map, locals[i]);
+  for (; i < count; ++i) {
+    exact::Sphere<Dim>& local = locals[first + i];
+    local = kernels::sphere_at<Dim>(given, first + i);
+    const lattice::CellsMoved moved = wrap_fast<Dim>(map, local);
     if (map.pack) {
       cells.words()[first + i] = MovedCells::packed(moved);
     } else {
       cells.triples()[first + i] = moved;
     }
-    bounds.include_center(locals[i]);
-    if (kernels::is_outer<Dim>(map, locals[i].center)) outer.push(i);
+    bounds.include_center(local);
+    if (kernels::is_outer<Dim>(map, local)) outer.push(i);
   }
 }
 
@@ -112,11 +113,11 @@ template kernels::OrthogonalCellMap map_of<3>(const lattice::ReducedLattice<3>&,
                                               const std::array<bool, 3>&, const GhostWindows<3>&);
 template struct WrapEstimate<2>;
 template struct WrapEstimate<3>;
-template void wrap_fast(std::span<const exact::Sphere<2>>, const kernels::OrthogonalCellMap&,
+template void wrap_fast(const LocalBlock&, const kernels::OrthogonalCellMap&,
                         const kernels::ImageKernels&, std::span<exact::Sphere<2>>, MovedCells&,
-                        std::size_t, grid::Bounds<2>&, kernels::BlockList&);
-template void wrap_fast(std::span<const exact::Sphere<3>>, const kernels::OrthogonalCellMap&,
+                        grid::Bounds<2>&, kernels::BlockList&);
+template void wrap_fast(const LocalBlock&, const kernels::OrthogonalCellMap&,
                         const kernels::ImageKernels&, std::span<exact::Sphere<3>>, MovedCells&,
-                        std::size_t, grid::Bounds<3>&, kernels::BlockList&);
+                        grid::Bounds<3>&, kernels::BlockList&);
 
 }  // namespace abut::periodic

@@ -3,7 +3,7 @@
 #include "base/array.hpp"
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
-#include "kernels/image_kernels.hpp"
+#include "kernels/images/image_kernels.hpp"
 #include "lattice/cell_extent.hpp"
 #include "lattice/orthogonal_cell.hpp"
 #include "lattice/wrap_rules.hpp"
@@ -41,11 +41,11 @@ struct WrapEstimate {
 
 /// Moves elements as lattice::Wrapper does, but in plain doubles, each product and sum rounded: off
 /// by less than 7 u (|x| + moved distance) on an axis. For short ways, and a block of
-/// elements, the first of which has the number `first`. Lists those that may have ghosts then.
+/// elements, which go to the places of their numbers in `locals`. Lists those that may have ghosts
+/// then.
 template <int Dim>
-void wrap_fast(std::span<const exact::Sphere<Dim>> elements, const kernels::OrthogonalCellMap& map,
+void wrap_fast(const LocalBlock& elements, const kernels::OrthogonalCellMap& map,
                const kernels::ImageKernels& kernels, std::span<exact::Sphere<Dim>> locals,
-               MovedCells& cells, std::size_t first, grid::Bounds<Dim>& bounds,
-               kernels::BlockList& outer);
+               MovedCells& cells, grid::Bounds<Dim>& bounds, kernels::BlockList& outer);
 
 }  // namespace abut::periodic

@@ -1,5 +1,6 @@
 // Spheres that `rows` searches where they lie: what callers get is the same as from a packed copy.
 
+#include "conformance/scene_layouts.hpp"
 #include "support/error_expectations.hpp"
 #include "support/scene_view.hpp"
 
@@ -27,11 +28,7 @@ constexpr std::size_t count = 30000;
 
 /// A scene whose numbers are of single precision too.
 Scene rounded(const char* name, std::size_t size = count) {
-  Scene scene = scenes::scene_named(name).make(size, 7);
-  for (auto* column : {&scene.x, &scene.y, &scene.z, &scene.radius}) {
-    for (double& number : *column) number = static_cast<double>(static_cast<float>(number));
-  }
-  return scene;
+  return Float32Scene(scenes::scene_named(name).make(size, 7)).widened;
 }
 
 std::vector<ContactPair> as_found(const ElementView& elements, int threads) {
@@ -52,40 +49,17 @@ constexpr double most_in_place = 36.0;
 /// Numbers that can be read as doubles stay where they are, others are packed first: the same pairs
 /// in the same order.
 TEST(RowsInPlace, FindsTheSameInEachLayout) {
-  struct Particle {
-    double x, y, z, radius;
-  };
-  struct WideParticle {
-    double velocity, z, mass, x, charge, y, radius;
-  };
   for (const char* const name : {"dense", "clusters_100", "bidisperse", "gas"}) {
     SCOPED_TRACE(name);
     const Scene scene = rounded(name);
-    std::vector<std::array<double, 3>> points;
-    std::vector<std::array<float, 3>> singles;
-    std::vector<Particle> particles;
-    std::vector<WideParticle> wide;
-    const std::vector<float> single_radii(scene.radius.begin(), scene.radius.end());
-    for (std::size_t k = 0; k < scene.size(); ++k) {
-      const auto [x, y, z, r] = std::array{scene.x[k], scene.y[k], scene.z[k], scene.radius[k]};
-      points.push_back({x, y, z});
-      singles.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
-      particles.push_back({x, y, z, r});
-      wide.push_back({NAN, z, NAN, x, NAN, y, r});
-    }
-    const auto of_members = [](const auto& all, auto x, auto y, auto z, auto radius) {
-      return spheres(column(all, x), column(all, y), column(all, z), column(all, radius));
-    };
-    const std::vector<ElementView> layouts{
-        spheres(points, scene.radius), spheres(singles, single_radii),
-        of_members(particles, &Particle::x, &Particle::y, &Particle::z, &Particle::radius),
-        of_members(wide, &WideParticle::x, &WideParticle::y, &WideParticle::z,
-                   &WideParticle::radius)};
+    const SceneLayouts layouts(scene);
     const std::vector<ContactPair> expected = as_found(view_of(scene), 1);
     EXPECT_FALSE(expected.empty());
     for (const int threads : {1, 2, 3}) {
-      EXPECT_TRUE(expected == as_found(view_of(scene), threads));
-      for (const ElementView& layout : layouts) EXPECT_TRUE(expected == as_found(layout, threads));
+      EXPECT_TRUE(expected == as_found(layouts.singles(), threads));
+      for (const ElementView& layout : layouts.in_place()) {
+        EXPECT_TRUE(expected == as_found(layout, threads));
+      }
     }
   }
 }

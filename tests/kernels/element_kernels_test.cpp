@@ -39,14 +39,15 @@ class ElementKernelsTest : public ::testing::TestWithParam<int> {
     for (double& radius : columns[3]) radius = random.uniform(0.0, 3.0);
   }
 
-  kernels::ElementColumns view() const {
-    return {{columns[0].data(), columns[1].data(), columns[2].data()}, columns[3].data()};
+  kernels::StridedSpheres view() const {
+    return kernels::strided_spheres(
+        {{columns[0].data(), columns[1].data(), columns[2].data()}, columns[3].data()}, size);
   }
 
   Packed pack(Simd level) const {
     Packed packed;
     packed.records.resize(size * static_cast<std::size_t>(GetParam() + 1));
-    packed.count = kernels::element_kernels(level).pack(view(), size, GetParam(),
+    packed.count = kernels::element_kernels(level).pack(view(), 0, size, GetParam(),
                                                         packed.records.data(), packed.bounds);
     return packed;
   }
@@ -97,7 +98,7 @@ TEST_P(ElementKernelsTest, CheckWhatIsPacked) {
       SCOPED_TRACE(std::string(name_of(level)) + ", bad " + std::to_string(bad));
       const Packed packed = pack(level);
       kernels::ElementBounds bounds = bounds_of_none;
-      ASSERT_EQ(kernels::element_kernels(level).check(view(), size, GetParam(), bounds),
+      ASSERT_EQ(kernels::element_kernels(level).check(view(), 0, size, GetParam(), bounds),
                 packed.count);
       if (packed.count > 1) expect_bounds_of(packed.count, bounds);
     }

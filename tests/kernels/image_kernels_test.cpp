@@ -1,6 +1,6 @@
 // The passes of periodic domains in vectors against plain C++.
 
-#include "kernels/image_kernels.hpp"
+#include "kernels/images/image_kernels.hpp"
 
 #include "scenes/random.hpp"
 #include "support/rows_variants.hpp"

@@ -2,7 +2,7 @@
 
 #include "engine/tiles.hpp"
 #include "grid/scaling.hpp"
-#include "kernels/image_kernels.hpp"
+#include "kernels/images/image_kernels.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "periodic/images.hpp"
 #include "periodic/periodic_search.hpp"
@@ -75,7 +75,7 @@ std::vector<std::set<std::size_t>> tiles_of(const engine::Tiles<Dim>& tiles, std
 /// Locals and ghosts as one search set, as a periodic search makes it.
 template <int Dim>
 engine::SearchSet<Dim> search_set_of(const periodic::Images<Dim>& images) {
-  const std::size_t locals = images.locals().size();
+  const std::size_t locals = images.locals().size;
   engine::SearchSet<Dim> set;
   set.locals = engine::Numbers(locals);
   set.halo = engine::Numbers::from(static_cast<std::uint32_t>(locals), images.ghosts().size());
@@ -103,7 +103,7 @@ std::size_t check(const ExtremeSystem& system, double least_cells, double most_t
   if (images.reach_is_long() || !images.ghosts_are_outside() || images.ghosts().empty()) return 0;
 
   const double margin = system.margin * images.unit();
-  const std::size_t locals = images.locals().size();
+  const std::size_t locals = images.locals().size;
   const engine::SearchSet<Dim> set = search_set_of(images);
   const auto grid = engine::TileGrid<Dim>::over(set.bounds, cell_size(images, set.bounds, margin),
                                                 least_cells, most_tiles);

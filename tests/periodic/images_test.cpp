@@ -6,6 +6,8 @@
 #include "lattice/lattices.hpp"
 #include "periodic/periodic_search.hpp"
 #include "support/dimensions.hpp"
+#include "support/rows_variants.hpp"
+#include "support/sphere_layouts.hpp"
 
 #include <abut/error.hpp>
 
@@ -215,42 +217,76 @@ PeriodicSystem<Dim> system_with_ghosts(std::uint64_t seed, std::size_t count) {
   return random_system<Dim>(named.lattice, count, radius, 2.0, random);
 }
 
-TYPED_TEST(Images, DoNotDependOnWorkersAndVectors) {
-  constexpr int dim = TypeParam::value;
-  const auto system = system_with_ghosts<dim>(96, 1200);
-  const lattice::ReducedLattice<dim> reduced(system.lattice);
+template <int Dim>
+void expect_same_sphere(const exact::Sphere<Dim>& found, const exact::Sphere<Dim>& expected) {
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    ASSERT_EQ(found.center[axis], expected.center[axis]);
+  }
+  ASSERT_EQ(found.radius, expected.radius);
+}
+
+template <int Dim>
+void expect_same_images(const periodic::Images<Dim>& found, const periodic::Images<Dim>& expected) {
+  ASSERT_EQ(found.ghosts().size(), expected.ghosts().size());
+  for (std::size_t k = 0; k < expected.ghosts().size(); ++k) {
+    ASSERT_EQ(found.ghosts()[k].element, expected.ghosts()[k].element);
+    ASSERT_EQ(found.ghosts()[k].image, expected.ghosts()[k].image);
+    expect_same_sphere(found.ghost_spheres()[k], expected.ghost_spheres()[k]);
+  }
+  ASSERT_EQ(found.locals().size, expected.locals().size);
+  for (std::size_t k = 0; k < expected.locals().size; ++k) {
+    expect_same_sphere(kernels::sphere_at<Dim>(found.locals(), k),
+                       kernels::sphere_at<Dim>(expected.locals(), k));
+  }
+  ASSERT_EQ(found.slack(), expected.slack());
+  expect_same(found.local_bounds(), expected.local_bounds());
+  expect_same(found.ghost_bounds(), expected.ghost_bounds());
+  ASSERT_EQ(found.ghosts_are_outside(), expected.ghosts_are_outside());
+}
+
+/// Finds images with one worker in plain C++, then in all ways in which they can be found.
+template <int Dim>
+void expect_one_result(const PeriodicSystem<Dim>& system, bool elements_are_moved) {
+  const lattice::ReducedLattice<Dim> reduced(system.lattice);
+  const grid::Bounds<Dim> bounds = bounds_of<Dim>(system.spheres);
   base::MemoryMeter memory;
-  const auto find = [&](periodic::Images<dim>& images, std::size_t workers, Simd simd) {
-    auto elements = array_of(system.spheres, memory);
-    images.find(elements, bounds_of<dim>(system.spheres), reduced,
-                {system.margin, workers, kernels::image_kernels(simd)});
-    ASSERT_NE(images.locals().data(), elements.data()) << "nothing had to be moved";
-  };
-  periodic::Images<dim> one(memory);
-  find(one, 1, Simd::scalar);
+  periodic::Images<Dim> one(memory);
+  auto packed = array_of(system.spheres, memory);
+  one.find(packed, bounds, reduced, {system.margin, 1, kernels::image_kernels(Simd::scalar)});
   ASSERT_GT(one.ghosts().size(), 10u);
-  for (const Simd simd : simd_levels()) {
-    if (!available(simd)) continue;
+  ASSERT_EQ(packed_locals(one).data() != packed.data(), elements_are_moved);
+  for (const Simd simd : simd_levels_here()) {
     for (const std::size_t workers : {1u, 2u, 3u, 7u, 50u}) {
-      periodic::Images<dim> several(memory);
-      find(several, workers, simd);
-      ASSERT_EQ(several.ghosts().size(), one.ghosts().size());
-      for (std::size_t k = 0; k < one.ghosts().size(); ++k) {
-        ASSERT_EQ(several.ghosts()[k].element, one.ghosts()[k].element);
-        ASSERT_EQ(several.ghosts()[k].image, one.ghosts()[k].image);
+      SCOPED_TRACE(std::string(name_of(simd)) + ", " + std::to_string(workers) + " workers");
+      const periodic::ImageSettings settings{system.margin, workers, kernels::image_kernels(simd)};
+      periodic::Images<Dim> several(memory);
+      auto elements = array_of(system.spheres, memory);
+      several.find(elements, bounds, reduced, settings);
+      expect_same_images(several, one);
+      for (const Layout layout : all_layouts) {
+        SCOPED_TRACE(layout);
+        const LaidOut<Dim> laid_out(system.spheres, layout);
+        several.find(laid_out.columns(), bounds, reduced, settings);
+        expect_same_images(several, one);
+        ASSERT_EQ(several.locals_and_ghosts().empty(), !elements_are_moved);
       }
-      for (std::size_t k = 0; k < one.locals_and_ghosts().size(); ++k) {
-        for (std::size_t axis = 0; axis < dim; ++axis) {
-          ASSERT_EQ(several.locals_and_ghosts()[k].center[axis],
-                    one.locals_and_ghosts()[k].center[axis]);
-        }
-      }
-      ASSERT_EQ(several.slack(), one.slack());
-      expect_same(several.local_bounds(), one.local_bounds());
-      expect_same(several.ghost_bounds(), one.ghost_bounds());
-      ASSERT_EQ(several.ghosts_are_outside(), one.ghosts_are_outside());
     }
   }
+}
+
+TYPED_TEST(Images, DoNotDependOnWorkersVectorsAndLayout) {
+  constexpr int dim = TypeParam::value;
+  PeriodicSystem<dim> system = system_with_ghosts<dim>(96, 1200);
+  expect_one_result(system, true);
+  // The same elements in one cell of a block.
+  system.lattice = {};
+  const grid::Bounds<dim> bounds = bounds_of<dim>(system.spheres);
+  for (std::size_t axis = 0; axis < dim; ++axis) {
+    system.lattice.vectors[axis][axis] = bounds.upper[axis] - bounds.lower[axis] + 0.25;
+    system.lattice.periodic[axis] = true;
+  }
+  system.margin = 0.1 * system.lattice.vectors[0][0];
+  expect_one_result(system, false);
 }
 
 TYPED_TEST(Images, AreFoundAgainInTheSameMemory) {

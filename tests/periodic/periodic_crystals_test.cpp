@@ -97,7 +97,7 @@ TEST(ImagesOfAnOrthogonalCell, LeaveElementsWhereTheyAre) {
   periodic::Images<3> images(memory);
   images.find(elements, bounds_of<3>(system.spheres), reduced,
               {0.0, 1, kernels::image_kernels(Simd::scalar)});
-  EXPECT_EQ(images.locals().data(), elements.data());
+  EXPECT_EQ(packed_locals(images).data(), elements.data());
   EXPECT_EQ(elements.size(), system.spheres.size() + images.ghosts().size());
   // Faces of the positive half: one layer of 100 in z, and in y and x with the layers beside it.
   // Of 10 layers one lies within reach of the next cell, one of the last.
@@ -121,9 +121,9 @@ TEST(ImagesOfAnOrthogonalCell, OneTenthOfACellOutsideIsWrapped) {
   periodic::Images<3> images(memory);
   images.find(elements, bounds_of<3>(system.spheres), reduced,
               {0.0, 1, kernels::image_kernels(Simd::scalar)});
-  ASSERT_NE(images.locals().data(), elements.data());
-  EXPECT_EQ(images.locals()[7].center[2], 1.0);
-  EXPECT_EQ(images.locals()[8].center[2], 8.0);
+  ASSERT_NE(packed_locals(images).data(), elements.data());
+  EXPECT_EQ(packed_locals(images)[7].center[2], 1.0);
+  EXPECT_EQ(packed_locals(images)[8].center[2], 8.0);
   EXPECT_EQ(images.shift_between(7, 8), (ImageShift{0, 0, 1}));
   EXPECT_EQ(images.shift_between(8, 7), (ImageShift{0, 0, -1}));
 }

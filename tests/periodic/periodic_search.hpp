@@ -116,10 +116,17 @@ template <int Dim>
   });
 }
 
+/// The locals where ghosts stand behind them.
+template <int Dim>
+[[nodiscard]] std::span<const exact::Sphere<Dim>> packed_locals(
+    const periodic::Images<Dim>& images) {
+  return images.locals_and_ghosts().first(images.locals().size);
+}
+
 template <int Dim>
 void expect_right_bounds(const periodic::Images<Dim>& images) {
-  const auto locals = images.locals();
-  const auto ghosts = images.locals_and_ghosts().subspan(locals.size());
+  const auto locals = packed_locals(images);
+  const auto ghosts = images.ghost_spheres();
   expect_same(images.local_bounds(), bounds_of<Dim>(locals));
   expect_same(images.ghost_bounds(), bounds_of<Dim>(ghosts));
   EXPECT_EQ(images.ghosts_are_outside(), are_outside<Dim>(ghosts, bounds_of<Dim>(locals)));
@@ -142,8 +149,8 @@ template <int Dim>
               {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
   if (images.reach_is_long()) return pairs_by_rationals(system);
   const double margin = system.margin * images.unit();
-  const auto locals = images.locals();
-  const auto ghosts = images.locals_and_ghosts().subspan(locals.size());
+  const auto locals = packed_locals(images);
+  const auto ghosts = images.ghost_spheres();
   expect_right_bounds(images);
   std::vector<FoundPair> pairs;
   const auto decide = [&](std::size_t i, std::size_t j, const ImageShift& shift) {

@@ -12,7 +12,7 @@ void FarSpheres<Dim>::start(std::size_t workers) {
 }
 
 template <int Dim>
-void FarSpheres<Dim>::note(const kernels::StridedSpheres& spheres, const LayerGrid<Dim>& grid,
+void FarSpheres<Dim>::note(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid,
                            std::size_t begin, std::size_t end, std::size_t worker) {
   List& list = noted_[worker];
   for (std::size_t k = begin; k < end; ++k) {

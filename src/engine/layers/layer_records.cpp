@@ -11,40 +11,56 @@ LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
       cursors_(memory) {}
 
 template <int Dim>
-void LayerRecords<Dim>::sort(const kernels::StridedSpheres& spheres, const LayerGrid<Dim>& grid,
+void LayerRecords<Dim>::sort(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid,
                              const kernels::LayerKernels& kernels, std::size_t workers,
                              base::WorkCounter& work, FarSpheres<Dim>& far) {
   if (grid.is_by_size()) far.start(workers);
   cursors_.start(grid.layer_count(), workers);
-  base::make_room(records_, spheres.size);
+  base::make_room(records_, spheres.size());
   has_radii_ = !grid.has_equal_radii();
-  if (has_radii_) base::make_room(radii_, spheres.size);
+  if (has_radii_) base::make_room(radii_, spheres.size());
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     std::uint64_t* const counts = cursors_.of(worker);
-    const auto [first, last] = base::share_of(worker, workers, spheres.size);
+    const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        ++counts[grid.layer_of_coordinate(*spheres.place(grid.layer_axis(), k))];
-      }
+      count(spheres.some(begin, end), grid, counts);
       if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });
   });
   if (grid.is_by_size()) far.sort(grid);
   cursors_.lay_out();
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
-    const kernels::RecordsByLayer to{cursors_.of(worker), records_.data(),
-                                     has_radii_ ? radii_.data() : nullptr};
-    const auto [first, last] = base::share_of(worker, workers, spheres.size);
+    const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      std::size_t k = begin + kernels.scatter(spheres, begin, end - begin, Dim, grid.map(), to);
-      for (; k < end; ++k) {
-        const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(spheres, k);
-        const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
-        to.records[place] = grid.record(sphere, static_cast<std::uint32_t>(k));
-        if (has_radii_) to.radii[place] = grid.units_of(sphere.radius);
-      }
+      scatter(spheres.some(begin, end), grid, kernels, cursors_.of(worker));
     });
   });
+}
+
+template <int Dim>
+void LayerRecords<Dim>::count(const kernels::SomeSpheres& some, const LayerGrid<Dim>& grid,
+                              std::uint64_t* counts) const {
+  for (const auto& [columns, begin, end, number_of_first] : some) {
+    for (std::size_t k = begin; k < end; ++k) {
+      ++counts[grid.layer_of_coordinate(*columns.place(grid.layer_axis(), k))];
+    }
+  }
+}
+
+template <int Dim>
+void LayerRecords<Dim>::scatter(const kernels::SomeSpheres& some, const LayerGrid<Dim>& grid,
+                                const kernels::LayerKernels& kernels, std::uint64_t* cursors) {
+  for (const auto& [columns, begin, end, number_of_first] : some) {
+    const kernels::RecordsByLayer to{cursors, records_.data(), has_radii_ ? radii_.data() : nullptr,
+                                     number_of_first};
+    std::size_t k = begin + kernels.scatter(columns, begin, end - begin, Dim, grid.map(), to);
+    for (; k < end; ++k) {
+      const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(columns, k);
+      const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
+      to.records[place] = grid.record(sphere, number_of_first + static_cast<std::uint32_t>(k));
+      if (has_radii_) to.radii[place] = grid.units_of(sphere.radius);
+    }
+  }
 }
 
 template class LayerRecords<2>;

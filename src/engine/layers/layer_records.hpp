@@ -6,7 +6,7 @@
 #include "engine/layers/layer_cursors.hpp"
 #include "engine/layers/layer_grid.hpp"
 #include "kernels/layers/layer_kernels.hpp"
-#include "kernels/strided_spheres.hpp"
+#include "kernels/sphere_parts.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +31,7 @@ class LayerRecords {
 
   /// Counts, then scatters: two passes over the elements, each shared by the workers. Where
   /// elements look for smaller ones, the first pass notes the far ones.
-  void sort(const kernels::StridedSpheres& spheres, const LayerGrid<Dim>& grid,
+  void sort(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid,
             const kernels::LayerKernels& kernels, std::size_t workers, base::WorkCounter& work,
             FarSpheres<Dim>& far);
 
@@ -45,6 +45,11 @@ class LayerRecords {
   [[nodiscard]] std::size_t largest_layer() const noexcept { return cursors_.largest(); }
 
  private:
+  void count(const kernels::SomeSpheres& some, const LayerGrid<Dim>& grid,
+             std::uint64_t* counts) const;
+  void scatter(const kernels::SomeSpheres& some, const LayerGrid<Dim>& grid,
+               const kernels::LayerKernels& kernels, std::uint64_t* cursors);
+
   base::Array<kernels::PositionRecord> records_;
   base::Array<float> radii_;
   LayerCursors cursors_;

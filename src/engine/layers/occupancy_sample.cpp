@@ -30,12 +30,12 @@ OccupancySample::OccupancySample(base::MemoryMeter& memory)
 
 template <int Dim>
 double OccupancySample::mean_occupancy(const LayerGrid<Dim>& grid,
-                                       const kernels::StridedSpheres& spheres, SampleSize size) {
-  const auto count = static_cast<double>(spheres.size);
+                                       const kernels::SphereParts& spheres, SampleSize size) {
+  const auto count = static_cast<double>(spheres.size());
   const auto draws = static_cast<std::size_t>(draws_for_root(size) * std::sqrt(count));
   base::make_room(drawn_, draws);
   for (std::size_t k = 0; k < draws; ++k) {
-    drawn_[k] = grid.cell(kernels::sphere_at<Dim>(spheres, scattered(k) % spheres.size));
+    drawn_[k] = grid.cell(kernels::sphere_at<Dim>(spheres, scattered(k) % spheres.size()));
   }
   const auto drawn = static_cast<double>(draws);
   const auto meetings = static_cast<double>(pairs_in_a_cell(draws));
@@ -61,9 +61,9 @@ std::uint64_t OccupancySample::pairs_in_a_cell(std::size_t draws) {
   return pairs;
 }
 
-template double OccupancySample::mean_occupancy(const LayerGrid<2>&, const kernels::StridedSpheres&,
+template double OccupancySample::mean_occupancy(const LayerGrid<2>&, const kernels::SphereParts&,
                                                 SampleSize);
-template double OccupancySample::mean_occupancy(const LayerGrid<3>&, const kernels::StridedSpheres&,
+template double OccupancySample::mean_occupancy(const LayerGrid<3>&, const kernels::SphereParts&,
                                                 SampleSize);
 
 }  // namespace abut::engine

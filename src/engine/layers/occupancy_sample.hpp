@@ -2,7 +2,7 @@
 
 #include "base/array.hpp"
 #include "engine/layers/layer_grid.hpp"
-#include "kernels/strided_spheres.hpp"
+#include "kernels/sphere_parts.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ class OccupancySample {
   /// cell, have 2.
   template <int Dim>
   [[nodiscard]] double mean_occupancy(const LayerGrid<Dim>& grid,
-                                      const kernels::StridedSpheres& spheres, SampleSize size);
+                                      const kernels::SphereParts& spheres, SampleSize size);
 
  private:
   [[nodiscard]] std::uint64_t pairs_in_a_cell(std::size_t draws);

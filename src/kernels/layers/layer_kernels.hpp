@@ -64,7 +64,8 @@ struct PositionMap {
 struct RecordsByLayer {
   std::uint64_t* cursors;  ///< next place, by layer
   PositionRecord* records;
-  float* radii;  ///< in units; null where all are equal
+  float* radii;                   ///< in units; null where all are equal
+  std::uint32_t number_of_first;  ///< of the first sphere of the columns that are read
 };
 
 /// Columns that hold sorted records, field by field.
@@ -140,9 +141,9 @@ struct FarSphere {
 
 /// The kernels of layers for one instruction set. All give the same pairs in the same order.
 struct LayerKernels {
-  /// Writes the record of each of `count` spheres, from number `first` on, to the next place of its
-  /// layer. Treats spheres from the front and returns how many it treated: none where their centers
-  /// lie neither in contiguous columns nor in contiguous records.
+  /// Writes the record of each of `count` spheres of the columns, from place `first` on, to the
+  /// next place of its layer. Treats spheres from the front and returns how many it treated: none
+  /// where their centers lie neither in contiguous columns nor in contiguous records.
   std::size_t (*scatter)(const kernels::StridedSpheres& spheres, std::size_t first,
                          std::size_t count, int dimensions, const PositionMap& map,
                          const RecordsByLayer& to);

@@ -67,6 +67,8 @@ std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, in
   return 0;
 }
 #else
+#include "kernels/simd_sphere_columns-inl.hpp"
+
 #include "kernels/layers/simd_layer_writer-inl.hpp"
 
 std::size_t scatter(const kernels::StridedSpheres& spheres, std::size_t first, std::size_t count,

@@ -1,65 +1,9 @@
 // Elements scattered to their layers, a block of records at a time, included once for each
 // instruction set into the namespace of layer_search_simd.cpp.
 
-using DoubleTag = hn::ScalableTag<double>;
-using Doubles = hn::Vec<DoubleTag>;
-constexpr DoubleTag doubles{};
 using WordTag = hn::Rebind<std::int32_t, DoubleTag>;
 constexpr WordTag words{};
 constexpr std::size_t elements_at_once = hn::MaxLanes(DoubleTag());
-
-/// Centers in a column of contiguous numbers for each axis.
-template <int Dim>
-class CenterColumns {
- public:
-  HWY_INLINE explicit CenterColumns(const kernels::StridedSpheres& spheres) : spheres_(spheres) {}
-
-  [[nodiscard]] static bool fit(const kernels::StridedSpheres& spheres) {
-    return std::all_of(spheres.stride, spheres.stride + Dim,
-                       [](std::ptrdiff_t stride) { return stride == 1; });
-  }
-
-  HWY_INLINE void load(std::size_t k, Doubles* center) const {
-    for (int axis = 0; axis < Dim; ++axis) {
-      center[axis] = hn::LoadU(doubles, spheres_.begin[axis] + k);
-    }
-  }
-
- private:
-  const kernels::StridedSpheres& spheres_;
-};
-
-/// Centers in records of so many numbers, contiguous and one behind the other.
-template <int Dim, int Length>
-class CenterRecords {
- public:
-  HWY_INLINE explicit CenterRecords(const kernels::StridedSpheres& spheres)
-      : records_(spheres.begin[0]) {}
-
-  [[nodiscard]] static bool fit(const kernels::StridedSpheres& spheres) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      if (spheres.stride[axis] != Length) return false;
-      if (spheres.begin[axis] != spheres.begin[0] + axis) return false;
-    }
-    return true;
-  }
-
-  HWY_INLINE void load(std::size_t k, Doubles* center) const {
-    Doubles other;
-    if constexpr (Length == 2) {
-      hn::LoadInterleaved2(doubles, records_ + k * 2, center[0], center[1]);
-    } else if constexpr (Dim == 2) {
-      hn::LoadInterleaved3(doubles, records_ + k * 3, center[0], center[1], other);
-    } else if constexpr (Length == 3) {
-      hn::LoadInterleaved3(doubles, records_ + k * 3, center[0], center[1], center[2]);
-    } else {
-      hn::LoadInterleaved4(doubles, records_ + k * 4, center[0], center[1], center[2], other);
-    }
-  }
-
- private:
-  const double* records_;
-};
 
 template <int Dim>
 class LayerWriter {
@@ -98,7 +42,8 @@ class LayerWriter {
       };
       const auto third = Dim == 2 ? hn::Zero(words) : position(Dim - 1);
       const auto number =
-          hn::Add(hn::Iota(words, 0), hn::Set(words, static_cast<std::int32_t>(first + k)));
+          hn::Add(hn::Iota(words, 0),
+                  hn::Set(words, static_cast<std::int32_t>(to_.number_of_first + first + k)));
       hn::StoreInterleaved4(position(0), position(1), third, number, words, block[k].position);
     }
   }

@@ -37,13 +37,14 @@ class FarSpheresOf : public ::testing::Test {
 
   void sort(engine::FarSpheres<its_dim>& far, std::size_t workers) {
     const Grid layers = grid();
+    const kernels::SphereParts all(kernels::strided_spheres<its_dim>(spheres_));
     far.start(workers);
     for (std::size_t w = 0; w < workers; ++w) {
       const std::size_t begin = spheres_.size() * w / workers;
       const std::size_t end = spheres_.size() * (w + 1) / workers;
       const std::size_t middle = (begin + end) / 2;
-      far.note(kernels::strided_spheres<its_dim>(spheres_), layers, begin, middle, w);
-      far.note(kernels::strided_spheres<its_dim>(spheres_), layers, middle, end, w);
+      far.note(all, layers, begin, middle, w);
+      far.note(all, layers, middle, end, w);
     }
     far.sort(layers);
   }

@@ -49,10 +49,16 @@ class LayerRecordsOf : public ::testing::Test {
         SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
         const Layout layout = all_layouts[++turn % all_layouts.size()];
         SCOPED_TRACE(layout);
-        const LaidOut<its_dim> laid_out(spheres, layout);
+        // Part of the spheres, all or none of them, are ghosts, whose numbers lie elsewhere.
+        const std::span all(spheres);
+        const std::size_t elements = random_.below(3) == 0   ? random_.below(all.size() + 1)
+                                     : random_.below(2) == 0 ? all.size()
+                                                             : 0;
+        const LaidOut<its_dim> laid_out(all.first(elements), layout);
+        const LaidOut<its_dim> ghosts(all.subspan(elements), Layout::packed);
         NobodyAsked nobody;
-        records_.sort(laid_out.columns(), grid, kernels::layer_kernels(level), workers, nobody.work,
-                      far_);
+        records_.sort({laid_out.columns(), ghosts.columns()}, grid, kernels::layer_kernels(level),
+                      workers, nobody.work, far_);
         std::size_t largest = 0;
         for (std::size_t layer = 0; layer < expected.size(); ++layer) {
           expect_layer(expected[layer], records_.layer(layer), grid.has_equal_radii());
@@ -109,8 +115,9 @@ TYPED_TEST(LayerRecordsOf, TheHookIsAskedInBothPasses) {
   };
   base::ProgressReporter progress(hook);
   base::WorkCounter work(progress, 0);
-  this->records_.sort(kernels::strided_spheres<dim>(spheres), this->grid_over(spheres),
-                      kernels::layer_kernels(Simd::scalar), 1, work, this->far_);
+  this->records_.sort(kernels::SphereParts(kernels::strided_spheres<dim>(spheres)),
+                      this->grid_over(spheres), kernels::layer_kernels(Simd::scalar), 1, work,
+                      this->far_);
   EXPECT_GE(asked, 2 * count / (base::ProgressReporter::steps_between_calls + 8192));
 }
 

@@ -24,7 +24,8 @@ class OccupancySampleOf : public ::testing::Test {
                         engine::SampleSize size = engine::SampleSize::full) {
     const auto grid =
         layer_grid_over<its_dim>(bounds_of<its_dim>(spheres), 1.0, 1.0, spheres.size());
-    return sample_.mean_occupancy(grid.value(), kernels::strided_spheres<its_dim>(spheres), size);
+    return sample_.mean_occupancy(
+        grid.value(), kernels::SphereParts(kernels::strided_spheres<its_dim>(spheres)), size);
   }
 
   base::MemoryMeter memory_;
@@ -90,7 +91,8 @@ TYPED_TEST(OccupancySampleOf, IsTheSameEachTime) {
   base::MemoryMeter memory;
   engine::OccupancySample other(memory);
   const auto grid = layer_grid_over<dim>(bounds_of<dim>(spheres), 1.0, 1.0, spheres.size());
-  EXPECT_EQ(other.mean_occupancy(grid.value(), kernels::strided_spheres<dim>(spheres),
+  EXPECT_EQ(other.mean_occupancy(grid.value(),
+                                 kernels::SphereParts(kernels::strided_spheres<dim>(spheres)),
                                  engine::SampleSize::full),
             first);
 }

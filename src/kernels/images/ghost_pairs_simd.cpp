@@ -1,12 +1,12 @@
 // Pairs with ghosts in vectors, compiled once for each instruction set (Highway).
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "kernels/ghost_pairs_simd.cpp"
+#define HWY_TARGET_INCLUDE "kernels/images/ghost_pairs_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "kernels/compress_table.hpp"
-#include "kernels/image_kernels.hpp"
+#include "kernels/images/image_kernels.hpp"
 
 #include <bit>
 #include <cstddef>

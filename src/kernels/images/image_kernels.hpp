@@ -1,5 +1,7 @@
 #pragma once
 
+#include "kernels/strided_spheres.hpp"
+
 #include <abut/pair.hpp>
 #include <abut/simd.hpp>
 
@@ -31,10 +33,10 @@ template <int Dim>
 
 /// Tells whether a coordinate is at most outer_below, or the radius at least outer_from_radius.
 template <int Dim>
-[[nodiscard]] inline bool is_outer(const OrthogonalCellMap& map, const double* record) {
-  bool outer = record[Dim] >= map.outer_from_radius;
+[[nodiscard]] inline bool is_outer(const OrthogonalCellMap& map, const exact::Sphere<Dim>& sphere) {
+  bool outer = sphere.radius >= map.outer_from_radius;
   for (std::size_t k = 0; k < map.sides; ++k) {
-    outer = outer || coordinate<Dim>(map, k, record) <= map.outer_below[k];
+    outer = outer || coordinate<Dim>(map, k, sphere.center) <= map.outer_below[k];
   }
   return outer;
 }
@@ -70,17 +72,19 @@ using KeepWithLocal = KeptPairs(const ContactPair* pairs, std::size_t count, std
 
 /// Passes over the elements of a periodic domain, in vectors. Each treats whole vectors from the
 /// front and returns how many elements it treated; what is left is the caller's, who has the same
-/// in plain C++ (so the level `scalar` treats none).
+/// in plain C++ (so the level `scalar` treats none, and no level treats spheres whose numbers lie
+/// too far apart).
 struct ImageKernels {
-  /// locals[k] = record k moved into the orthogonal cell, and by how many vectors: one word or
-  /// three of `cells`. Widens the bounds, and lists those that are outer then. Presupposes less
-  /// than 2^31 cells.
-  std::size_t (*wrap)(const double* records, std::size_t count, int dimensions,
-                      const OrthogonalCellMap& map, double* locals, void* cells,
+  /// locals[k] = sphere first + k moved into the orthogonal cell, and by how many vectors: one word
+  /// or three of `cells`. Widens the bounds, and lists those that are outer then, by k. Presupposes
+  /// less than 2^31 cells.
+  std::size_t (*wrap)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                      int dimensions, const OrthogonalCellMap& map, double* locals, void* cells,
                       CenterBounds& bounds, BlockList& outer);
 
-  std::size_t (*list_outer)(const double* records, std::size_t count, int dimensions,
-                            const OrthogonalCellMap& map, BlockList& outer);
+  /// Lists those of the spheres first + k that are outer, by k.
+  std::size_t (*list_outer)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                            int dimensions, const OrthogonalCellMap& map, BlockList& outer);
 
   KeepWithLocal* keep_with_local;
 };

@@ -2,34 +2,27 @@
 // set (Highway). The same operations on the same numbers as in plain C++, hence the same bits.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "kernels/image_kernels_simd.cpp"
+#define HWY_TARGET_INCLUDE "kernels/images/image_kernels_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "kernels/compress_table.hpp"
-#include "kernels/image_kernels.hpp"
+#include "kernels/images/image_kernels.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace abut::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using DoubleTag = hn::ScalableTag<double>;
-using Doubles = hn::Vec<DoubleTag>;
-constexpr DoubleTag doubles{};
+#include "kernels/simd_sphere_columns-inl.hpp"
+
 constexpr std::size_t lanes = hn::MaxLanes(DoubleTag());
 static_assert(BlockList::room + lanes <= sizeof(BlockList::number) / sizeof(std::uint32_t));
-
-template <int Dim>
-HWY_INLINE void load(const double* records, Doubles* center, Doubles& radius) {
-  if constexpr (Dim == 2) {
-    hn::LoadInterleaved3(doubles, records, center[0], center[1], radius);
-  } else {
-    hn::LoadInterleaved4(doubles, records, center[0], center[1], center[2], radius);
-  }
-}
 
 /// lattice::OrthogonalCell::coordinate.
 template <int Dim>
@@ -67,9 +60,10 @@ HWY_INLINE Mask outer_lanes(const OrthogonalCellMap& map, const Doubles* center,
   return outer;
 }
 
-template <int Dim, std::size_t Sides>
-std::size_t wrap_in(const double* records, std::size_t count, const OrthogonalCellMap& given,
-                    double* locals, void* cells_moved, CenterBounds& bounds, BlockList& outer) {
+template <int Dim, std::size_t Sides, class Spheres>
+std::size_t wrap_in(const Spheres& spheres, std::size_t first, std::size_t count,
+                    const OrthogonalCellMap& given, double* locals, void* cells_moved,
+                    CenterBounds& bounds, BlockList& outer) {
   const OrthogonalCellMap map = given;  // a copy that nothing can change
   std::uint32_t* end_of_outer = outer.number + outer.count;
   const hn::Rebind<std::int32_t, DoubleTag> integers;
@@ -84,7 +78,7 @@ std::size_t wrap_in(const double* records, std::size_t count, const OrthogonalCe
   for (; i + lanes <= count; i += lanes) {
     Doubles center[Dim];
     Doubles radius;
-    load<Dim>(records + i * (Dim + 1), center, radius);
+    spheres.load(first + i, center, radius);
     Doubles cells[3] = {hn::Zero(doubles), hn::Zero(doubles), hn::Zero(doubles)};
     for (std::size_t k = 0; k < Sides; ++k) {
       if (!map.along[k]) continue;
@@ -129,39 +123,114 @@ std::size_t wrap_in(const double* records, std::size_t count, const OrthogonalCe
   return i;
 }
 
-template <int Dim, std::size_t Sides>
-std::size_t list_outer_in(const double* records, std::size_t count, const OrthogonalCellMap& given,
-                          BlockList& outer) {
+template <int Dim, std::size_t Sides, class Spheres>
+std::size_t list_outer_in(const Spheres& spheres, std::size_t first, std::size_t count,
+                          const OrthogonalCellMap& given, BlockList& outer) {
   const OrthogonalCellMap map = given;  // a copy that nothing can change
   std::uint32_t* end = outer.number + outer.count;
   std::size_t i = 0;
   for (; i + lanes <= count; i += lanes) {
     Doubles center[Dim];
     Doubles radius;
-    load<Dim>(records + i * (Dim + 1), center, radius);
+    spheres.load(first + i, center, radius);
     end = list_lanes(doubles, outer_lanes<Dim, Sides>(map, center, radius), i, end);
   }
   outer.count = static_cast<std::size_t>(end - outer.number);
   return i;
 }
 
-std::size_t wrap(const double* records, std::size_t count, int dimensions,
-                 const OrthogonalCellMap& map, double* locals, void* cells, CenterBounds& bounds,
-                 BlockList& outer) {
-  const auto run = [&](auto wrapped) {
-    return wrapped(records, count, map, locals, cells, bounds, outer);
-  };
-  if (dimensions == 2) return map.sides == 1 ? run(wrap_in<2, 1>) : run(wrap_in<2, 2>);
-  if (map.sides == 3) return run(wrap_in<3, 3>);
-  return map.sides == 1 ? run(wrap_in<3, 1>) : run(wrap_in<3, 2>);
+/// The sides of a cell that lie along the axes, by axis: which elements are outer if no radius
+/// makes them so.
+template <int Dim>
+class SidesOfBlock {
+ public:
+  explicit SidesOfBlock(const OrthogonalCellMap& map) {
+    std::fill_n(below_, Dim, -std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < map.sides; ++k) {
+      std::size_t axis = 0;
+      while (axis + 1 < Dim && map.coefficients[k][axis] == 0.0) ++axis;
+      coefficient_[axis] = map.coefficients[k][axis];
+      below_[axis] = map.outer_below[k];
+    }
+  }
+
+  [[nodiscard]] static bool fit(const OrthogonalCellMap& map) {
+    for (std::size_t k = 0; k < map.sides; ++k) {
+      const double* const by_axis = map.coefficients[k];
+      if (std::count(by_axis, by_axis + Dim, 0.0) != Dim - 1) return false;
+    }
+    return map.outer_from_radius == std::numeric_limits<double>::infinity();
+  }
+
+  HWY_INLINE Mask outer_lanes(const Doubles* center) const {
+    Mask outer = outer_lanes(0, center[0]);
+    for (int axis = 1; axis < Dim; ++axis) {
+      outer = hn::Or(outer, outer_lanes(axis, center[axis]));
+    }
+    return outer;
+  }
+
+ private:
+  [[nodiscard]] HWY_INLINE Mask outer_lanes(int axis, Doubles x) const {
+    return hn::Le(hn::Mul(hn::Set(doubles, coefficient_[axis]), x), hn::Set(doubles, below_[axis]));
+  }
+
+  double coefficient_[Dim] = {};
+  double below_[Dim];
+};
+
+template <int Dim, class Spheres>
+std::size_t list_outer_of_block(const Spheres& spheres, std::size_t first, std::size_t count,
+                                const OrthogonalCellMap& map, BlockList& outer) {
+  const SidesOfBlock<Dim> sides(map);
+  std::uint32_t* end = outer.number + outer.count;
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    Doubles center[Dim];
+    spheres.load_center(first + i, center);
+    end = list_lanes(doubles, sides.outer_lanes(center), i, end);
+  }
+  outer.count = static_cast<std::size_t>(end - outer.number);
+  return i;
 }
 
-std::size_t list_outer(const double* records, std::size_t count, int dimensions,
-                       const OrthogonalCellMap& map, BlockList& outer) {
-  const auto run = [&](auto listed) { return listed(records, count, map, outer); };
-  if (dimensions == 2) return map.sides == 1 ? run(list_outer_in<2, 1>) : run(list_outer_in<2, 2>);
-  if (map.sides == 3) return run(list_outer_in<3, 3>);
-  return map.sides == 1 ? run(list_outer_in<3, 1>) : run(list_outer_in<3, 2>);
+/// Returns body(loader, sides) for the loader that reads such spheres, and the number of sides as
+/// a constant.
+template <int Dim, class Body>
+std::size_t with_sides(const StridedSpheres& spheres, std::size_t sides, const Body& body) {
+  return with_loader<Dim>(spheres, [&](const auto& loader) {
+    if (sides == 1) return body(loader, std::integral_constant<std::size_t, 1>());
+    if (Dim == 2 || sides == 2) return body(loader, std::integral_constant<std::size_t, 2>());
+    return body(loader, std::integral_constant<std::size_t, Dim>());
+  });
+}
+
+std::size_t wrap(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                 int dimensions, const OrthogonalCellMap& map, double* locals, void* cells,
+                 CenterBounds& bounds, BlockList& outer) {
+  const auto run = [&](auto dim) {
+    return with_sides<dim()>(spheres, map.sides, [&](const auto& loader, auto sides) {
+      return wrap_in<dim(), sides()>(loader, first, count, map, locals, cells, bounds, outer);
+    });
+  };
+  return dimensions == 2 ? run(std::integral_constant<int, 2>())
+                         : run(std::integral_constant<int, 3>());
+}
+
+std::size_t list_outer(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                       int dimensions, const OrthogonalCellMap& map, BlockList& outer) {
+  const auto run = [&](auto dim) {
+    if (SidesOfBlock<dim()>::fit(map)) {
+      return with_loader<dim()>(spheres, [&](const auto& loader) {
+        return list_outer_of_block<dim()>(loader, first, count, map, outer);
+      });
+    }
+    return with_sides<dim()>(spheres, map.sides, [&](const auto& loader, auto sides) {
+      return list_outer_in<dim(), sides()>(loader, first, count, map, outer);
+    });
+  };
+  return dimensions == 2 ? run(std::integral_constant<int, 2>())
+                         : run(std::integral_constant<int, 3>());
 }
 
 }  // namespace abut::kernels::HWY_NAMESPACE

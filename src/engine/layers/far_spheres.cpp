@@ -1,9 +1,17 @@
 #include "engine/layers/far_spheres.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace abut::engine {
+namespace {
+
+/// Elements that are looked at together: so few that their numbers stay in the nearest cache.
+constexpr std::size_t block_size = 512;
+
+}  // namespace
 
 template <int Dim>
 void FarSpheres<Dim>::start(std::size_t workers) {
@@ -15,11 +23,19 @@ template <int Dim>
 void FarSpheres<Dim>::note(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid,
                            std::size_t begin, std::size_t end, std::size_t worker) {
   List& list = noted_[worker];
-  for (std::size_t k = begin; k < end; ++k) {
-    const float radius = grid.units_of(spheres.radius(k));
-    if (!grid.is_far(radius)) continue;
-    const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(spheres, k);
-    list.push_back(grid.far_sphere(grid.record(sphere, static_cast<std::uint32_t>(k)), radius));
+  std::array<std::size_t, block_size> numbers;
+  for (; begin < end; begin += block_size) {
+    // Without a branch, for who is far cannot be foreseen.
+    std::size_t count = 0;
+    for (std::size_t k = begin; k < std::min(begin + block_size, end); ++k) {
+      numbers[count] = k;
+      count += grid.is_far(grid.units_of(spheres.radius(k))) ? 1 : 0;
+    }
+    for (const std::size_t k : std::span(numbers).first(count)) {
+      const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(spheres, k);
+      const auto record = grid.record(sphere, static_cast<std::uint32_t>(k));
+      list.push_back(grid.far_sphere(record, grid.units_of(sphere.radius)));
+    }
   }
 }
 

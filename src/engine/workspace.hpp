@@ -33,7 +33,8 @@ struct Workspace {
   OccupancySample occupancy;
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;
-  std::size_t most_in_layers = 0;  ///< in the last search, elements of the largest set in layers
+  std::size_t most_in_layers = 0;   ///< in the last search, elements of the largest set in layers
+  bool had_many_undecided = false;  ///< the last search in layers, as on lattices
   std::vector<std::unique_ptr<Members>>
       deferred;  ///< large search sets that wait until all are free
 };

@@ -32,6 +32,9 @@ struct LayerLimits {
   double most_by_size = 0.95;
   /// Other elements in an element's cell there, up to which they are: crowds are cut anew in tiles.
   double most_crowded_by_size = 12.0;
+  /// Elements from which on spheres are sorted by layer along with their records, where most pairs
+  /// must be decided: fewer are in the caches wherever they lie.
+  std::size_t least_elements_with_spheres = 400000;
 };
 
 /// Positions, columns, rows and layers of elements of one reach.

@@ -8,17 +8,20 @@ template <int Dim>
 LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
     : records_(base::make_array_for_overwrite<kernels::PositionRecord>(memory, 0)),
       radii_(base::make_array_for_overwrite<float>(memory, 0)),
+      spheres_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)),
       cursors_(memory) {}
 
 template <int Dim>
 void LayerRecords<Dim>::sort(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid,
-                             const kernels::LayerKernels& kernels, std::size_t workers,
-                             base::WorkCounter& work, FarSpheres<Dim>& far) {
+                             LayerItems items, const kernels::LayerKernels& kernels,
+                             std::size_t workers, base::WorkCounter& work, FarSpheres<Dim>& far) {
   if (grid.is_by_size()) far.start(workers);
   cursors_.start(grid.layer_count(), workers);
   base::make_room(records_, spheres.size());
   has_radii_ = !grid.has_equal_radii();
   if (has_radii_) base::make_room(radii_, spheres.size());
+  has_spheres_ = items == LayerItems::records_and_spheres;
+  if (has_spheres_) base::make_room(spheres_, spheres.size());
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     std::uint64_t* const counts = cursors_.of(worker);
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
@@ -53,12 +56,14 @@ void LayerRecords<Dim>::scatter(const kernels::SomeSpheres& some, const LayerGri
   for (const auto& [columns, begin, end, number_of_first] : some) {
     const kernels::RecordsByLayer to{cursors, records_.data(), has_radii_ ? radii_.data() : nullptr,
                                      number_of_first};
-    std::size_t k = begin + kernels.scatter(columns, begin, end - begin, Dim, grid.map(), to);
+    std::size_t k = begin;
+    if (!has_spheres_) k += kernels.scatter(columns, begin, end - begin, Dim, grid.map(), to);
     for (; k < end; ++k) {
       const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(columns, k);
       const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
       to.records[place] = grid.record(sphere, number_of_first + static_cast<std::uint32_t>(k));
       if (has_radii_) to.radii[place] = grid.units_of(sphere.radius);
+      if (has_spheres_) spheres_[place] = sphere;
     }
   }
 }

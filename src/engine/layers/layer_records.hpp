@@ -15,10 +15,15 @@
 namespace abut::engine {
 
 /// The elements of a layer.
+template <int Dim>
 struct LayerElements {
   std::span<const kernels::PositionRecord> records;
-  std::span<const float> radii;  ///< in units; none where all are equal
+  std::span<const float> radii;                 ///< in units; none where all are equal
+  std::span<const exact::Sphere<Dim>> spheres;  ///< none unless they were asked for
 };
+
+/// What is sorted by layer: records alone, or spheres besides, which decide on candidates.
+enum class LayerItems { records, records_and_spheres };
 
 /// Elements sorted by layer, those of a layer in the order of their numbers. It keeps its memory
 /// from search to search.
@@ -29,19 +34,22 @@ class LayerRecords {
  public:
   explicit LayerRecords(base::MemoryMeter& memory);
 
-  /// Counts, then scatters: two passes over the elements, each shared by the workers. Where
-  /// elements look for smaller ones, the first pass notes the far ones.
-  void sort(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid,
+  /// Counts, then scatters what is to be sorted: two passes over the elements, each shared by the
+  /// workers. Where elements look for smaller ones, the first pass notes the far ones.
+  void sort(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid, LayerItems items,
             const kernels::LayerKernels& kernels, std::size_t workers, base::WorkCounter& work,
             FarSpheres<Dim>& far);
 
-  [[nodiscard]] LayerElements layer(std::size_t k) const noexcept {
+  [[nodiscard]] LayerElements<Dim> layer(std::size_t k) const noexcept {
     const std::size_t begin = cursors_.begin(k);
     const std::size_t size = cursors_.size(k);
-    LayerElements layer{std::span(records_).subspan(begin, size), {}};
+    LayerElements<Dim> layer{std::span(records_).subspan(begin, size), {}, {}};
     if (has_radii_) layer.radii = std::span(radii_).subspan(begin, size);
+    if (has_spheres_) layer.spheres = std::span(spheres_).subspan(begin, size);
     return layer;
   }
+  /// Tells whether spheres were sorted along.
+  [[nodiscard]] bool has_spheres() const noexcept { return has_spheres_; }
   [[nodiscard]] std::size_t largest_layer() const noexcept { return cursors_.largest(); }
 
  private:
@@ -52,8 +60,10 @@ class LayerRecords {
 
   base::Array<kernels::PositionRecord> records_;
   base::Array<float> radii_;
+  base::Array<exact::Sphere<Dim>> spheres_;
   LayerCursors cursors_;
   bool has_radii_ = false;
+  bool has_spheres_ = false;
 };
 
 }  // namespace abut::engine

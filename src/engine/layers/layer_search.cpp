@@ -43,6 +43,19 @@ bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std:
   return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
 }
 
+/// Tells whether most spheres lie in the layer of the next one: of some spread over all.
+template <int Dim>
+bool are_along_space(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid) {
+  constexpr std::size_t samples = 64;
+  const auto layer = [&](std::size_t k) { return grid.layer(kernels::sphere_at<Dim>(spheres, k)); };
+  std::size_t in_one_layer = 0;
+  for (std::size_t sample = 0; sample < samples; ++sample) {
+    const std::size_t k = sample * (spheres.size() - 1) / samples;
+    if (layer(k) == layer(k + 1)) ++in_one_layer;
+  }
+  return 2 * in_one_layer > samples;
+}
+
 /// The stretches one after the other: each is two thirds of a worker's share of the layers left.
 class Stretches {
  public:
@@ -125,7 +138,8 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                                        std::uint64_t unit) {
   LayerRecords<Dim>& records = workspace_.layer_records;
   base::WorkCounter& work = workspace_.workers[0]->work();
-  records.sort(input_.spheres.first(set.locals.size()), grid, input_.layer_kernels, worker_count_,
+  const kernels::SphereParts spheres = input_.spheres.first(set.locals.size());
+  records.sort(spheres, grid, what_to_sort(spheres, grid), input_.layer_kernels, worker_count_,
                work, workspace_.far_spheres);
   const std::size_t workers = workers_for(grid, set.locals.size());
   const Stretches stretches(grid.layer_count(), workers);
@@ -144,8 +158,22 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                          }
                          if (worker_count_ > 1) worker.finish_unit();
                        });
+  workspace_.had_many_undecided = 2 * layers_with_many_undecided_ > grid.layer_count();
   context_.progress.poll();
   return unit + count;
+}
+
+/// Spheres are sorted along where the last search had to decide on most, and where those that are
+/// neighbors in memory are none in space, nor in a cache: else a layer's are copied in less time
+/// when it is sorted.
+template <int Dim>
+LayerItems LayerSearch<Dim>::what_to_sort(const kernels::SphereParts& spheres,
+                                          const LayerGrid<Dim>& grid) const {
+  const bool decides_on_spheres = input_.decider.spheres() != nullptr && !grid.is_by_size();
+  const bool pays = decides_on_spheres && workspace_.had_many_undecided &&
+                    spheres.size() >= input_.layer_limits.least_elements_with_spheres &&
+                    !are_along_space(spheres, grid);
+  return pays ? LayerItems::records_and_spheres : LayerItems::records;
 }
 
 /// The workers that have room for their layers, each for two or three of the largest, and for the
@@ -175,13 +203,15 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
   const auto sort = [&](std::size_t k) {
     const bool is_layer = k < grid.layer_count();
     // Where most pairs are decided by the spheres themselves, these are sorted along.
-    sorted.sort(grid, k, is_layer ? records.layer(k) : LayerElements{},
-                worker.has_many_undecided() ? spheres : nullptr, input_.layer_kernels, work);
+    const bool with_spheres = records.has_spheres() || worker.has_many_undecided();
+    sorted.sort(grid, k, is_layer ? records.layer(k) : LayerElements<Dim>{},
+                with_spheres ? spheres : nullptr, input_.layer_kernels, work);
   };
   sort(first);
   for (std::size_t k = first; k < last; ++k) {
     sort(k + 1);
     worker.search(sorted.pair(grid, k));
+    if (worker.has_many_undecided()) ++layers_with_many_undecided_;
     context_.progress.advance(records.layer(k).records.size());
   }
 }
@@ -194,11 +224,11 @@ void LayerSearch<Dim>::search_stretch_by_size(const LayerGrid<Dim>& grid, std::s
   SortedLayers<Dim>& sorted = worker.scratch().layers;
   FarSpheresInReach<Dim>& far = worker.scratch().far;
   sorted.start(grid, records.largest_layer());
-  const auto sort = [&](std::size_t k, const LayerElements& elements) {
+  const auto sort = [&](std::size_t k, const LayerElements<Dim>& elements) {
     sorted.sort(grid, k, elements, nullptr, input_.layer_kernels, work);
   };
   const auto sort_layer = [&](std::size_t k) {
-    sort(k, k < grid.layer_count() ? records.layer(k) : LayerElements{});
+    sort(k, k < grid.layer_count() ? records.layer(k) : LayerElements<Dim>{});
   };
   if (first == 0) {
     sort(sorted.before(0), {});

@@ -8,6 +8,7 @@
 #include "engine/tile_searcher.hpp"
 #include "engine/workspace.hpp"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -52,6 +53,8 @@ class LayerSearch {
                                      std::uint64_t unit);
 
  private:
+  [[nodiscard]] LayerItems what_to_sort(const kernels::SphereParts& spheres,
+                                        const LayerGrid<Dim>& grid) const;
   [[nodiscard]] std::size_t workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const;
   void search_stretch(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,
                       TileSearcher<Dim>& worker, base::WorkCounter& work);
@@ -62,6 +65,7 @@ class LayerSearch {
   Workspace<Dim>& workspace_;
   std::size_t worker_count_;
   base::DetectionContext& context_;
+  std::atomic<std::size_t> layers_with_many_undecided_{0};
 };
 
 }  // namespace abut::engine

@@ -66,13 +66,17 @@ void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_la
 
 template <int Dim>
 void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
-                             const LayerElements& elements, const kernels::StridedSpheres* spheres,
+                             const LayerElements<Dim>& elements,
+                             const kernels::StridedSpheres* spheres,
                              const kernels::LayerKernels& kernels, base::WorkCounter& work) {
   std::uint32_t* const table = this->table(k);
   count(grid, table, elements.records, work);
   const auto begin = static_cast<std::uint32_t>(lead + k % parts_ * part_);
   const std::uint32_t end = lay_out_table(grid, table, begin);
-  place(elements, table, begin, work);
+  if (spheres != nullptr) base::make_room(copies_, lead + parts_ * part_);
+  LayerElements<Dim> placed = elements;
+  if (spheres == nullptr) placed.spheres = {};
+  place(placed, table, begin, work);
   pad(grid, table, placed_.data() - begin, end);
   const std::size_t size = end - begin + tail;
   const kernels::LayerColumns columns{
@@ -84,7 +88,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
       grid.column_shift()};
   kernels.split(placed_.data(), size, columns);
   if (!grid.is_by_size()) has_copies_[k % 2] = spheres != nullptr;
-  if (spheres != nullptr) copy(*spheres, begin, size, work);
+  if (spheres != nullptr && elements.spheres.empty()) copy(*spheres, begin, size, work);
   work.did(size + table_size_);
 }
 
@@ -124,23 +128,30 @@ std::uint32_t SortedLayers<Dim>::lay_out_table(const LayerGrid<Dim>& grid, std::
   return place;
 }
 
-/// Brings the records into the order of their columns, radii at once to where they stay.
+/// Brings the records into the order of their columns; radii and spheres at once to where they
+/// stay.
 template <int Dim>
-void SortedLayers<Dim>::place(const LayerElements& elements, std::uint32_t* table,
+void SortedLayers<Dim>::place(const LayerElements<Dim>& elements, std::uint32_t* table,
                               std::uint32_t begin, base::WorkCounter& work) {
   kernels::PositionRecord* const placed = placed_.data();
-  float* const radii = radii_.data();
-  const auto place_all = [&](const auto& place_radius) {
+  const auto place_all = [&](const auto&... place_more) {
     work.in_pieces(0, elements.records.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t r = first; r < last; ++r) {
         const std::uint32_t place = table[entry_of_[r]]++;
         placed[place - begin] = elements.records[r];
-        place_radius(place, r);
+        (place_more(place, r), ...);
       }
     });
   };
-  if (elements.radii.empty()) return place_all([](std::uint32_t, std::size_t) {});
-  place_all([&](std::uint32_t place, std::size_t r) { radii[place] = elements.radii[r]; });
+  const auto radius = [&, radii = radii_.data()](std::uint32_t place, std::size_t r) {
+    radii[place] = elements.radii[r];
+  };
+  const auto sphere = [&, copies = copies_.data()](std::uint32_t place, std::size_t r) {
+    copies[place] = elements.spheres[r];
+  };
+  const bool has_radii = !elements.radii.empty();
+  if (elements.spheres.empty()) return has_radii ? place_all(radius) : place_all();
+  return has_radii ? place_all(radius, sphere) : place_all(sphere);
 }
 
 /// Copies spheres to the places of their records, padding those of anyone.
@@ -148,7 +159,6 @@ template <int Dim>
 void SortedLayers<Dim>::copy(const kernels::StridedSpheres& spheres, std::uint32_t begin,
                              std::size_t size, base::WorkCounter& work) {
   constexpr std::size_t fetched_ahead = 48;
-  base::make_room(copies_, lead + parts_ * part_);
   work.in_pieces(0, size, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       if (k + fetched_ahead < size) kernels::fetch<Dim>(spheres, placed_[k + fetched_ahead].number);

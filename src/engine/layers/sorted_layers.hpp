@@ -31,8 +31,8 @@ class SortedLayers {
   void start(const LayerGrid<Dim>& grid, std::size_t largest_layer);
 
   /// Sorts the records of layer k, by counting, into its part, with copies of their spheres unless
-  /// `spheres` is null.
-  void sort(const LayerGrid<Dim>& grid, std::size_t k, const LayerElements& elements,
+  /// `spheres` is null: of those of the layer, if there are any, or of all.
+  void sort(const LayerGrid<Dim>& grid, std::size_t k, const LayerElements<Dim>& elements,
             const kernels::StridedSpheres* spheres, const kernels::LayerKernels& kernels,
             base::WorkCounter& work);
 
@@ -53,7 +53,7 @@ class SortedLayers {
   void lay_out(const LayerGrid<Dim>& grid, std::size_t largest_layer) noexcept;
   [[nodiscard]] std::uint32_t lay_out_table(const LayerGrid<Dim>& grid, std::uint32_t* table,
                                             std::uint32_t begin) const noexcept;
-  void place(const LayerElements& elements, std::uint32_t* table, std::uint32_t begin,
+  void place(const LayerElements<Dim>& elements, std::uint32_t* table, std::uint32_t begin,
              base::WorkCounter& work);
   void copy(const kernels::StridedSpheres& spheres, std::uint32_t begin, std::size_t size,
             base::WorkCounter& work);

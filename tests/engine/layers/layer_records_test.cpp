@@ -57,11 +57,15 @@ class LayerRecordsOf : public ::testing::Test {
         const LaidOut<its_dim> laid_out(all.first(elements), layout);
         const LaidOut<its_dim> ghosts(all.subspan(elements), Layout::packed);
         NobodyAsked nobody;
-        records_.sort({laid_out.columns(), ghosts.columns()}, grid, kernels::layer_kernels(level),
-                      workers, nobody.work, far_);
+        const auto items = random_.below(2) == 0 ? engine::LayerItems::records
+                                                 : engine::LayerItems::records_and_spheres;
+        records_.sort({laid_out.columns(), ghosts.columns()}, grid, items,
+                      kernels::layer_kernels(level), workers, nobody.work, far_);
+        EXPECT_EQ(records_.has_spheres(), items == engine::LayerItems::records_and_spheres);
         std::size_t largest = 0;
         for (std::size_t layer = 0; layer < expected.size(); ++layer) {
           expect_layer(expected[layer], records_.layer(layer), grid.has_equal_radii());
+          expect_spheres(spheres, records_.layer(layer));
           largest = std::max(largest, expected[layer].size());
         }
         EXPECT_EQ(records_.largest_layer(), largest);
@@ -69,8 +73,8 @@ class LayerRecordsOf : public ::testing::Test {
     }
   }
 
-  static void expect_layer(const std::vector<Element>& expected, const engine::LayerElements& found,
-                           bool has_equal_radii) {
+  static void expect_layer(const std::vector<Element>& expected,
+                           const engine::LayerElements<its_dim>& found, bool has_equal_radii) {
     ASSERT_EQ(found.records.size(), expected.size());
     ASSERT_EQ(found.radii.size(), has_equal_radii ? 0 : expected.size());
     for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -79,6 +83,16 @@ class LayerRecordsOf : public ::testing::Test {
       if (!has_equal_radii) {
         ASSERT_EQ(found.radii[k], expected[k].radius);
       }
+    }
+  }
+
+  void expect_spheres(const Spheres<its_dim>& spheres,
+                      const engine::LayerElements<its_dim>& found) const {
+    ASSERT_EQ(found.spheres.size(), records_.has_spheres() ? found.records.size() : 0);
+    for (std::size_t k = 0; k < found.spheres.size(); ++k) {
+      const exact::Sphere<its_dim>& expected = spheres[found.records[k].number];
+      ASSERT_TRUE(std::ranges::equal(found.spheres[k].center, expected.center));
+      ASSERT_EQ(found.spheres[k].radius, expected.radius);
     }
   }
 
@@ -116,8 +130,8 @@ TYPED_TEST(LayerRecordsOf, TheHookIsAskedInBothPasses) {
   base::ProgressReporter progress(hook);
   base::WorkCounter work(progress, 0);
   this->records_.sort(kernels::SphereParts(kernels::strided_spheres<dim>(spheres)),
-                      this->grid_over(spheres), kernels::layer_kernels(Simd::scalar), 1, work,
-                      this->far_);
+                      this->grid_over(spheres), engine::LayerItems::records,
+                      kernels::layer_kernels(Simd::scalar), 1, work, this->far_);
   EXPECT_GE(asked, 2 * count / (base::ProgressReporter::steps_between_calls + 8192));
 }
 

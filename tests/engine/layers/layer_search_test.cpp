@@ -4,6 +4,7 @@
 #include "engine/layers/layer_run.hpp"
 #include "engine/layers/layer_scenes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -77,6 +78,43 @@ TYPED_TEST(LayerSearchOf, LatticesBesideRandomSystems) {
     append<dim>(spheres, part);
   }
   expect_right_in_layers<dim>(shuffled<dim>(spheres, this->random_));
+}
+
+/// From the second search of a lattice on, its spheres are sorted with their records, unless their
+/// numbers run along space; a search of others in between finds what it always finds.
+TYPED_TEST(LayerSearchOf, SpheresAreSortedAlongWhereMostPairsMustBeDecided) {
+  constexpr int dim = TypeParam::value;
+  const auto in_order = closest_lattice<dim>(dim == 2 ? 60 : 14);
+  const auto lattice = shuffled<dim>(in_order, this->random_);
+  auto mixed = lattice;
+  for (auto& sphere : mixed) sphere.radius -= this->random_.below(2) == 0 ? 0.0 : 0.01;
+  const auto others = uniform_spheres<dim>(this->random_, 2000, box_for<dim>(2000, 6.0));
+  engine::LayerLimits limits = always_in_layers;
+  limits.least_elements_with_spheres = 0;
+  for (const Simd level : simd_levels_here()) {
+    for (const std::size_t workers : {1U, 2U, 5U}) {
+      SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
+      const engine::RowsSettings settings{0.0, workers, level, limits};
+      base::DetectionContext context;
+      engine::Workspace<dim> workspace(context.memory);
+      const auto search = [&](const Spheres<dim>& spheres, bool with_spheres) {
+        KeptPairs sink;
+        engine::rows<dim>({spheres, {}}, bounds_of<dim>(spheres), settings, workspace, sink,
+                          context);
+        // Plain C++ decides pair by pair.
+        EXPECT_EQ(workspace.layer_records.has_spheres(), with_spheres && level != Simd::scalar);
+        EXPECT_TRUE(std::ranges::equal(sink.pairs(), run_rows<dim>(spheres, settings).pairs));
+      };
+      search(lattice, false);
+      search(lattice, true);
+      search(mixed, true);
+      search(in_order, false);
+      search(lattice, true);
+      search(others, true);
+      search(others, false);
+      search(lattice, false);
+    }
+  }
 }
 
 /// Not so different that they would be divided by size.

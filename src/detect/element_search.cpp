@@ -108,10 +108,13 @@ bool ElementSearch<Dim>::search_in_place(const ElementView& spheres, const Searc
                                          Statistics& statistics) {
   if (!may_be_in_place(spheres, task)) return false;
   const double common_radius = spheres.common_radius();
-  const auto columns = elements::strided_spheres(spheres, &common_radius);
+  auto columns = elements::strided_spheres(spheres, &common_radius);
   if (!columns) return false;
   base::Stopwatch stopwatch;
   elements::bound<Dim>(spheres, {task.settings.workers, task.settings.simd}, room, context);
+  if (room.bounds.smallest_radius == room.bounds.largest_radius) {
+    columns = columns->with_one_radius();
+  }
   statistics.gather_seconds = stopwatch.lap();
   note(choose(task.options, spheres.size()), task, statistics);
   context.progress.begin("search", spheres.size());

@@ -28,6 +28,13 @@ struct StridedSpheres {
     return columns;
   }
 
+  /// The same spheres, all of one radius: an array of radii is read at its first place only.
+  [[nodiscard]] StridedSpheres with_one_radius() const noexcept {
+    StridedSpheres columns = *this;
+    if (columns.stride[radii] == 1) columns.stride[radii] = 0;
+    return columns;
+  }
+
   [[nodiscard]] const double* place(int column, std::size_t k) const noexcept {
     return begin[column] + static_cast<std::ptrdiff_t>(k) * stride[column];
   }

@@ -189,6 +189,8 @@ ImageKernels image_kernels(Simd level) {
              double*, void*, CenterBounds&, BlockList&) { return std::size_t{0}; },
           [](const StridedSpheres&, std::size_t, std::size_t, int, const OrthogonalCellMap&,
              BlockList&) { return std::size_t{0}; },
+          [](const StridedSpheres&, std::size_t, std::size_t, int, const OrthogonalCellMap&,
+             CenterBounds&) { return std::size_t{0}; },
           [](const ContactPair*, std::size_t, std::uint32_t, ContactPair*, BlockList&) {
             return KeptPairs{0, 0};
           }};

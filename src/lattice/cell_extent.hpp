@@ -2,7 +2,7 @@
 
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
-#include "lattice/orthogonal_cell.hpp"
+#include "lattice/cell_sides.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace abut::lattice {
 
-/// The coordinates along the sides of an orthogonal cell that occur among some elements, and how
+/// The coordinates along the sides of a cell that occur among some elements, and how
 /// far these lie from the origin.
 template <int Dim>
 struct CellExtent {
@@ -42,9 +42,9 @@ struct CellExtent {
 /// Returns the extent of the spheres sphere_at(0), sphere_at(1), ...
 template <int Dim, class SphereAt>
 [[nodiscard]] CellExtent<Dim> extent_of(std::size_t count_of_spheres, const SphereAt& sphere_at,
-                                        const OrthogonalCell<Dim>& orthogonal_cell) noexcept {
-  return with_count<Dim>(orthogonal_cell.count, [&](auto count) {
-    const OrthogonalCell<Dim> map = orthogonal_cell;  // a copy that nothing can change
+                                        const CellSides<Dim>& cell) noexcept {
+  return with_count<Dim>(cell.count, [&](auto count) {
+    const CellSides<Dim> map = cell;  // a copy that nothing can change
     CellExtent<Dim> extent;
     for (std::size_t number = 0; number < count_of_spheres; ++number) {
       const exact::Sphere<Dim> sphere = sphere_at(number);
@@ -63,20 +63,20 @@ template <int Dim, class SphereAt>
 
 template <int Dim>
 [[nodiscard]] CellExtent<Dim> extent_of(std::span<const exact::Sphere<Dim>> spheres,
-                                        const OrthogonalCell<Dim>& orthogonal_cell) noexcept {
+                                        const CellSides<Dim>& cell) noexcept {
   return extent_of<Dim>(
-      spheres.size(), [&](std::size_t k) { return spheres[k]; }, orthogonal_cell);
+      spheres.size(), [&](std::size_t k) { return spheres[k]; }, cell);
 }
 
 /// Returns the extent of a box. If sides are aligned, it is that of its elements, in rounded
 /// numbers too.
 template <int Dim>
 [[nodiscard]] CellExtent<Dim> extent_of(const grid::Bounds<Dim>& bounds,
-                                        const OrthogonalCell<Dim>& orthogonal_cell) noexcept {
+                                        const CellSides<Dim>& cell) noexcept {
   std::array<exact::Sphere<Dim>, 2> corners{};
   std::copy(bounds.lower.begin(), bounds.lower.end(), corners[0].center);
   std::copy(bounds.upper.begin(), bounds.upper.end(), corners[1].center);
-  return extent_of<Dim>(std::span<const exact::Sphere<Dim>>(corners), orthogonal_cell);
+  return extent_of<Dim>(std::span<const exact::Sphere<Dim>>(corners), cell);
 }
 
 }  // namespace abut::lattice

@@ -3,7 +3,8 @@
 #include "base/host_device.hpp"
 #include "exact/sphere.hpp"
 #include "lattice/cell_extent.hpp"
-#include "lattice/orthogonal_cell.hpp"
+#include "lattice/cell_sides.hpp"
+#include "lattice/reduced_lattice.hpp"
 
 #include <abut/element_view.hpp>
 
@@ -28,28 +29,28 @@ struct Reaches {
 enum class Shell { half, full };
 
 /// Says which images of an element may be within reach of some local element: those whose
-/// coordinates along the orthogonal cell are nowhere farther outside of the locals' than the reach.
+/// coordinates along the sides of a cell are nowhere farther outside of the locals' than the reach.
 /// A little is added for all that is rounded (docs/derivations/periodic_images.md, 3 and 5).
 template <int Dim>
 class GhostWindow {
  public:
   /// `extent` holds all locals, which are given times `unit`.
-  GhostWindow(const ReducedLattice<Dim>& lattice, const OrthogonalCell<Dim>& orthogonal_cell,
+  GhostWindow(const ReducedLattice<Dim>& lattice, const CellSides<Dim>& cell,
               const CellExtent<Dim>& extent, const Reaches& reaches, double unit) noexcept
-      : orthogonal_cell_(orthogonal_cell), extent_(extent) {
+      : cell_(cell), extent_(extent) {
     const double scale = lattice.scale / unit;
     Vector farthest_numbers = farthest_numbers_of(lattice, reaches, scale);
     do {
       measure(reaches, scale, farthest_numbers);
     } while (lower(farthest_numbers));
-    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
-      for (std::size_t l = k + 1; l < orthogonal_cell_.count; ++l) {
-        is_block_ = is_block_ && orthogonal_cell_.offset[k][l] == 0.0;
+    for (std::size_t k = 0; k < cell_.count; ++k) {
+      for (std::size_t l = k + 1; l < cell_.count; ++l) {
+        is_block_ = is_block_ && cell_.offset[k][l] == 0.0;
       }
     }
   }
 
-  [[nodiscard]] ABUT_HD std::size_t sides() const noexcept { return orthogonal_cell_.count; }
+  [[nodiscard]] ABUT_HD std::size_t sides() const noexcept { return cell_.count; }
 
   /// The distance from the locals that an image may have along side k, in sides, with the largest
   /// radius.
@@ -61,7 +62,7 @@ class GhostWindow {
   /// Upper bound of the images that one local element has in its window.
   [[nodiscard]] double most_images() const noexcept {
     double images = 1.0;
-    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+    for (std::size_t k = 0; k < cell_.count; ++k) {
       images *= extent_.upper[k] - extent_.lower[k] + 2.0 * widest_[k] + 1.0;
     }
     return images;
@@ -80,8 +81,8 @@ class GhostWindow {
     std::int64_t images = 0;
     std::int64_t others = 0;
     for (std::size_t k = 0; k < Dim; ++k) {
-      if (k >= orthogonal_cell_.count) break;
-      const double place = orthogonal_cell_.coordinate(k, local.center);
+      if (k >= cell_.count) break;
+      const double place = cell_.coordinate(k, local.center);
       const double lower = extent_.lower[k] - below_[k].at(local.radius);
       const double upper = extent_.upper[k] + above_[k].at(local.radius);
       numbers[k] = below(upper - place);
@@ -99,8 +100,8 @@ class GhostWindow {
     std::array<double, Dim> places{};
     Limits limits;
     for (std::size_t k = 0; k < Dim; ++k) {
-      if (k >= orthogonal_cell_.count) break;
-      places[k] = orthogonal_cell_.coordinate(k, local.center);
+      if (k >= cell_.count) break;
+      places[k] = cell_.coordinate(k, local.center);
       limits.lower[k] = extent_.lower[k] - below_[k].at(local.radius);
       limits.upper[k] = extent_.upper[k] + above_[k].at(local.radius);
     }
@@ -113,7 +114,7 @@ class GhostWindow {
   }
 
  private:
-  using Vector = typename OrthogonalCell<Dim>::Vector;
+  using Vector = typename CellSides<Dim>::Vector;
 
   /// The distance from the locals that images of a radius may have, in sides.
   struct Width {
@@ -137,39 +138,38 @@ class GhostWindow {
                              double scale) const noexcept {
     // Rounded up, the length of the longest vectors is infinite.
     const auto length = [&](std::size_t side) {
-      const double rounded_up = lattice.length[orthogonal_cell_.vector_of[side]];
+      const double rounded_up = lattice.length[cell_.vector_of[side]];
       return std::min(rounded_up, std::numeric_limits<double>::max()) * lattice.scale;
     };
     double distance = 4.0 * (reaches.largest_radius * scale) + 2.0 * (reaches.margin * scale);
-    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+    for (std::size_t k = 0; k < cell_.count; ++k) {
       const double spread = extent_.upper[k] - extent_.lower[k];
-      distance += (spread + 0x1p-40 * orthogonal_cell_.magnitude(k, extent_.farthest)) * length(k);
+      distance += (spread + 0x1p-40 * cell_.magnitude(k, extent_.farthest)) * length(k);
     }
     Vector result{};
-    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k)
-      result[k] = 2.5 * (distance / length(k));
+    for (std::size_t k = 0; k < cell_.count; ++k) result[k] = 2.5 * (distance / length(k));
     return result;
   }
 
   /// All widths, with numbers of no more than that along later sides.
   void measure(const Reaches& reaches, double scale, const Vector& farthest_numbers) noexcept {
-    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+    for (std::size_t k = 0; k < cell_.count; ++k) {
       double moved = 0.0;  // by images along earlier sides
-      double rounding = 0x1p-47 * orthogonal_cell_.magnitude(k, extent_.farthest) + 0x1p-40;
-      for (std::size_t l = 0; l < orthogonal_cell_.count; ++l) {
-        rounding += 0x1p-60 * orthogonal_cell_.weight[k][l];
+      double rounding = 0x1p-47 * cell_.magnitude(k, extent_.farthest) + 0x1p-40;
+      for (std::size_t l = 0; l < cell_.count; ++l) {
+        rounding += 0x1p-60 * cell_.weight[k][l];
         if (l < k) {
-          const double offset = std::fabs(orthogonal_cell_.offset[l][k]) * most_cells_[l];
+          const double offset = std::fabs(cell_.offset[l][k]) * most_cells_[l];
           moved += offset;
-          rounding += 0x1p-48 * offset + most_cells_[l] * orthogonal_cell_.error[k][l];
-        } else if (l > k && orthogonal_cell_.error[k][l] > 0.0) {
-          rounding += farthest_numbers[l] * orthogonal_cell_.error[k][l];
+          rounding += 0x1p-48 * offset + most_cells_[l] * cell_.error[k][l];
+        } else if (l > k && cell_.error[k][l] > 0.0) {
+          rounding += farthest_numbers[l] * cell_.error[k][l];
         }
       }
       set_widths(k, reaches, scale, rounding);
       // Images along the side itself: of its own error they take twice the part that they are.
       const double most = extent_.upper[k] - extent_.lower[k] + widest_[k] + moved;
-      rounding += 2.0 * orthogonal_cell_.error[k][k] * most;
+      rounding += 2.0 * cell_.error[k][k] * most;
       set_widths(k, reaches, scale, rounding);
       set_most_cells(k, moved, rounding);
     }
@@ -180,7 +180,7 @@ class GhostWindow {
   [[nodiscard]] bool lower(Vector& farthest_numbers) const noexcept {
     constexpr double far_more_than_any = 0x1p36;
     bool lowered = false;
-    for (std::size_t k = 0; k < orthogonal_cell_.count; ++k) {
+    for (std::size_t k = 0; k < cell_.count; ++k) {
       if (!(farthest_numbers[k] > far_more_than_any)) continue;
       if (!(most_cells_[k] < 0.5 * farthest_numbers[k])) continue;
       farthest_numbers[k] = most_cells_[k];
@@ -191,16 +191,14 @@ class GhostWindow {
 
   void set_widths(std::size_t k, const Reaches& reaches, double scale, double rounding) noexcept {
     if (reaches.shape == Shape::sphere) {
-      const double dual_length = orthogonal_cell_.dual_length[k];
+      const double dual_length = cell_.dual_length[k];
       const double common = reaches.largest_radius * scale + reaches.margin * scale;
       above_[k] = {dual_length * scale * (1.0 + 0x1p-38),
                    dual_length * common * (1.0 + 0x1p-38) + rounding};
       below_[k] = above_[k];
     } else {
-      above_[k] = width_of_boxes(orthogonal_cell_.rise[k], orthogonal_cell_.fall[k], reaches, scale,
-                                 rounding);
-      below_[k] = width_of_boxes(orthogonal_cell_.fall[k], orthogonal_cell_.rise[k], reaches, scale,
-                                 rounding);
+      above_[k] = width_of_boxes(cell_.rise[k], cell_.fall[k], reaches, scale, rounding);
+      below_[k] = width_of_boxes(cell_.fall[k], cell_.rise[k], reaches, scale, rounding);
     }
     const double widest_above = above_[k].at(reaches.largest_radius);
     widest_[k] = std::max(widest_above, below_[k].at(reaches.largest_radius));
@@ -232,7 +230,7 @@ class GhostWindow {
                     ImageNumbers& numbers, Visit& visit) const {
     const std::int64_t last = below(limits.upper[k] - places[k]);
     std::int64_t first = -below(places[k] - limits.lower[k]);
-    const bool is_last = k + 1 == orthogonal_cell_.count;
+    const bool is_last = k + 1 == cell_.count;
     if (all_zero && shell == Shell::half) first = 0;
     if (is_last) {
       // The local element itself is no image.
@@ -245,7 +243,7 @@ class GhostWindow {
       for (std::int64_t number = first; number <= last; ++number) {
         std::array<double, Dim> moved = places;
         for (std::size_t l = k + 1; l < Dim; ++l) {
-          moved[l] += static_cast<double>(number) * orthogonal_cell_.offset[k][l];
+          moved[l] += static_cast<double>(number) * cell_.offset[k][l];
         }
         numbers[k] = number;
         if (!walk<k + 1, shell>(moved, limits, all_zero && number == 0, numbers, visit)) {
@@ -263,7 +261,7 @@ class GhostWindow {
     return whole - static_cast<std::int64_t>(static_cast<double>(whole) > x);
   }
 
-  OrthogonalCell<Dim> orthogonal_cell_;
+  CellSides<Dim> cell_;
   CellExtent<Dim> extent_;
   std::array<Width, Dim> above_{};
   std::array<Width, Dim> below_{};

@@ -11,7 +11,7 @@
 
 namespace abut::lattice {
 
-/// The periodic image of an element moved by `image` vectors of the sides of the orthogonal cell.
+/// The periodic image of an element moved by `image` vectors of the sides of a cell.
 template <class Number>
 struct GhostOf {
   std::uint32_t element;
@@ -43,13 +43,13 @@ struct GhostWindows {
   GhostWindow<Dim> of_large;
   double cut;  ///< infinite: all are small
 
-  GhostWindows(const ReducedLattice<Dim>& lattice, const OrthogonalCell<Dim>& orthogonal_cell,
+  GhostWindows(const ReducedLattice<Dim>& lattice, const CellSides<Dim>& cell,
                const CellExtent<Dim>& extent, const Reaches& reaches, double least_large,
                double unit)
-      : of_small(lattice, orthogonal_cell, extent,
+      : of_small(lattice, cell, extent,
                  {std::min(reaches.largest_radius, least_large), reaches.margin, reaches.shape},
                  unit),
-        of_large(lattice, orthogonal_cell, extent, reaches, unit),
+        of_large(lattice, cell, extent, reaches, unit),
         cut(least_large) {}
 
   /// Calls visit(first, last, numbers) as GhostWindow does.

@@ -1,22 +1,17 @@
 #include "lattice/orthogonal_cell.hpp"
 
 #include "lattice/dot.hpp"
+#include "lattice/measure_sides.hpp"
 
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 
 namespace abut::lattice {
 namespace {
-
-template <int Dim>
-using Vectors = std::array<std::array<double, Dim>, Dim>;
-
-template <int Dim>
-double length_of(const std::array<double, Dim>& vector) {
-  return std::sqrt(dot<Dim>(vector, vector));
-}
 
 /// Sides along the axes of space, the last side first: of a vector that leads along one axis only,
 /// axes of sides that are there already aside. Exact. False where there is no such vector.
@@ -73,27 +68,6 @@ void orthogonalise(std::span<const std::array<double, Dim>> vectors,
   }
 }
 
-/// The rounding of three products and two sums, and of the vector itself, is below 2^-50 of the
-/// weight; the difference to what is expected is exact, or rounded once.
-template <int Dim>
-void measure_errors(std::span<const std::array<double, Dim>> vectors,
-                    OrthogonalCell<Dim>& orthogonal_cell) {
-  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-    for (std::size_t l = 0; l < orthogonal_cell.count; ++l) {
-      const auto& vector = vectors[orthogonal_cell.vector_of[l]];
-      double weight = 0.0;
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        weight += std::fabs(orthogonal_cell.coefficients[k][axis] * vector[axis]);
-      }
-      const double product = dot<Dim>(orthogonal_cell.coefficients[k], vector);
-      const double expected = l == k ? 1.0 : (l < k ? orthogonal_cell.offset[l][k] : 0.0);
-      orthogonal_cell.weight[k][l] = weight * (1.0 + 0x1p-40);
-      orthogonal_cell.error[k][l] =
-          (std::fabs(product - expected) + 0x1p-50 * weight) * (1.0 + 0x1p-40);
-    }
-  }
-}
-
 /// Checks what docs/derivations/periodic_images.md assumes of the coordinates: earlier ones do not
 /// notice a vector, its own is moved by 1, later ones by the offset, but for 2^-46 of the lengths;
 /// the sides are perpendicular, and none is longer than its vector.
@@ -122,23 +96,15 @@ bool is_sound(std::span<const std::array<double, Dim>> vectors,
 }  // namespace
 
 template <int Dim>
-OrthogonalCell<Dim>::OrthogonalCell(const ReducedLattice<Dim>& lattice, double unit)
-    : count(lattice.count) {
-  Vectors<Dim> scaled{};
-  for (std::size_t v = 0; v < count; ++v) {
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      scaled[v][axis] = lattice.vectors[v][axis] * lattice.scale;
-    }
-  }
-  const auto vectors = std::span<const Vector>(scaled).first(count);
+OrthogonalCell<Dim>::OrthogonalCell(const ReducedLattice<Dim>& lattice, double unit) {
+  this->count = lattice.count;
+  const Vectors<Dim> scaled = scaled_vectors<Dim>(lattice);
+  const auto vectors = std::span<const Vector>(scaled).first(this->count);
   if (!align<Dim>(vectors, *this)) orthogonalise<Dim>(vectors, *this);
-  for (std::size_t k = 0; k < count; ++k) {
-    dual_length[k] = length_of<Dim>(coefficients[k]) * (1.0 + 0x1p-40);
-    for (const double x : coefficients[k]) (x > 0.0 ? rise : fall)[k] += std::fabs(x);
-    rise[k] *= 1.0 + 0x1p-40;
-    fall[k] *= 1.0 + 0x1p-40;
-    for (std::size_t later = k + 1; later < count; ++later) {
-      offset[k][later] = dot<Dim>(coefficients[later], vectors[vector_of[k]]);
+  measure_lengths<Dim>(*this);
+  for (std::size_t k = 0; k < this->count; ++k) {
+    for (std::size_t later = k + 1; later < this->count; ++later) {
+      this->offset[k][later] = dot<Dim>(this->coefficients[later], vectors[this->vector_of[k]]);
     }
   }
   measure_errors<Dim>(vectors, *this);
@@ -147,11 +113,7 @@ OrthogonalCell<Dim>::OrthogonalCell(const ReducedLattice<Dim>& lattice, double u
                 "the lattice vectors are so unequal in length that the shape of their cell exceeds "
                 "the range of numbers; give vectors of more equal lengths");
   }
-  for (Vector& row : coefficients) {
-    for (double& x : row) {
-      if (x != 0.0) x *= lattice.scale / unit;
-    }
-  }
+  scale_sides<Dim>(lattice, unit, *this);
 }
 
 template struct OrthogonalCell<2>;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lattice/cell_extent.hpp"
+#include "lattice/cell_sides.hpp"
 #include "lattice/ghost_window.hpp"
-#include "lattice/orthogonal_cell.hpp"
 #include "lattice/reduced_lattice.hpp"
 
 #include <abut/element_view.hpp>
@@ -12,27 +12,27 @@
 #include <cstddef>
 
 /// What is decided of all elements of a periodic domain before any is moved: along which sides of
-/// the orthogonal cell, and how far all that is rounded may put them off
+/// a cell, and how far all that is rounded may put them off
 /// (docs/derivations/periodic_images.md, 4).
 namespace abut::lattice {
 
-/// A choice for each side of an orthogonal cell.
+/// A choice for each side of a cell.
 template <int Dim>
 using AlongSides = std::array<bool, Dim>;
 
 /// The distance along side k, in sides, that so many cells along earlier sides move an element by.
 template <int Dim>
 [[nodiscard]] double moved_along_earlier_sides(
-    const OrthogonalCell<Dim>& orthogonal_cell, std::size_t k,
-    const typename OrthogonalCell<Dim>::Vector& cells) noexcept {
+    const CellSides<Dim>& cell, std::size_t k,
+    const typename CellSides<Dim>::Vector& cells) noexcept {
   double moved = 0.0;
-  for (std::size_t l = 0; l < k; ++l) moved += std::fabs(orthogonal_cell.offset[l][k]) * cells[l];
+  for (std::size_t l = 0; l < k; ++l) moved += std::fabs(cell.offset[l][k]) * cells[l];
   return moved;
 }
 
 /// Upper bounds of the cells by which elements of that extent are moved along each of some sides.
 template <int Dim>
-[[nodiscard]] std::array<double, Dim> most_cells_moved(const OrthogonalCell<Dim>& orthogonal_cell,
+[[nodiscard]] std::array<double, Dim> most_cells_moved(const CellSides<Dim>& cell,
                                                        const CellExtent<Dim>& extent,
                                                        const AlongSides<Dim>& along) noexcept;
 
@@ -45,14 +45,13 @@ template <int Dim>
 /// those on both sides of a face would be moved by a long vector, and all rounding would be
 /// relative to that.
 template <int Dim>
-[[nodiscard]] AlongSides<Dim> sides_to_wrap(const OrthogonalCell<Dim>& orthogonal_cell,
+[[nodiscard]] AlongSides<Dim> sides_to_wrap(const CellSides<Dim>& cell,
                                             const CellExtent<Dim>& extent,
                                             const GhostWindow<Dim>& window) noexcept;
 
 /// True if all elements of that extent are far from what check_range refuses.
 template <int Dim>
-[[nodiscard]] bool is_in_range(const OrthogonalCell<Dim>& orthogonal_cell,
-                               const CellExtent<Dim>& extent,
+[[nodiscard]] bool is_in_range(const CellSides<Dim>& cell, const CellExtent<Dim>& extent,
                                const GhostWindow<Dim>& window) noexcept;
 
 /// Vectors of the sides times a unit, 0 where there are fewer sides than axes.
@@ -61,8 +60,7 @@ using SideSteps = std::array<std::array<double, Dim>, Dim>;
 
 template <int Dim>
 [[nodiscard]] SideSteps<Dim> side_steps(const ReducedLattice<Dim>& lattice,
-                                        const OrthogonalCell<Dim>& orthogonal_cell,
-                                        double unit) noexcept;
+                                        const CellSides<Dim>& cell, double unit) noexcept;
 
 /// The distance of two locals, or of a local element and a ghost, from where they are stored, is
 /// off by at most this part of magnitude_of if locals were moved by Wrapper, or not at all.
@@ -84,8 +82,8 @@ template <int Dim>
 /// more cells than that.
 template <int Dim>
 [[nodiscard]] std::array<double, 3> most_shifts(
-    const ReducedLattice<Dim>& lattice, const OrthogonalCell<Dim>& orthogonal_cell,
-    const GhostWindow<Dim>& window, const std::array<double, Dim>& cells_moved_at_most) noexcept;
+    const ReducedLattice<Dim>& lattice, const CellSides<Dim>& cell, const GhostWindow<Dim>& window,
+    const std::array<double, Dim>& cells_moved_at_most) noexcept;
 
 /// Shifts up to this bound, which is off by what doubles round, fit 32 bits.
 inline constexpr double largest_bound_of_shifts = 0x1p30;

@@ -13,10 +13,9 @@
 namespace abut::periodic {
 
 template <int Dim>
-void Images<Dim>::note_shifts(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
-                              const Window& window) {
+void Images<Dim>::note_shifts(const lattice::CellSides<Dim>& cell, const Window& window) {
   const std::array<double, 3> shift =
-      lattice::most_shifts<Dim>(*lattice_, orthogonal_cell, window, cells_moved_at_most_);
+      lattice::most_shifts<Dim>(*lattice_, cell, window, cells_moved_at_most_);
   std::array<std::size_t, 3> side_of_axis{2, 2, 2};
   bool as_given = true;
   for (std::size_t k = 0; k < lattice_->count; ++k) {
@@ -83,13 +82,13 @@ ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
   lattice::refuse_shift(i, j);
 }
 
-template void Images<2>::note_shifts(const lattice::OrthogonalCell<2>&, const Window&);
+template void Images<2>::note_shifts(const lattice::CellSides<2>&, const Window&);
 template void Images<2>::shifts_between(std::span<const ContactPair>, std::span<ImageShift>) const;
 template lattice::ImageNumbers Images<2>::numbers_between(std::size_t, std::size_t,
                                                           const std::array<std::int32_t, 3>&) const;
 template ImageShift Images<2>::shift_between(std::size_t, std::size_t,
                                              const std::array<std::int32_t, 3>&) const;
-template void Images<3>::note_shifts(const lattice::OrthogonalCell<3>&, const Window&);
+template void Images<3>::note_shifts(const lattice::CellSides<3>&, const Window&);
 template void Images<3>::shifts_between(std::span<const ContactPair>, std::span<ImageShift>) const;
 template lattice::ImageNumbers Images<3>::numbers_between(std::size_t, std::size_t,
                                                           const std::array<std::int32_t, 3>&) const;

@@ -4,6 +4,7 @@
 #include "grid/scaling.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/lattice_unit.hpp"
+#include "lattice/oblique_cell.hpp"
 #include "lattice/wrap_rules.hpp"
 #include "periodic/most_ghosts.hpp"
 #include "periodic/place_locals.hpp"
@@ -70,7 +71,7 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
   const lattice::ReducedLattice<Dim>& lattice = *lattice_;
   if (given_.size == 0 || lattice.count == 0) return;
   const lattice::OrthogonalCell<Dim> orthogonal_cell(lattice, 1.0);
-  measure(orthogonal_cell, settings.workers);
+  take(orthogonal_cell, extent_in(orthogonal_cell, settings));
   const lattice::Reaches reaches{bounds_.largest_radius, settings.margin, settings.shape};
   const Windows windows(lattice, orthogonal_cell, extent_, reaches, settings.size_cut, 1.0);
   if (!lattice::is_in_range(orthogonal_cell, extent_, windows.of_large)) {
@@ -82,6 +83,7 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
     slack_ = lattice::slack_of_ghosts * magnitude_of(windows.of_large, along, settings.shape);
     return add_ghosts(given, {orthogonal_cell, windows, {}, false}, settings);
   }
+  if (given.locals == 0 && find_in_oblique_cell(given, settings)) return;
   overwrite(own_spheres_, given_.size, given_.size + given_.size / 8);
   locals_ = kernels::strided_spheres<Dim>(own_spheres_);
   if (unit_ == 1.0) {
@@ -97,6 +99,38 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
   const Windows after(lattice, scaled_orthogonal_cell, extent_, scaled, size_cut_, unit_);
   slack_ = lattice::slack_of_ghosts * magnitude_of(after.of_large, along, settings.shape);
   add_ghosts({own_spheres_, given_.size}, {scaled_orthogonal_cell, after, {}, false}, settings);
+}
+
+/// Finds the images where the elements, which are not packed, lie in one cell of the vectors
+/// themselves, so that none must be moved. Returns false where they do not, as some of them show if
+/// they lie anywhere; nothing has changed then.
+template <int Dim>
+bool Images<Dim>::find_in_oblique_cell(const GhostArray& given, const ImageSettings& settings) {
+  constexpr std::size_t samples = 64;
+  if (unit_ != 1.0 || lattice_->count < Dim) return false;
+  const lattice::ObliqueCell<Dim> cell(*lattice_, 1.0);
+  const lattice::Reaches reaches{bounds_.largest_radius, settings.margin, settings.shape};
+  const auto windows_around = [&](const lattice::CellExtent<Dim>& extent) {
+    return Windows(*lattice_, cell, extent, reaches, settings.size_cut, 1.0);
+  };
+  const auto is_one_cell = [&](const lattice::CellExtent<Dim>& extent) {
+    const Windows windows = windows_around(extent);
+    const Along along = lattice::sides_to_wrap<Dim>(cell, extent, windows.of_large);
+    return std::count(along.begin(), along.end(), true) == 0 &&
+           lattice::is_in_range<Dim>(cell, extent, windows.of_large);
+  };
+  const auto sample = [&](std::size_t k) {
+    return kernels::sphere_at<Dim>(given_, k * (given_.size - 1) / samples);
+  };
+  if (!is_one_cell(lattice::extent_of<Dim>(samples, sample, cell))) return false;
+  const lattice::CellExtent<Dim> extent = extent_in(cell, settings);
+  if (!is_one_cell(extent)) return false;
+  take(cell, extent);
+  moved_any_ = false;
+  const Windows windows = windows_around(extent);
+  slack_ = lattice::slack_of_ghosts * magnitude_of(windows.of_large, {}, settings.shape);
+  add_ghosts(given, {cell, windows, {}, false}, settings);
+  return true;
 }
 
 template <int Dim>
@@ -124,25 +158,29 @@ void Images<Dim>::start_anew(const kernels::StridedSpheres& elements,
   shifts_always_fit_ = true;
 }
 
+/// Locals have that extent in that cell from here on.
+template <int Dim>
+void Images<Dim>::take(const lattice::CellSides<Dim>& cell,
+                       const lattice::CellExtent<Dim>& extent) {
+  vector_of_ = cell.vector_of;
+  steps_ = lattice::side_steps<Dim>(*lattice_, cell, unit_);
+  extent_ = extent;
+}
+
 /// The extent of the elements as given.
 template <int Dim>
-void Images<Dim>::measure(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
-                          std::size_t workers) {
-  vector_of_ = orthogonal_cell.vector_of;
-  steps_ = lattice::side_steps<Dim>(*lattice_, orthogonal_cell, unit_);
-  if (orthogonal_cell.is_aligned()) {
-    extent_ = lattice::extent_of(bounds_, orthogonal_cell);
-    return;
-  }
+lattice::CellExtent<Dim> Images<Dim>::extent_in(const lattice::CellSides<Dim>& cell,
+                                                const ImageSettings& settings) {
+  if (cell.is_aligned()) return lattice::extent_of(bounds_, cell);
+  const std::size_t workers = settings.workers;
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, given_.size);
-    const auto sphere_at = [&, begin = first](std::size_t k) {
-      return kernels::sphere_at<Dim>(given_, begin + k);
-    };
-    parts_[worker].extent = lattice::extent_of<Dim>(last - first, sphere_at, orthogonal_cell);
+    parts_[worker].extent =
+        extent_of<Dim>(given_, first, last - first, cell, bounds_, settings.kernels);
   });
-  extent_ = {};
-  for (std::size_t worker = 0; worker < workers; ++worker) extent_.include(parts_[worker].extent);
+  lattice::CellExtent<Dim> extent;
+  for (std::size_t worker = 0; worker < workers; ++worker) extent.include(parts_[worker].extent);
+  return extent;
 }
 
 /// Looks at each element, since bounds do not tell whether all are in range.
@@ -227,15 +265,15 @@ void Images<Dim>::wrap_exactly(const lattice::OrthogonalCell<Dim>& orthogonal_ce
 template <int Dim>
 void Images<Dim>::add_ghosts(const GhostArray& array, const Plan& plan,
                              const ImageSettings& settings) {
-  require_narrow_windows<Dim>(plan.orthogonal_cell.count, plan.windows);
-  note_shifts(plan.orthogonal_cell, plan.windows.of_large);
+  require_narrow_windows<Dim>(plan.cell.count, plan.windows);
+  note_shifts(plan.cell, plan.windows.of_large);
   if (!plan.moves) {
     reach_is_long_ = is_long_reach<Dim>(locals_, plan.windows);
     if (array.locals > 0) locals_and_ghosts_ = array.spheres;
     if (reach_is_long_) return;
     require_countable<Dim>(locals_, plan.windows);
   }
-  auto map = map_of<Dim>(*lattice_, plan.orthogonal_cell, plan.along, plan.windows);
+  auto map = map_of<Dim>(*lattice_, plan.cell, plan.along, plan.windows);
   map.pack = cells_moved_.is_packed();
   const std::size_t workers = settings.workers;
   base::for_each_worker(workers, [&](std::size_t worker) {

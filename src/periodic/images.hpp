@@ -167,7 +167,7 @@ class Images {
 
   /// The way to find ghosts among locals, which may have to be moved first.
   struct Plan {
-    const lattice::OrthogonalCell<Dim>& orthogonal_cell;
+    const lattice::CellSides<Dim>& cell;
     const Windows& windows;
     Along along;
     bool moves;  ///< the elements as given to the locals
@@ -176,7 +176,10 @@ class Images {
   void start_anew(const kernels::StridedSpheres& elements, const grid::Bounds<Dim>& bounds,
                   const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
   void find_with(const GhostArray& given, const ImageSettings& settings);
-  void measure(const lattice::OrthogonalCell<Dim>& orthogonal_cell, std::size_t workers);
+  bool find_in_oblique_cell(const GhostArray& given, const ImageSettings& settings);
+  void take(const lattice::CellSides<Dim>& cell, const lattice::CellExtent<Dim>& extent);
+  [[nodiscard]] lattice::CellExtent<Dim> extent_in(const lattice::CellSides<Dim>& cell,
+                                                   const ImageSettings& settings);
   void check_range(const GhostArray& given, const ImageSettings& settings);
   bool wrap_fast_if_near(const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
                          const ImageSettings& settings);
@@ -186,7 +189,7 @@ class Images {
   void join_boxes(std::size_t workers);
   void join_ghosts(std::size_t workers);
   void place_ghosts_at(const GhostArray& array, const ImageSettings& settings);
-  void note_shifts(const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Window& window);
+  void note_shifts(const lattice::CellSides<Dim>& cell, const Window& window);
   [[nodiscard]] double magnitude_of(const Window& window, const Along& along, Shape shape) const;
   void packed_shifts_between(std::span<const ContactPair> pairs,
                              std::span<ImageShift> shifts) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace abut::periodic {
 namespace {
@@ -30,24 +31,51 @@ lattice::CellsMoved wrap_fast(const kernels::OrthogonalCellMap& map, exact::Sphe
 }  // namespace
 
 template <int Dim>
-kernels::OrthogonalCellMap map_of(const lattice::ReducedLattice<Dim>& lattice,
-                                  const lattice::OrthogonalCell<Dim>& orthogonal_cell,
-                                  const std::array<bool, Dim>& along,
-                                  const GhostWindows<Dim>& windows) {
+kernels::OrthogonalCellMap map_of(const lattice::CellSides<Dim>& cell) {
   kernels::OrthogonalCellMap map{};
-  map.sides = orthogonal_cell.count;
-  map.outer_from_radius = windows.cut;
-  for (std::size_t k = 0; k < orthogonal_cell.count; ++k) {
-    map.along[k] = along[k];
-    map.outer_below[k] = windows.of_small.outer_below()[k];
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      map.coefficients[k][axis] = orthogonal_cell.coefficients[k][axis];
-      map.vectors[k][axis] = lattice.vectors[orthogonal_cell.vector_of[k]][axis];
-    }
-    for (std::size_t l = 0; l < orthogonal_cell.count; ++l)
-      map.offset[k][l] = orthogonal_cell.offset[k][l];
+  map.sides = cell.count;
+  for (std::size_t k = 0; k < cell.count; ++k) {
+    std::copy(cell.coefficients[k].begin(), cell.coefficients[k].end(), map.coefficients[k]);
+    std::copy(cell.offset[k].begin(), cell.offset[k].end(), map.offset[k]);
   }
   return map;
+}
+
+template <int Dim>
+kernels::OrthogonalCellMap map_of(const lattice::ReducedLattice<Dim>& lattice,
+                                  const lattice::CellSides<Dim>& cell,
+                                  const std::array<bool, Dim>& along,
+                                  const GhostWindows<Dim>& windows) {
+  kernels::OrthogonalCellMap map = map_of(cell);
+  map.outer_from_radius = windows.cut;
+  for (std::size_t k = 0; k < cell.count; ++k) {
+    const auto& vector = lattice.vectors[cell.vector_of[k]];
+    map.along[k] = along[k];
+    map.outer_below[k] = windows.of_small.outer_below()[k];
+    std::copy(vector.begin(), vector.end(), map.vectors[k]);
+  }
+  return map;
+}
+
+template <int Dim>
+lattice::CellExtent<Dim> extent_of(const kernels::StridedSpheres& spheres, std::size_t first,
+                                   std::size_t count, const lattice::CellSides<Dim>& cell,
+                                   const grid::Bounds<Dim>& bounds,
+                                   const kernels::ImageKernels& kernels) {
+  kernels::CenterBounds sides{};
+  std::fill_n(sides.lower, Dim, std::numeric_limits<double>::infinity());
+  std::fill_n(sides.upper, Dim, -std::numeric_limits<double>::infinity());
+  const std::size_t treated = kernels.bound_sides(spheres, first, count, Dim, map_of(cell), sides);
+  const auto sphere_at = [&](std::size_t k) {
+    return kernels::sphere_at<Dim>(spheres, first + treated + k);
+  };
+  lattice::CellExtent<Dim> extent = lattice::extent_of<Dim>(count - treated, sphere_at, cell);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    extent.lower[axis] = std::min(extent.lower[axis], sides.lower[axis]);
+    extent.upper[axis] = std::max(extent.upper[axis], sides.upper[axis]);
+    extent.farthest[axis] = std::max(std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis]));
+  }
+  return extent;
 }
 
 template <int Dim>
@@ -106,11 +134,17 @@ void wrap_fast(const LocalBlock& elements, const kernels::OrthogonalCellMap& map
 }
 
 template kernels::OrthogonalCellMap map_of<2>(const lattice::ReducedLattice<2>&,
-                                              const lattice::OrthogonalCell<2>&,
+                                              const lattice::CellSides<2>&,
                                               const std::array<bool, 2>&, const GhostWindows<2>&);
 template kernels::OrthogonalCellMap map_of<3>(const lattice::ReducedLattice<3>&,
-                                              const lattice::OrthogonalCell<3>&,
+                                              const lattice::CellSides<3>&,
                                               const std::array<bool, 3>&, const GhostWindows<3>&);
+template lattice::CellExtent<2> extent_of(const kernels::StridedSpheres&, std::size_t, std::size_t,
+                                          const lattice::CellSides<2>&, const grid::Bounds<2>&,
+                                          const kernels::ImageKernels&);
+template lattice::CellExtent<3> extent_of(const kernels::StridedSpheres&, std::size_t, std::size_t,
+                                          const lattice::CellSides<3>&, const grid::Bounds<3>&,
+                                          const kernels::ImageKernels&);
 template struct WrapEstimate<2>;
 template struct WrapEstimate<3>;
 template void wrap_fast(const LocalBlock&, const kernels::OrthogonalCellMap&,

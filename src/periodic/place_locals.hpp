@@ -18,12 +18,21 @@
 
 namespace abut::periodic {
 
-/// The numbers of an orthogonal cell for vector kernels: who may have ghosts, as the windows say.
+/// The numbers of a cell for vector kernels: who may have ghosts, as the windows say.
 template <int Dim>
 [[nodiscard]] kernels::OrthogonalCellMap map_of(const lattice::ReducedLattice<Dim>& lattice,
-                                                const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                                                const lattice::CellSides<Dim>& cell,
                                                 const std::array<bool, Dim>& along,
                                                 const GhostWindows<Dim>& windows);
+
+/// The extent of the spheres [first, first + count) along the sides of a cell; `bounds` are those
+/// of all spheres.
+template <int Dim>
+[[nodiscard]] lattice::CellExtent<Dim> extent_of(const kernels::StridedSpheres& spheres,
+                                                 std::size_t first, std::size_t count,
+                                                 const lattice::CellSides<Dim>& cell,
+                                                 const grid::Bounds<Dim>& bounds,
+                                                 const kernels::ImageKernels& kernels);
 
 /// Moves that bring some elements into the orthogonal cell at the origin.
 template <int Dim>

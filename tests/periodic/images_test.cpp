@@ -77,6 +77,9 @@ void compare(const PeriodicSystem<Dim>& system, std::size_t& pairs) {
                                 std::nextafter(system.spheres.back().radius, HUGE_VAL), 0.0}) {
     ASSERT_EQ(pairs_by_images(system, size_cut), expected) << size_cut;
     ASSERT_EQ(pairs_by_images(system, size_cut, widest), expected) << size_cut;
+    for (const Simd simd : {Simd::scalar, widest}) {
+      ASSERT_EQ(PairsInPlace<Dim>(system, size_cut, simd).pairs, expected) << size_cut;
+    }
   }
   pairs += expected.size();
 }
@@ -186,6 +189,26 @@ TYPED_TEST(Images, OfReachesPlantedAtTheDistance) {
     ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << named << " round " << round;
   }
   EXPECT_GT(pairs, 500u);
+}
+
+/// Elements in one cell of the vectors stay where they lie, whatever the angles of these.
+TYPED_TEST(Images, OfElementsInAnObliqueCell) {
+  constexpr int dim = TypeParam::value;
+  Random random(99);
+  std::size_t pairs = 0;
+  int oblique = 0;
+  for (int round = 0; round < 300; ++round) {
+    const auto named = random_lattice<dim>(random);
+    const double radius = random.uniform(0.02, 0.3) * shortest_height<dim>(named.lattice);
+    const auto system = random_system<dim>(named.lattice, 30, radius, 0.0, random);
+    SCOPED_TRACE(::testing::Message() << named << " round " << round);
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs));
+    if (lattice::ReducedLattice<dim>(named.lattice).count < dim) continue;
+    ASSERT_TRUE(PairsInPlace<dim>(system, HUGE_VAL, Simd::scalar).none_is_moved);
+    ++oblique;
+  }
+  EXPECT_GT(pairs, 3000u);
+  EXPECT_GT(oblique, 60);
 }
 
 TYPED_TEST(Images, AtEveryScale) {

@@ -123,9 +123,19 @@ template <int Dim>
   return images.locals_and_ghosts().first(images.locals().size);
 }
 
+/// The locals, wherever they lie.
+template <int Dim>
+[[nodiscard]] std::vector<exact::Sphere<Dim>> locals_of(const periodic::Images<Dim>& images) {
+  std::vector<exact::Sphere<Dim>> locals;
+  for (std::size_t k = 0; k < images.locals().size; ++k) {
+    locals.push_back(kernels::sphere_at<Dim>(images.locals(), k));
+  }
+  return locals;
+}
+
 template <int Dim>
 void expect_right_bounds(const periodic::Images<Dim>& images) {
-  const auto locals = packed_locals(images);
+  const auto locals = locals_of(images);
   const auto ghosts = images.ghost_spheres();
   expect_same(images.local_bounds(), bounds_of<Dim>(locals));
   expect_same(images.ghost_bounds(), bounds_of<Dim>(ghosts));
@@ -138,18 +148,11 @@ template <int Dim>
 /// All that a search over locals and ghosts finds, in canonical order; a pair found twice stands
 /// there twice. Of a long reach, which has no ghosts, it is what there is to find.
 template <int Dim>
-[[nodiscard]] std::vector<FoundPair> pairs_by_images(const PeriodicSystem<Dim>& system,
-                                                     double size_cut = HUGE_VAL,
-                                                     Simd simd = Simd::scalar) {
-  const lattice::ReducedLattice<Dim> reduced(system.lattice);
-  base::MemoryMeter memory;
-  auto elements = array_of(system.spheres, memory);
-  periodic::Images<Dim> images(memory);
-  images.find(elements, bounds_of<Dim>(system.spheres), reduced,
-              {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
+[[nodiscard]] std::vector<FoundPair> pairs_of(const periodic::Images<Dim>& images,
+                                              const PeriodicSystem<Dim>& system) {
   if (images.reach_is_long()) return pairs_by_rationals(system);
   const double margin = system.margin * images.unit();
-  const auto locals = packed_locals(images);
+  const auto locals = locals_of(images);
   const auto ghosts = images.ghost_spheres();
   expect_right_bounds(images);
   std::vector<FoundPair> pairs;
@@ -173,6 +176,39 @@ template <int Dim>
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
+
+/// The pairs that are found by the images of packed spheres.
+template <int Dim>
+[[nodiscard]] std::vector<FoundPair> pairs_by_images(const PeriodicSystem<Dim>& system,
+                                                     double size_cut = HUGE_VAL,
+                                                     Simd simd = Simd::scalar) {
+  const lattice::ReducedLattice<Dim> reduced(system.lattice);
+  base::MemoryMeter memory;
+  auto elements = array_of(system.spheres, memory);
+  periodic::Images<Dim> images(memory);
+  images.find(elements, bounds_of<Dim>(system.spheres), reduced,
+              {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
+  return pairs_of(images, system);
+}
+
+/// The pairs that are found by the images of spheres that stay where they lie, and whether none of
+/// these was moved.
+template <int Dim>
+struct PairsInPlace {
+  std::vector<FoundPair> pairs;
+  bool none_is_moved;
+
+  PairsInPlace(const PeriodicSystem<Dim>& system, double size_cut, Simd simd) {
+    const lattice::ReducedLattice<Dim> reduced(system.lattice);
+    base::MemoryMeter memory;
+    periodic::Images<Dim> images(memory);
+    const auto given = kernels::strided_spheres<Dim>(system.spheres);
+    images.find(given, bounds_of<Dim>(system.spheres), reduced,
+                {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
+    pairs = pairs_of(images, system);
+    none_is_moved = images.locals().begin[0] == given.begin[0];
+  }
+};
 
 /// All images within reach, in rational numbers. The numbers m of the basis vectors are enumerated
 /// within |f_k - m_k| <= reach / height_k, with exact fractional coordinates f and heights rounded

@@ -86,6 +86,10 @@ struct ImageKernels {
   std::size_t (*list_outer)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
                             int dimensions, const OrthogonalCellMap& map, BlockList& outer);
 
+  /// Widens the bounds, by side, by the coordinates of the spheres first + k.
+  std::size_t (*bound_sides)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                             int dimensions, const OrthogonalCellMap& map, CenterBounds& bounds);
+
   KeepWithLocal* keep_with_local;
 };
 

@@ -194,6 +194,33 @@ std::size_t list_outer_of_block(const Spheres& spheres, std::size_t first, std::
   return i;
 }
 
+template <int Dim, std::size_t Sides, class Spheres>
+std::size_t bound_sides_in(const Spheres& spheres, std::size_t first, std::size_t count,
+                           const OrthogonalCellMap& given, CenterBounds& bounds) {
+  const OrthogonalCellMap map = given;  // a copy that nothing can change
+  Doubles lower[Sides];
+  Doubles upper[Sides];
+  for (std::size_t k = 0; k < Sides; ++k) {
+    lower[k] = hn::Set(doubles, bounds.lower[k]);
+    upper[k] = hn::Set(doubles, bounds.upper[k]);
+  }
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    Doubles center[Dim];
+    spheres.load_center(first + i, center);
+    for (std::size_t k = 0; k < Sides; ++k) {
+      const Doubles place = coordinate<Dim>(map.coefficients[k], center);
+      lower[k] = hn::Min(lower[k], place);
+      upper[k] = hn::Max(upper[k], place);
+    }
+  }
+  for (std::size_t k = 0; k < Sides; ++k) {
+    bounds.lower[k] = hn::GetLane(hn::MinOfLanes(doubles, lower[k]));
+    bounds.upper[k] = hn::GetLane(hn::MaxOfLanes(doubles, upper[k]));
+  }
+  return i;
+}
+
 /// Returns body(loader, sides) for the loader that reads such spheres, and the number of sides as
 /// a constant.
 template <int Dim, class Body>
@@ -233,6 +260,17 @@ std::size_t list_outer(const StridedSpheres& spheres, std::size_t first, std::si
                          : run(std::integral_constant<int, 3>());
 }
 
+std::size_t bound_sides(const StridedSpheres& spheres, std::size_t first, std::size_t count,
+                        int dimensions, const OrthogonalCellMap& map, CenterBounds& bounds) {
+  const auto run = [&](auto dim) {
+    return with_sides<dim()>(spheres, map.sides, [&](const auto& loader, auto sides) {
+      return bound_sides_in<dim(), sides()>(loader, first, count, map, bounds);
+    });
+  };
+  return dimensions == 2 ? run(std::integral_constant<int, 2>())
+                         : run(std::integral_constant<int, 3>());
+}
+
 }  // namespace abut::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -241,12 +279,14 @@ namespace abut::kernels {
 
 HWY_EXPORT(wrap);
 HWY_EXPORT(list_outer);
+HWY_EXPORT(bound_sides);
 
 ImageKernels simd_image_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(wrap)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(list_outer)[chosen.GetIndex()], simd_keep_with_local(target)};
+          HWY_DISPATCH_TABLE(list_outer)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(bound_sides)[chosen.GetIndex()], simd_keep_with_local(target)};
 }
 
 }  // namespace abut::kernels

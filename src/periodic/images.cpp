@@ -103,7 +103,8 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
 
 /// Finds the images where the elements, which are not packed, lie in one cell of the vectors
 /// themselves, so that none must be moved. Returns false where they do not, as some of them show if
-/// they lie anywhere; nothing has changed then.
+/// they lie anywhere, or where it is so far away that rounding would make cells larger than the
+/// reach asks for; nothing has changed then.
 template <int Dim>
 bool Images<Dim>::find_in_oblique_cell(const GhostArray& given, const ImageSettings& settings) {
   constexpr std::size_t samples = 64;
@@ -125,12 +126,23 @@ bool Images<Dim>::find_in_oblique_cell(const GhostArray& given, const ImageSetti
   if (!is_one_cell(lattice::extent_of<Dim>(samples, sample, cell))) return false;
   const lattice::CellExtent<Dim> extent = extent_in(cell, settings);
   if (!is_one_cell(extent)) return false;
-  take(cell, extent);
-  moved_any_ = false;
   const Windows windows = windows_around(extent);
-  slack_ = lattice::slack_of_ghosts * magnitude_of(windows.of_large, {}, settings.shape);
+  const auto steps = lattice::side_steps<Dim>(*lattice_, cell, unit_);
+  const double slack = lattice::slack_of_ghosts *
+                       lattice::magnitude_of<Dim>(extent, windows.of_large, {}, steps, 0.0);
+  if (!is_covered_by_cells(slack, settings.margin)) return false;
+  take(cell, extent);
+  slack_ = slack;
+  moved_any_ = false;
   add_ghosts(given, {cell, windows, {}, false}, settings);
   return true;
+}
+
+/// True if a search needs no larger cells for that slack than for its reach.
+template <int Dim>
+bool Images<Dim>::is_covered_by_cells(double slack, double margin) const {
+  return slack * lattice::cells_of_error <=
+         bounds_.largest_radius + bounds_.second_largest_radius + margin;
 }
 
 template <int Dim>
@@ -208,7 +220,7 @@ bool Images<Dim>::wrap_fast_if_near(const WrapEstimate<Dim>& wrap_estimate, cons
   const lattice::CellExtent<Dim> as_given = extent_;
   extent_ = wrap_estimate.extent;
   slack_ = slack_of_fast_wraps * magnitude_of(plan.windows.of_large, plan.along, settings.shape);
-  if (!(least_cell() <= bounds_.largest_radius + bounds_.second_largest_radius + settings.margin)) {
+  if (!is_covered_by_cells(slack_, settings.margin)) {
     extent_ = as_given;
     return false;
   }

@@ -177,6 +177,7 @@ class Images {
                   const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
   void find_with(const GhostArray& given, const ImageSettings& settings);
   bool find_in_oblique_cell(const GhostArray& given, const ImageSettings& settings);
+  [[nodiscard]] bool is_covered_by_cells(double slack, double margin) const;
   void take(const lattice::CellSides<Dim>& cell, const lattice::CellExtent<Dim>& extent);
   [[nodiscard]] lattice::CellExtent<Dim> extent_in(const lattice::CellSides<Dim>& cell,
                                                    const ImageSettings& settings);

@@ -211,6 +211,31 @@ TYPED_TEST(Images, OfElementsInAnObliqueCell) {
   EXPECT_GT(oblique, 60);
 }
 
+/// Such a cell may be so far away that rounding would make cells larger than the reach asks for:
+/// elements are moved then as ever.
+TYPED_TEST(Images, OfElementsInAFarObliqueCell) {
+  constexpr int dim = TypeParam::value;
+  Random random(100);
+  exact::Lattice lattice;
+  lattice.vectors = {{{4.0, 0.0, 0.0}, {1.5, 4.0, 0.0}, {1.0, 1.5, dim == 2 ? 0.0 : 4.0}}};
+  lattice.periodic = {true, true, dim == 3};
+  std::size_t pairs = 0;
+  for (const double cells : {0.0, 0x1p4, 0x1p26, 0x1p29}) {
+    auto system = random_system<dim>(lattice, 40, 0.8, 0.0, random);
+    for (auto& sphere : system.spheres) {
+      for (std::size_t k = 0; k < dim; ++k) {
+        for (std::size_t axis = 0; axis < dim; ++axis) {
+          sphere.center[axis] += cells * lattice.vectors[k][axis];
+        }
+      }
+    }
+    ASSERT_NO_FATAL_FAILURE(compare(system, pairs)) << cells << " cells away";
+    const PairsInPlace<dim> in_place(system, HUGE_VAL, Simd::scalar);
+    EXPECT_EQ(in_place.none_is_moved, cells <= 0x1p4) << cells << " cells away";
+  }
+  EXPECT_GT(pairs, 100u);
+}
+
 TYPED_TEST(Images, AtEveryScale) {
   constexpr int dim = TypeParam::value;
   Random random(95);

@@ -53,6 +53,7 @@ template <int Dim>
 void Images<Dim>::find(base::Array<exact::Sphere<Dim>>& elements, const grid::Bounds<Dim>& bounds,
                        const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings) {
   start_anew(kernels::strided_spheres<Dim>(elements), bounds, lattice, settings);
+  are_packed_ = true;
   locals_and_ghosts_ = elements;
   find_with({elements, elements.size()}, settings);
 }
@@ -61,6 +62,7 @@ template <int Dim>
 void Images<Dim>::find(const kernels::StridedSpheres& elements, const grid::Bounds<Dim>& bounds,
                        const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings) {
   start_anew(elements, bounds, lattice, settings);
+  are_packed_ = false;
   find_with({own_spheres_, 0}, settings);
 }
 
@@ -83,7 +85,7 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
     slack_ = lattice::slack_of_ghosts * magnitude_of(windows.of_large, along, settings.shape);
     return add_ghosts(given, {orthogonal_cell, windows, {}, false}, settings);
   }
-  if (given.locals == 0 && find_in_oblique_cell(given, settings)) return;
+  if (!are_packed_ && find_in_oblique_cell(given, settings)) return;
   overwrite(own_spheres_, given_.size, given_.size + given_.size / 8);
   locals_ = kernels::strided_spheres<Dim>(own_spheres_);
   if (unit_ == 1.0) {
@@ -198,7 +200,7 @@ lattice::CellExtent<Dim> Images<Dim>::extent_in(const lattice::CellSides<Dim>& c
 /// Looks at each element, since bounds do not tell whether all are in range.
 template <int Dim>
 void Images<Dim>::check_range(const GhostArray& given, const ImageSettings& settings) {
-  if (given.locals == 0) {
+  if (!are_packed_) {
     overwrite(given.spheres, given_.size, given_.size);
     for (std::size_t k = 0; k < given_.size; ++k) {
       given.spheres[k] = kernels::sphere_at<Dim>(given_, k);
@@ -279,6 +281,7 @@ void Images<Dim>::add_ghosts(const GhostArray& array, const Plan& plan,
                              const ImageSettings& settings) {
   require_narrow_windows<Dim>(plan.cell.count, plan.windows);
   note_shifts(plan.cell, plan.windows.of_large);
+  if (!are_packed_ && !shifts_always_fit_) return;
   if (!plan.moves) {
     reach_is_long_ = is_long_reach<Dim>(locals_, plan.windows);
     if (array.locals > 0) locals_and_ghosts_ = array.spheres;

@@ -63,7 +63,8 @@ class Images {
             const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
 
   /// Finds those of elements that stay where they lie. Where no element must be moved, ghosts stand
-  /// in an array of their own. Throws likewise.
+  /// in an array of their own. Where shifts might not fit, nothing is listed: such elements must be
+  /// packed. Throws likewise.
   void find(const kernels::StridedSpheres& elements, const grid::Bounds<Dim>& bounds,
             const lattice::ReducedLattice<Dim>& lattice, const ImageSettings& settings);
 
@@ -214,6 +215,7 @@ class Images {
   std::array<double, Dim> cells_moved_at_most_{};
   grid::Bounds<Dim> bounds_;  ///< of the locals
   GhostPlaces<Dim> places_;   ///< of the ghosts
+  bool are_packed_ = false;   ///< the elements as given
   bool reach_is_long_ = false;
   bool moved_any_ = false;
   bool shifts_always_fit_ = false;

@@ -205,7 +205,8 @@ struct PairsInPlace {
     const auto given = kernels::strided_spheres<Dim>(system.spheres);
     images.find(given, bounds_of<Dim>(system.spheres), reduced,
                 {system.margin, 1, kernels::image_kernels(simd), Shape::sphere, size_cut});
-    pairs = pairs_of(images, system);
+    // Elements whose shifts might not fit must be packed.
+    pairs = images.shifts_always_fit() ? pairs_of(images, system) : pairs_by_rationals(system);
     none_is_moved = images.locals().begin[0] == given.begin[0];
   }
 };

@@ -50,6 +50,10 @@ class LayerRecords {
   }
   /// Tells whether spheres were sorted along.
   [[nodiscard]] bool has_spheres() const noexcept { return has_spheres_; }
+  /// Bytes that must be allocated before so many spheres can be sorted along.
+  [[nodiscard]] std::uint64_t bytes_for_spheres(std::size_t elements) const noexcept {
+    return spheres_.size() >= elements ? 0 : elements * sizeof(exact::Sphere<Dim>);
+  }
   [[nodiscard]] std::size_t largest_layer() const noexcept { return cursors_.largest(); }
 
  private:

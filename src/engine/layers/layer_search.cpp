@@ -20,6 +20,9 @@ constexpr std::size_t shortest_stretch = 3;
 constexpr std::size_t integers_of_element = 24;
 constexpr std::size_t integers_of_thread = 131072;
 
+/// Spheres that are sorted along take no more than one of so many parts of what memory is left.
+constexpr std::uint64_t parts_of_memory = 8;
+
 /// Two sorted layers have places of 32 bits, and all elements might lie in them.
 constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} << 16);
 
@@ -165,7 +168,8 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
 
 /// Spheres are sorted along where the last search had to decide on most, and where those that are
 /// neighbors in memory are none in space, nor in a cache: else a layer's are copied in less time
-/// when it is sorted.
+/// when it is sorted. What a later call takes more than the first one is a small part of the memory
+/// that is left.
 template <int Dim>
 LayerItems LayerSearch<Dim>::what_to_sort(const kernels::SphereParts& spheres,
                                           const LayerGrid<Dim>& grid) const {
@@ -173,7 +177,11 @@ LayerItems LayerSearch<Dim>::what_to_sort(const kernels::SphereParts& spheres,
   const bool pays = decides_on_spheres && workspace_.had_many_undecided &&
                     spheres.size() >= input_.layer_limits.least_elements_with_spheres &&
                     !are_along_space(spheres, grid);
-  return pays ? LayerItems::records_and_spheres : LayerItems::records;
+  const base::MemoryMeter& memory = context_.memory;
+  const std::uint64_t left = memory.bound() - std::min(memory.bound(), memory.held());
+  const std::uint64_t bytes = workspace_.layer_records.bytes_for_spheres(spheres.size());
+  return pays && bytes <= left / parts_of_memory ? LayerItems::records_and_spheres
+                                                 : LayerItems::records;
 }
 
 /// The workers that have room for their layers, each for two or three of the largest, and for the

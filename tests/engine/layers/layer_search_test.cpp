@@ -3,6 +3,7 @@
 
 #include "engine/layers/layer_run.hpp"
 #include "engine/layers/layer_scenes.hpp"
+#include "kernels/simd_level.hpp"
 
 #include <algorithm>
 #include <array>
@@ -115,6 +116,29 @@ TYPED_TEST(LayerSearchOf, SpheresAreSortedAlongWhereMostPairsMustBeDecided) {
       search(lattice, false);
     }
   }
+}
+
+/// A later search of a lattice needs no more memory than the first one where little is left.
+TYPED_TEST(LayerSearchOf, SpheresAreNotSortedAlongWhereMemoryIsShort) {
+  constexpr int dim = TypeParam::value;
+  const auto lattice = shuffled<dim>(closest_lattice<dim>(dim == 2 ? 60 : 14), this->random_);
+  engine::LayerLimits limits = always_in_layers;
+  limits.least_elements_with_spheres = 0;
+  const engine::RowsSettings settings{0.0, 1, kernels::level_to_run(Simd::automatic), limits};
+  base::DetectionContext context;
+  engine::Workspace<dim> workspace(context.memory);
+  const auto search = [&](std::uint64_t bytes_left) {
+    context.memory.start_anew(context.memory.held() + bytes_left);
+    KeptPairs sink;
+    engine::rows<dim>({lattice, {}}, bounds_of<dim>(lattice), settings, workspace, sink, context);
+    return sink.pairs();
+  };
+  const auto pairs = search(std::uint64_t{1} << 24);
+  EXPECT_TRUE(std::ranges::equal(search(0), pairs));
+  EXPECT_FALSE(workspace.layer_records.has_spheres());
+  EXPECT_TRUE(std::ranges::equal(search(std::uint64_t{1} << 24), pairs));
+  EXPECT_EQ(workspace.layer_records.has_spheres(), settings.simd != Simd::scalar);
+  EXPECT_TRUE(std::ranges::equal(search(0), pairs)) << "the memory is there already";
 }
 
 /// Not so different that they would be divided by size.

@@ -12,6 +12,30 @@ constexpr std::size_t tail = kernels::row_padding + kernels::widest_vector;
 /// begin on, where it is joined with another run.
 constexpr std::size_t lead = kernels::widest_vector;
 
+/// Turns counts into first places, the first of which is `place`, and returns the next one. Four at
+/// a time: sums do not wait for each other, and how the loop lies in the instruction cache matters
+/// less.
+std::uint32_t turn_into_places(std::uint32_t* counts, std::size_t size, std::uint32_t place) {
+  std::size_t k = 0;
+  for (; k + 4 <= size; k += 4) {
+    const std::uint32_t first = counts[k];
+    const std::uint32_t two = first + counts[k + 1];
+    const std::uint32_t three = two + counts[k + 2];
+    const std::uint32_t four = three + counts[k + 3];
+    counts[k] = place;
+    counts[k + 1] = place + first;
+    counts[k + 2] = place + two;
+    counts[k + 3] = place + three;
+    place += four;
+  }
+  for (; k < size; ++k) {
+    const std::uint32_t count = counts[k];
+    counts[k] = place;
+    place += count;
+  }
+  return place;
+}
+
 kernels::PositionRecord no_element(std::size_t row_axis) {
   kernels::PositionRecord record{};
   record.position[row_axis] = kernels::far_position;
@@ -118,11 +142,8 @@ std::uint32_t SortedLayers<Dim>::lay_out_table(const LayerGrid<Dim>& grid, std::
                                                std::uint32_t begin) const noexcept {
   std::uint32_t place = begin;
   for (std::size_t row = 0; row < grid.row_count() + std::size_t{2}; ++row) {
-    for (std::size_t c = 0; c < row_length_; ++c) {
-      const std::uint32_t count = *table;
-      *table++ = place;
-      place += count;
-    }
+    place = turn_into_places(table, row_length_, place);
+    table += row_length_;
     if (row > 0 && row <= grid.row_count()) place += kernels::row_padding;
   }
   return place;

@@ -53,7 +53,7 @@ class ElementSearch {
   base::MemoryMeter& memory_;
   std::optional<engine::Workspace<Dim>> workspace_;
   std::optional<periodic::PeriodicWorkspace<Dim>> periodic_;
-  bool was_in_layers_ = true;  ///< the last search; the first one is tried so
+  bool was_in_layers_ = true;  ///< the last search, or in place; the first one is tried so
 };
 
 }  // namespace abut::detect

@@ -317,24 +317,20 @@ std::size_t arrange_in(const Arrangement& job) {
 
 std::size_t pack(const StridedSpheres& spheres, std::size_t first, std::size_t count,
                  int dimensions, double* records, ElementBounds& bounds) {
-  const auto run = [&](auto dim) {
+  return with_dimensions(dimensions, [&](auto dim) {
     return with_loader<dim()>(spheres, [&](const auto& loader) {
       return read_spheres<dim()>(loader, first, count, bounds, RecordWriter<dim()>(records));
     });
-  };
-  return dimensions == 2 ? run(std::integral_constant<int, 2>())
-                         : run(std::integral_constant<int, 3>());
+  });
 }
 
 std::size_t check(const StridedSpheres& spheres, std::size_t first, std::size_t count,
                   int dimensions, ElementBounds& bounds) {
-  const auto run = [&](auto dim) {
+  return with_dimensions(dimensions, [&](auto dim) {
     return with_loader<dim()>(spheres, [&](const auto& loader) {
       return read_spheres<dim()>(loader, first, count, bounds, BoundsWriter());
     });
-  };
-  return dimensions == 2 ? run(std::integral_constant<int, 2>())
-                         : run(std::integral_constant<int, 3>());
+  });
 }
 
 std::size_t bound(const double* records, std::size_t count, int dimensions, ElementBounds& bounds) {

@@ -129,6 +129,13 @@ class PackedSpheres {
   const double* records_;
 };
 
+/// Returns body(dimensions), the number of dimensions as a constant.
+template <class Body>
+std::size_t with_dimensions(int dimensions, const Body& body) {
+  return dimensions == 2 ? body(std::integral_constant<int, 2>())
+                         : body(std::integral_constant<int, 3>());
+}
+
 /// Returns body(loader) for the loader that reads such spheres in vectors, or 0 where none does.
 template <int Dim, class Body>
 std::size_t with_loader(const kernels::StridedSpheres& spheres, const Body& body) {

@@ -13,8 +13,8 @@
 
 namespace abut::lattice {
 
-/// The coordinates along the sides of a cell that occur among some elements, and how
-/// far these lie from the origin.
+/// The coordinates along the sides of a cell that occur among some elements, and how far these lie
+/// from the origin.
 template <int Dim>
 struct CellExtent {
   using Vector = std::array<double, Dim>;

@@ -205,7 +205,7 @@ class Images {
   std::span<const exact::Sphere<Dim>> ghost_spheres_;
   std::span<const exact::Sphere<Dim>> locals_and_ghosts_;
   std::span<const Ghost> ghosts_;
-  std::array<std::size_t, Dim> vector_of_{};          ///< lattice::OrthogonalCell::vector_of
+  std::array<std::size_t, Dim> vector_of_{};          ///< lattice::CellSides::vector_of
   std::array<std::array<double, Dim>, Dim> steps_{};  ///< vectors of the sides times unit_
   double given_unit_ = 1.0;
   double unit_ = 1.0;           ///< beside that

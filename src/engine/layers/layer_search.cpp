@@ -46,10 +46,12 @@ bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std:
   return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
 }
 
-/// Tells whether most spheres lie in the layer of the next one: of some spread over all.
+/// Tells whether most spheres lie in the layer of the next one: of some spread over all. A single
+/// sphere does.
 template <int Dim>
 bool are_along_space(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid) {
   constexpr std::size_t samples = 64;
+  if (spheres.size() < 2) return true;
   const auto layer = [&](std::size_t k) { return grid.layer(kernels::sphere_at<Dim>(spheres, k)); };
   std::size_t in_one_layer = 0;
   for (std::size_t sample = 0; sample < samples; ++sample) {

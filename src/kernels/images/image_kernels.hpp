@@ -10,7 +10,7 @@
 
 namespace abut::kernels {
 
-/// lattice::OrthogonalCell and the vectors of its sides.
+/// lattice::CellSides, of an orthogonal cell or an oblique one, and the vectors of the sides.
 struct OrthogonalCellMap {
   std::size_t sides;
   double coefficients[3][3];  ///< of side, by axis
@@ -22,7 +22,7 @@ struct OrthogonalCellMap {
   double outer_from_radius;
 };
 
-/// lattice::OrthogonalCell::coordinate, of one element and by the operations of the vector kernels.
+/// lattice::CellSides::coordinate, of one element and by the operations of the vector kernels.
 template <int Dim>
 [[nodiscard]] inline double coordinate(const OrthogonalCellMap& map, std::size_t side,
                                        const double* center) {

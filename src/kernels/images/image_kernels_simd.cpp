@@ -24,7 +24,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::size_t lanes = hn::MaxLanes(DoubleTag());
 static_assert(BlockList::room + lanes <= sizeof(BlockList::number) / sizeof(std::uint32_t));
 
-/// lattice::OrthogonalCell::coordinate.
+/// lattice::CellSides::coordinate.
 template <int Dim>
 HWY_INLINE Doubles coordinate(const double* coefficients, const Doubles* center) {
   Doubles sum = hn::Mul(hn::Set(doubles, coefficients[0]), center[0]);
@@ -235,18 +235,16 @@ std::size_t with_sides(const StridedSpheres& spheres, std::size_t sides, const B
 std::size_t wrap(const StridedSpheres& spheres, std::size_t first, std::size_t count,
                  int dimensions, const OrthogonalCellMap& map, double* locals, void* cells,
                  CenterBounds& bounds, BlockList& outer) {
-  const auto run = [&](auto dim) {
+  return with_dimensions(dimensions, [&](auto dim) {
     return with_sides<dim()>(spheres, map.sides, [&](const auto& loader, auto sides) {
       return wrap_in<dim(), sides()>(loader, first, count, map, locals, cells, bounds, outer);
     });
-  };
-  return dimensions == 2 ? run(std::integral_constant<int, 2>())
-                         : run(std::integral_constant<int, 3>());
+  });
 }
 
 std::size_t list_outer(const StridedSpheres& spheres, std::size_t first, std::size_t count,
                        int dimensions, const OrthogonalCellMap& map, BlockList& outer) {
-  const auto run = [&](auto dim) {
+  return with_dimensions(dimensions, [&](auto dim) {
     if (SidesOfBlock<dim()>::fit(map)) {
       return with_loader<dim()>(spheres, [&](const auto& loader) {
         return list_outer_of_block<dim()>(loader, first, count, map, outer);
@@ -255,20 +253,16 @@ std::size_t list_outer(const StridedSpheres& spheres, std::size_t first, std::si
     return with_sides<dim()>(spheres, map.sides, [&](const auto& loader, auto sides) {
       return list_outer_in<dim(), sides()>(loader, first, count, map, outer);
     });
-  };
-  return dimensions == 2 ? run(std::integral_constant<int, 2>())
-                         : run(std::integral_constant<int, 3>());
+  });
 }
 
 std::size_t bound_sides(const StridedSpheres& spheres, std::size_t first, std::size_t count,
                         int dimensions, const OrthogonalCellMap& map, CenterBounds& bounds) {
-  const auto run = [&](auto dim) {
+  return with_dimensions(dimensions, [&](auto dim) {
     return with_sides<dim()>(spheres, map.sides, [&](const auto& loader, auto sides) {
       return bound_sides_in<dim(), sides()>(loader, first, count, map, bounds);
     });
-  };
-  return dimensions == 2 ? run(std::integral_constant<int, 2>())
-                         : run(std::integral_constant<int, 3>());
+  });
 }
 
 }  // namespace abut::kernels::HWY_NAMESPACE

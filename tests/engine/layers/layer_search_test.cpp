@@ -114,6 +114,7 @@ TYPED_TEST(LayerSearchOf, SpheresAreSortedAlongWhereMostPairsMustBeDecided) {
       search(others, true);
       search(others, false);
       search(lattice, false);
+      search({lattice.front()}, false);
     }
   }
 }

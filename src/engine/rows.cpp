@@ -63,10 +63,12 @@ struct RowsCall {
 template <int Dim>
 SearchInput<Dim> input_of(const exact::Elements<Dim>& elements,
                           const kernels::StridedSpheres& spheres, double margin,
-                          const ExactDecider& decider, const RowsCall& call) {
+                          const GivenSteps& steps, const ExactDecider& decider,
+                          const RowsCall& call) {
   const Simd simd = call.settings.simd;
   return {elements,
           kernels::SphereParts(spheres),
+          steps,
           decider,
           margin,
           0.0,
@@ -86,6 +88,17 @@ SearchSet<Dim> set_of(std::size_t elements, const grid::Bounds<Dim>& bounds) {
   return all;
 }
 
+/// What is searched as it is given: multiples of any step.
+GivenSteps steps_of(const kernels::StridedSpheres& spheres) {
+  constexpr double largest_power_of_two = 0x1p1023;
+  return {spheres, 0.0, largest_power_of_two};
+}
+
+template <int Dim>
+GivenSteps steps_of(const exact::Elements<Dim>& elements) {
+  return elements.are_boxes() ? GivenSteps{} : steps_of(kernels::strided_spheres(elements.spheres));
+}
+
 bool needs_scaling(double largest_number) {
   return !(largest_number <= grid::largest_unscaled);
 }
@@ -95,17 +108,18 @@ void search(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bound
             const ExactDecider& decider, const RowsCall& call, Workspace<Dim>& workspace) {
   const RowsSettings& settings = call.settings;
   const auto search_as_mapped = [&](const exact::Elements<Dim>& mapped, double margin,
+                                    const GivenSteps& steps,
                                     const grid::Bounds<Dim>& their_bounds) {
     const auto input =
-        input_of(mapped, kernels::strided_spheres(mapped.spheres), margin, decider, call);
+        input_of(mapped, kernels::strided_spheres(mapped.spheres), margin, steps, decider, call);
     SetSearch<Dim>(input, workspace, settings.workers, call.context)
         .search(set_of(mapped.size(), their_bounds));
   };
   if (!needs_scaling(grid::largest_number(bounds, settings.margin))) {
-    return search_as_mapped(elements, settings.margin, bounds);
+    return search_as_mapped(elements, settings.margin, steps_of(elements), bounds);
   }
   const ScaledElements<Dim> smaller(elements, call.context.memory);
-  search_as_mapped(smaller.elements(), settings.margin * scale_down,
+  search_as_mapped(smaller.elements(), settings.margin * scale_down, {},
                    bounds_of<Dim>(smaller.elements()));
 }
 
@@ -133,8 +147,8 @@ bool rows_in_place(const kernels::StridedSpheres& spheres, const grid::Bounds<Di
   if (needs_scaling(grid::largest_number(bounds, settings.margin))) return false;
   sink.expect_workers(settings.workers);
   const SphereDecider<Dim> decider(spheres, settings.margin, kernels::tie_kernels(settings.simd));
-  const SearchInput<Dim> input =
-      input_of<Dim>({}, spheres, settings.margin, decider, {settings, sink, context});
+  const SearchInput<Dim> input = input_of<Dim>({}, spheres, settings.margin, steps_of(spheres),
+                                               decider, {settings, sink, context});
   return SetSearch<Dim>(input, workspace, settings.workers, context)
       .search_in_layers(set_of(spheres.size, bounds));
 }

@@ -82,8 +82,11 @@ template <int Dim>
 bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
   const auto layers =
       choose_layers(set, input_, cell_size_for(set.bounds, input_), workspace_.occupancy);
-  if (layers) search_layers(set, *layers);
-  return layers.has_value();
+  if (!layers) return false;
+  const auto in_steps =
+      layers_in_steps(set, input_, *layers, worker_count_, workspace_.workers[0]->work());
+  search_layers(set, in_steps ? *in_steps : *layers);
+  return true;
 }
 
 template <int Dim>

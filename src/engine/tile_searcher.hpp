@@ -16,15 +16,25 @@
 
 namespace abut::engine {
 
+/// The spheres that decide, as they are given. Where all their coordinates are multiples of a power
+/// of two, from `least_step` to `largest_step`, those that are searched were not rounded, but moved
+/// by multiples of it. 0 as the largest step: they may have been rounded in any case.
+struct GivenSteps {
+  kernels::StridedSpheres spheres{};
+  double least_step = 0.0;
+  double largest_step = 0.0;
+};
+
 /// Arguments of a search, which all its workers share.
 template <int Dim>
 struct SearchInput {
   exact::Elements<Dim>
       elements;                  ///< as the engine maps them; none where they are in `spheres` only
   kernels::SphereParts spheres;  ///< the same where their numbers lie; stand-ins of boxes
-  const ExactDecider& decider;   ///< of what single precision leaves open
-  double margin;                 ///< in the scale of `elements`
-  double least_cell;             ///< positions are not known well enough for smaller
+  GivenSteps given;
+  const ExactDecider& decider;  ///< of what single precision leaves open
+  double margin;                ///< in the scale of `elements`
+  double least_cell;            ///< positions are not known well enough for smaller
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
   kernels::LayerKernels layer_kernels;

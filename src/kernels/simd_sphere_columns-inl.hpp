@@ -136,6 +136,18 @@ std::size_t with_dimensions(int dimensions, const Body& body) {
                          : body(std::integral_constant<int, 3>());
 }
 
+/// Returns body(centers) for the reader of such centers in vectors, wherever their radii lie, or 0
+/// where there is none.
+template <int Dim, class Body>
+std::size_t with_centers(const kernels::StridedSpheres& spheres, const Body& body) {
+  using Points = CenterRecords<Dim, Dim>;
+  using Packed = CenterRecords<Dim, Dim + 1>;
+  if (CenterColumns<Dim>::fit(spheres)) return body(CenterColumns<Dim>(spheres));
+  if (Points::fit(spheres)) return body(Points(spheres));
+  if (Packed::fit(spheres)) return body(Packed(spheres));
+  return 0;
+}
+
 /// Returns body(loader) for the loader that reads such spheres in vectors, or 0 where none does.
 template <int Dim, class Body>
 std::size_t with_loader(const kernels::StridedSpheres& spheres, const Body& body) {

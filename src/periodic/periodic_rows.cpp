@@ -3,6 +3,7 @@
 #include "engine/set_search.hpp"
 #include "grid/scaling.hpp"
 #include "lattice/check_range.hpp"
+#include "lattice/lattice_step.hpp"
 #include "lattice/lattice_unit.hpp"
 #include "lattice/orthogonal_cell.hpp"
 #include "lattice/reduced_lattice.hpp"
@@ -51,6 +52,15 @@ void search(engine::SetSearch<Dim>& search, const exact::Elements<Dim>& moved,
   if (moved.are_boxes()) all.bounds.count_largest_twice();
   if (!images.ghosts_are_outside()) return search.search(all);
   if (!search.search_in_layers(all)) search.search(set_with_halo(moved, images));
+}
+
+/// The steps of which images of spheres are sums that nothing rounds: vectors are multiples as
+/// well, and no number has more than 48 bits, since the slack is 2^-48 of the magnitudes at least
+/// (docs/derivations/layer_steps.md).
+template <int Dim>
+engine::GivenSteps steps_of(const kernels::StridedSpheres& spheres, const Images<Dim>& images) {
+  if (images.unit() != 1.0) return {};
+  return {spheres, images.slack(), lattice::step_of(images.reduced_lattice())};
 }
 
 /// Takes the ghosts away again that were appended to elements.
@@ -147,7 +157,8 @@ struct PeriodicSearch {
 
   /// Returns what `search` does with the search of the images that were found.
   template <class Search>
-  auto run(const engine::ExactDecider& decider, Search&& search) const {
+  auto run(const engine::ExactDecider& decider, const engine::GivenSteps& steps,
+           Search&& search) const {
     const Images<Dim>& images = own.images;
     own.image_sink.start_anew(sink, images, kernels::image_kernels(settings.simd));
     own.image_sink.expect_workers(settings.workers);
@@ -155,6 +166,7 @@ struct PeriodicSearch {
     const engine::SearchInput<Dim> input{
         moved,
         {images.locals(), kernels::strided_spheres(images.ghost_spheres())},
+        steps,
         decider,
         settings.margin * images.unit(),
         images.least_cell(),
@@ -196,9 +208,10 @@ bool periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
   own.moved_boxes.clear();
   if (!boxes.empty()) move_boxes<Dim>(boxes, images, settings.workers, own.moved_boxes);
   const exact::Elements<Dim> originals{std::span(spheres).first(locals), boxes};
-  const PeriodicDecider<Dim> decider(originals, kernels::strided_spheres(originals.spheres),
-                                     lattice, images, settings.margin);
-  search_of_all.run(decider, [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
+  const auto columns = kernels::strided_spheres(originals.spheres);
+  const PeriodicDecider<Dim> decider(originals, columns, lattice, images, settings.margin);
+  const auto steps = boxes.empty() ? steps_of(columns, images) : engine::GivenSteps{};
+  search_of_all.run(decider, steps, [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
     search(set_search, moved, images);
   });
   return true;
@@ -220,11 +233,13 @@ bool periodic_rows_in_place(const kernels::StridedSpheres& spheres, const Period
   if (images.reach_is_long() || !images.shifts_always_fit()) return false;
   own.moved_boxes.clear();
   const PeriodicDecider<Dim> decider({}, spheres, lattice, images, settings.margin);
-  return search_of_all.run(decider, [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
+  const auto steps = steps_of(spheres, images);
+  const auto search_images = [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
     if (moved.size() == 0) return set_search.search_in_layers(set_of_all(images));
     search(set_search, moved, images);
     return true;
-  });
+  };
+  return search_of_all.run(decider, steps, search_images);
 }
 
 template bool periodic_rows(base::Array<exact::Sphere<2>>&, const PeriodicInput<2>&,

@@ -1,5 +1,6 @@
 #include "engine/layers/layer_grid.hpp"
 
+#include "engine/layers/largest_square.hpp"
 #include "exact/numbers/cube_root.hpp"
 
 #include <algorithm>
@@ -59,6 +60,14 @@ double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements)
   return cell;
 }
 
+/// Bits of an exact position below its cell: squares of distances between adjacent cells, and their
+/// sums, have less than 31.
+constexpr int bits_of_exact_cell = 13;
+/// Units of a step, at least: with n of them cells are wider than needed by 1 / n at most; and at
+/// most, which no axis is longer than.
+constexpr double fewest_units_of_step = 8.0;
+constexpr double most_units_of_step = 0x1p24;
+
 /// A position has 31 bits: with one for its cell, an axis has two of these.
 constexpr int most_bits_of_cell = 30;
 
@@ -98,9 +107,32 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& boun
                                                    double least_cell, std::size_t elements) {
   LayerGrid grid;
   const double cell = cell_size(bounds, least_cell, static_cast<double>(elements));
-  if (!grid.lay_out(bounds, cell, cell_shift_for(bounds, cell, least_cell))) return std::nullopt;
+  const int shift = cell_shift_for(bounds, cell, least_cell);
+  if (!grid.lay_out(bounds, std::ldexp(1.0, shift) / cell, shift)) return std::nullopt;
   grid.has_wide_cells_ = cell > least_cell;
-  grid.cut_rows(bounds, margin, cell);
+  grid.cut_rows(bounds, margin, 2.0 * double{kernels::layer_slack});
+  if constexpr (Dim == 2) grid.join_rows(elements);
+  return grid;
+}
+
+template <int Dim>
+double LayerGrid<Dim>::least_step() const noexcept {
+  return std::ldexp(fewest_units_of_step * cell(), -bits_of_exact_cell);
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> LayerGrid<Dim>::in_steps(const grid::Bounds<Dim>& bounds,
+                                                       double margin, std::size_t elements,
+                                                       double step) const {
+  const double fitting = std::floor(std::ldexp(step / cell(), bits_of_exact_cell));
+  const double units = std::min(fitting, most_units_of_step);
+  LayerGrid grid;
+  if (!(units >= fewest_units_of_step) || !grid.lay_out(bounds, units / step, bits_of_exact_cell)) {
+    return std::nullopt;
+  }
+  grid.has_wide_cells_ = has_wide_cells_;
+  grid.cut_rows(bounds, margin, 0.0);
+  grid.largest_square_ = largest_square_within(2.0 * bounds.largest_radius, margin, step, units);
   if constexpr (Dim == 2) grid.join_rows(elements);
   return grid;
 }
@@ -110,7 +142,8 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_cells(const grid::Bounds<Dim>& 
                                                        double margin, double cell,
                                                        std::size_t elements) {
   LayerGrid grid;
-  if (!grid.lay_out(bounds, cell, kernels::cell_bits)) return std::nullopt;
+  const double units_of_one = std::ldexp(1.0, kernels::cell_bits) / cell;
+  if (!grid.lay_out(bounds, units_of_one, kernels::cell_bits)) return std::nullopt;
   grid.cut_rows_by_size(margin);
   if (!(grid.units_of(bounds.largest_radius) < most_units) || !(grid.margin_ < most_units)) {
     return std::nullopt;
@@ -120,14 +153,17 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_cells(const grid::Bounds<Dim>& 
 }
 
 template <int Dim>
-bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double cell, int cell_shift) {
+bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double units_of_one, int cell_shift) {
   cell_shift_ = cell_shift;
-  map_.units_of_one = std::ldexp(1.0, cell_shift) / cell;
+  map_.units_of_one = units_of_one;
+  // Along no axis there are more cells than positions of 2^20 units to a cell allow.
+  const double end =
+      std::ldexp(kernels::end_of_positions, std::min(cell_shift - kernels::cell_bits, 0));
   std::array<std::uint32_t, Dim> cells{};
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     map_.lower[axis] = bounds.lower[axis];
     const double last = (bounds.upper[axis] - bounds.lower[axis]) * map_.units_of_one;
-    if (!(last < kernels::end_of_positions)) return false;
+    if (!(last < end)) return false;
     cells[axis] = (static_cast<std::uint32_t>(last) >> cell_shift_) + 1;
   }
   const std::array<std::size_t, Dim> axes = axes_by_extent(bounds);
@@ -143,15 +179,16 @@ bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double cell, int c
 }
 
 template <int Dim>
-void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, double cell) {
+void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, double slack) {
   const double reach = bounds.largest_radius + bounds.second_largest_radius + margin;
-  const int halvings = cell > wide_cell * reach ? most_halvings - 1 : most_halvings;
+  const double cell = std::ldexp(1.0, cell_shift_);
+  const bool is_wide = cell > wide_cell * (reach * map_.units_of_one);
+  const int halvings = is_wide ? most_halvings - 1 : most_halvings;
   column_shift_ = cell_shift_ - halvings;
   columns_ <<= halvings;
   const double units = reach * map_.units_of_one;
   const double column = std::ldexp(1.0, column_shift_);
-  columns_in_reach_ =
-      static_cast<std::uint32_t>((units + 2.0 * double{kernels::layer_slack}) / column) + 1;
+  columns_in_reach_ = static_cast<std::uint32_t>((units + slack) / column) + 1;
   reach_ = static_cast<float>(units);
   margin_ = units_of(margin);
   has_equal_radii_ = bounds.smallest_radius == bounds.largest_radius;
@@ -198,6 +235,7 @@ void LayerGrid<Dim>::set_reach(kernels::LayerPair& layers) const noexcept {
   constexpr float slack = kernels::layer_slack;
   layers.nearest_margin = margin_ - slack;
   layers.farthest_margin = margin_ + slack;
+  layers.largest_square = largest_square_;
   const float nearest = std::max(reach_ - slack, 0.0f);
   const float farthest = reach_ + slack;
   layers.inner = nearest * nearest;

@@ -5,6 +5,7 @@
 #include "kernels/layers/layer_kernels.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -55,6 +56,14 @@ class LayerGrid {
   [[nodiscard]] static std::optional<LayerGrid> of_cells(const grid::Bounds<Dim>& bounds,
                                                          double margin, double cell,
                                                          std::size_t elements);
+
+  /// Returns a grid over the same elements, of one radius, whose coordinates are all multiples of a
+  /// power of two, `step`: a unit is a part of it, so that positions are exact, and all distances
+  /// (docs/derivations/layer_steps.md). None where it would have too many cells along an axis, or
+  /// the step is shorter than `least_step`: cells would be much wider.
+  [[nodiscard]] std::optional<LayerGrid> in_steps(const grid::Bounds<Dim>& bounds, double margin,
+                                                  std::size_t elements, double step) const;
+  [[nodiscard]] double least_step() const noexcept;
 
   [[nodiscard]] const kernels::PositionMap& map() const noexcept { return map_; }
 
@@ -117,6 +126,9 @@ class LayerGrid {
 
   [[nodiscard]] bool has_equal_radii() const noexcept { return has_equal_radii_; }
 
+  /// Tells whether positions are exact, and all distances.
+  [[nodiscard]] bool is_exact() const noexcept { return largest_square_ >= 0; }
+
   /// Tells whether elements look for smaller ones, each in its own reach.
   [[nodiscard]] bool is_by_size() const noexcept { return is_by_size_; }
 
@@ -150,6 +162,11 @@ class LayerGrid {
   /// Of the number of a cell along an axis, at most.
   static constexpr int bits_of_cells = 32 - kernels::cell_bits;
 
+  /// Width of a cell as the elements are given.
+  [[nodiscard]] double cell() const noexcept {
+    return std::ldexp(1.0, cell_shift_) / map_.units_of_one;
+  }
+
   [[nodiscard]] std::int32_t position(double x, std::size_t axis) const noexcept {
     return static_cast<std::int32_t>((x - map_.lower[axis]) * map_.units_of_one);
   }
@@ -157,8 +174,8 @@ class LayerGrid {
     return static_cast<std::uint32_t>(position) >> map_.layer_shift;
   }
 
-  [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double cell, int cell_shift);
-  void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double cell);
+  [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double units_of_one, int cell_shift);
+  void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double slack);
   void cut_rows_by_size(double margin);
   void join_rows(std::size_t elements);
 
@@ -174,6 +191,7 @@ class LayerGrid {
   int column_shift_ = kernels::cell_bits;
   float reach_ = 0.0f;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units
+  std::int32_t largest_square_ = -1;
   bool has_equal_radii_ = true;
   bool is_by_size_ = false;
   bool has_wide_cells_ = false;

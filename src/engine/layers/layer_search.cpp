@@ -2,6 +2,7 @@
 
 #include "base/asking_workers.hpp"
 #include "engine/layers/cell_by_size.hpp"
+#include "engine/layers/coordinate_step.hpp"
 
 #include <algorithm>
 #include <span>
@@ -115,6 +116,19 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
 }
 
 template <int Dim>
+std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
+                                              const SearchInput<Dim>& input,
+                                              const LayerGrid<Dim>& grid, std::size_t workers,
+                                              base::WorkCounter& work) {
+  if (!grid.has_equal_radii()) return std::nullopt;
+  const auto& [spheres, least_step, largest_step] = input.given;
+  const StepRange range{std::max(least_step, grid.least_step()), largest_step};
+  const auto step = coordinate_step<Dim>(spheres, range, input.layer_kernels, workers, work);
+  if (!step) return std::nullopt;
+  return grid.in_steps(set.bounds, input.margin, set.locals.size(), *step);
+}
+
+template <int Dim>
 std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
                                                     const SearchInput<Dim>& input,
                                                     const SizeEstimate& estimate,
@@ -175,7 +189,8 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
 template <int Dim>
 LayerItems LayerSearch<Dim>::what_to_sort(const kernels::SphereParts& spheres,
                                           const LayerGrid<Dim>& grid) const {
-  const bool decides_on_spheres = input_.decider.spheres() != nullptr && !grid.is_by_size();
+  const bool decides_on_spheres =
+      input_.decider.spheres() != nullptr && !grid.is_by_size() && !grid.is_exact();
   const bool pays = decides_on_spheres && workspace_.had_many_undecided &&
                     spheres.size() >= input_.layer_limits.least_elements_with_spheres &&
                     !are_along_space(spheres, grid);
@@ -266,6 +281,12 @@ template std::optional<LayerGrid<2>> choose_layers_by_size(const SearchSet<2>&,
 template std::optional<LayerGrid<3>> choose_layers_by_size(const SearchSet<3>&,
                                                            const SearchInput<3>&,
                                                            const SizeEstimate&, OccupancySample&);
+template std::optional<LayerGrid<2>> layers_in_steps(const SearchSet<2>&, const SearchInput<2>&,
+                                                     const LayerGrid<2>&, std::size_t,
+                                                     base::WorkCounter&);
+template std::optional<LayerGrid<3>> layers_in_steps(const SearchSet<3>&, const SearchInput<3>&,
+                                                     const LayerGrid<3>&, std::size_t,
+                                                     base::WorkCounter&);
 template class LayerSearch<2>;
 template class LayerSearch<3>;
 

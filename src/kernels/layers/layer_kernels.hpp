@@ -93,12 +93,13 @@ struct LayerPair {
   const std::uint32_t* next;  ///< table of the layer above
   std::uint32_t rows;
   std::uint32_t row_length;
-  std::uint32_t end_of_run;  ///< 2 K + 1
-  float inner;               ///< squared distances below are certainly within reach,
-  float outer;               ///< those above are certainly apart: of equal spheres,
-  float nearest_margin;      ///< of others the margin less
-  float farthest_margin;     ///< and plus the slack, which a radius each comes to
-  float band;                ///< not less than any difference of the two squares
+  std::uint32_t end_of_run;     ///< 2 K + 1
+  float inner;                  ///< squared distances below are certainly within reach,
+  float outer;                  ///< those above are certainly apart: of equal spheres,
+  float nearest_margin;         ///< of others the margin less
+  float farthest_margin;        ///< and plus the slack, which a radius each comes to
+  std::int32_t largest_square;  ///< of a distance within reach, where positions are exact, or -1
+  float band;                   ///< not less than any difference of the two squares
 };
 
 /// Three adjacent layers, sorted as two are, of elements that each look for smaller ones. A run has
@@ -147,6 +148,11 @@ struct LayerKernels {
   std::size_t (*scatter)(const kernels::StridedSpheres& spheres, std::size_t first,
                          std::size_t count, int dimensions, const PositionMap& map,
                          const RecordsByLayer& to);
+
+  /// Returns how many spheres from place `first` on have coordinates that are all multiples of
+  /// `step`, a power of two. Whole vectors; none where scatter treats none.
+  std::size_t (*count_in_steps)(const kernels::StridedSpheres& spheres, std::size_t first,
+                                std::size_t count, int dimensions, double step);
 
   /// Splits records into columns. Records are readable, and columns writable, up to widest_vector
   /// beyond the last.

@@ -41,11 +41,15 @@ class ScalarTester {
   void test(std::uint32_t element, std::uint32_t q, float distance_squared,
             const ReachSquares& reach) {
     if (distance_squared > reach.outer) return;
+    add(element, q);
+    if (distance_squared < reach.inner) return;
+    HitBuffer& to = *job_.hits;
+    to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found - 1);
+  }
+
+  void add(std::uint32_t element, std::uint32_t q) {
     HitBuffer& to = *job_.hits;
     if (to.found == HitBuffer::size) job_.take(job_);
-    if (!(distance_squared < reach.inner)) {
-      to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found);
-    }
     to.element[to.found] = element;
     to.partner[to.found++] = layers_.number[q];
   }
@@ -95,8 +99,20 @@ class ScalarLayerTester : ScalarTester {
     count(run);
     const std::int32_t from[3] = {layers_.position[0][p], layers_.position[1][p],
                                   layers_.position[2][p]};
+    if (layers_.largest_square >= 0) return test_exactly(p, from, run);
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
       test(layers_.number[p], q, distance_squared<Dim>(from, q), squares(p, q));
+    }
+  }
+
+  void test_exactly(std::uint32_t p, const std::int32_t (&from)[3], const Run& run) {
+    for (std::uint32_t q = run.begin; q < run.end; ++q) {
+      std::int32_t square = 0;
+      for (int axis = 0; axis < Dim; ++axis) {
+        const std::int32_t difference = layers_.position[axis][q] - from[axis];
+        square += difference * difference;
+      }
+      if (square <= layers_.largest_square) add(layers_.number[p], q);
     }
   }
 
@@ -177,6 +193,10 @@ std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, in
   return 0;
 }
 
+std::size_t count_in_steps(const kernels::StridedSpheres&, std::size_t, std::size_t, int, double) {
+  return 0;
+}
+
 void split(const PositionRecord* records, std::size_t count, const LayerColumns& columns) {
   for (std::size_t k = 0; k < count; ++k) {
     for (int axis = 0; axis < 3; ++axis) columns.position[axis][k] = records[k].position[axis];
@@ -221,7 +241,7 @@ void search_far(const ThreeLayers& layers, const FarSphere* far, std::size_t cou
 }  // namespace
 
 LayerKernels scalar_layer_kernels() {
-  return {scatter, split, search, search_near, search_far};
+  return {scatter, count_in_steps, split, search, search_near, search_far};
 }
 
 }  // namespace abut::kernels

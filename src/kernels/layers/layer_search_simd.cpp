@@ -54,6 +54,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/simd_layer_probe-inl.hpp"
 
+#include "kernels/layers/simd_exact_probe-inl.hpp"
+
 #include "kernels/layers/simd_layer_hits-inl.hpp"
 
 #include "kernels/layers/simd_near_batch-inl.hpp"
@@ -67,6 +69,10 @@ std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, in
                     const PositionMap&, const RecordsByLayer&) {
   return 0;
 }
+
+std::size_t count_in_steps(const kernels::StridedSpheres&, std::size_t, std::size_t, int, double) {
+  return 0;
+}
 #else
 #include "kernels/simd_sphere_columns-inl.hpp"
 
@@ -76,6 +82,34 @@ std::size_t scatter(const kernels::StridedSpheres& spheres, std::size_t first, s
                     int dimensions, const PositionMap& map, const RecordsByLayer& to) {
   return dimensions == 2 ? scatter_in<2>(spheres, first, count, map, to)
                          : scatter_in<3>(spheres, first, count, map, to);
+}
+
+template <int Dim, class Centers>
+std::size_t count_centers_in_steps(const Centers& centers, std::size_t first, std::size_t count,
+                                   double step) {
+  const Doubles steps_of_one = hn::Set(doubles, 1.0 / step);
+  const Doubles one_step = hn::Set(doubles, step);
+  std::size_t k = 0;
+  for (; k + elements_at_once <= count; k += elements_at_once) {
+    Doubles center[Dim];
+    centers.load(first + k, center);
+    auto is_multiple = [&](const Doubles& x) HWY_ATTR {
+      return hn::Eq(hn::Mul(hn::Round(hn::Mul(x, steps_of_one)), one_step), x);
+    };
+    auto are_multiples = hn::And(is_multiple(center[0]), is_multiple(center[1]));
+    if constexpr (Dim == 3) are_multiples = hn::And(are_multiples, is_multiple(center[2]));
+    if (!hn::AllTrue(doubles, are_multiples)) break;
+  }
+  return k;
+}
+
+std::size_t count_in_steps(const kernels::StridedSpheres& spheres, std::size_t first,
+                           std::size_t count, int dimensions, double step) {
+  return with_dimensions(dimensions, [&](auto dim) {
+    return with_centers<dim>(spheres, [&](const auto& centers) {
+      return count_centers_in_steps<dim>(centers, first, count, step);
+    });
+  });
 }
 #endif
 
@@ -97,10 +131,12 @@ void split(const PositionRecord* records, std::size_t count, const LayerColumns&
 
 template <int Dim>
 void search_in(const LayerPair& layers, SearchJob& job) {
-  if (layers.radius == nullptr) {
-    SimdLayerTester<AheadSearch<Dim, CommonReach>>(layers, job).search();
+  if (layers.largest_square >= 0) {
+    SimdLayerTester<AheadSearch<Dim, ExactProbe<Dim>>>(layers, job).search();
+  } else if (layers.radius == nullptr) {
+    SimdLayerTester<AheadSearch<Dim, LayerProbe<Dim, CommonReach>>>(layers, job).search();
   } else {
-    SimdLayerTester<AheadSearch<Dim, SummedReach>>(layers, job).search();
+    SimdLayerTester<AheadSearch<Dim, LayerProbe<Dim, SummedReach>>>(layers, job).search();
   }
 }
 
@@ -142,6 +178,7 @@ HWY_AFTER_NAMESPACE();
 namespace abut::kernels {
 
 HWY_EXPORT(scatter);
+HWY_EXPORT(count_in_steps);
 HWY_EXPORT(split);
 HWY_EXPORT(search_layers);
 HWY_EXPORT(search_near);
@@ -151,6 +188,7 @@ LayerKernels simd_layer_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(scatter)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(count_in_steps)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(split)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(search_layers)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(search_near)[chosen.GetIndex()],

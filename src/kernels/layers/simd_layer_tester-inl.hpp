@@ -2,11 +2,11 @@
 // simd_joined_runs-inl.hpp.
 
 /// Elements that meet what is ahead of them: in their own layer and the next one.
-template <int Dim, class SphereReach>
+template <int Dim, class ProbeOfElement>
 class AheadSearch {
  public:
   using Layers = LayerPair;
-  using Probe = LayerProbe<Dim, SphereReach>;
+  using Probe = ProbeOfElement;
   using Row = RunsOfRow<Dim>;
   static constexpr std::size_t runs = Row::size;
   /// Tells whether it cannot be foreseen which elements have hits, so that they are listed.
@@ -275,7 +275,7 @@ class SimdLayerTester {
 
   template <class Runs>
   HWY_INLINE void add_hits(const Probe& probe, std::uint32_t p, const Runs& runs, std::uint32_t k) {
-    const Floats squares = probe.distance_squared(runs, k);
+    const auto squares = probe.distance_squared(runs, k);
     const Bits hits = probe.hits(runs, k, squares) & lanes_before(runs.size() - k);
     hits_.add(layers_.number[p], p, runs, k, hits, probe.is_sure(runs, k, squares));
   }

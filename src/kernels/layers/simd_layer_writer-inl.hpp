@@ -68,11 +68,6 @@ template <int Dim>
 std::size_t scatter_in(const kernels::StridedSpheres& spheres, std::size_t first, std::size_t count,
                        const PositionMap& map, const RecordsByLayer& to) {
   const LayerWriter<Dim> layers(map, spheres, to);
-  const auto scatter = [&](const auto& centers) { return layers.scatter(centers, first, count); };
-  if (CenterColumns<Dim>::fit(spheres)) return scatter(CenterColumns<Dim>(spheres));
-  using Points = CenterRecords<Dim, Dim>;
-  using Packed = CenterRecords<Dim, Dim + 1>;
-  if (Points::fit(spheres)) return scatter(Points(spheres));
-  if (Packed::fit(spheres)) return scatter(Packed(spheres));
-  return 0;
+  return with_centers<Dim>(
+      spheres, [&](const auto& centers) { return layers.scatter(centers, first, count); });
 }

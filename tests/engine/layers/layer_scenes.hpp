@@ -81,6 +81,16 @@ Spheres<Dim> closest_lattice(std::size_t side) {
   return spheres;
 }
 
+/// All lengths a tenth, rounded: neighbors touch or fail to, and no power of two divides all.
+template <int Dim>
+Spheres<Dim> in_tenths(Spheres<Dim> spheres) {
+  for (auto& sphere : spheres) {
+    for (double& x : sphere.center) x *= 0.1;
+    sphere.radius *= 0.1;
+  }
+  return spheres;
+}
+
 /// As std::shuffle does, but with the same result from every standard library.
 template <int Dim>
 Spheres<Dim> shuffled(Spheres<Dim> spheres, Random& random) {

@@ -56,7 +56,9 @@ TYPED_TEST(LayerSearchOf, BoxesOfAllShapes) {
 TYPED_TEST(LayerSearchOf, TouchingLattices) {
   constexpr int dim = TypeParam::value;
   const std::size_t side = dim == 2 ? 60 : 14;
-  for (const auto& lattice : {cubic_lattice<dim>(side), closest_lattice<dim>(side)}) {
+  for (const auto& lattice :
+       {cubic_lattice<dim>(side), closest_lattice<dim>(side),
+        in_tenths<dim>(cubic_lattice<dim>(side)), in_tenths<dim>(closest_lattice<dim>(side))}) {
     expect_right_in_layers<dim>(lattice);
     expect_right_in_layers<dim>(shuffled<dim>(lattice, this->random_));
     expect_right_in_layers<dim>(lattice, 1e-9);
@@ -85,10 +87,10 @@ TYPED_TEST(LayerSearchOf, LatticesBesideRandomSystems) {
 /// numbers run along space; a search of others in between finds what it always finds.
 TYPED_TEST(LayerSearchOf, SpheresAreSortedAlongWhereMostPairsMustBeDecided) {
   constexpr int dim = TypeParam::value;
-  const auto in_order = closest_lattice<dim>(dim == 2 ? 60 : 14);
+  const auto in_order = in_tenths<dim>(closest_lattice<dim>(dim == 2 ? 60 : 14));
   const auto lattice = shuffled<dim>(in_order, this->random_);
   auto mixed = lattice;
-  for (auto& sphere : mixed) sphere.radius -= this->random_.below(2) == 0 ? 0.0 : 0.01;
+  for (auto& sphere : mixed) sphere.radius -= this->random_.below(2) == 0 ? 0.0 : 0.001;
   const auto others = uniform_spheres<dim>(this->random_, 2000, box_for<dim>(2000, 6.0));
   engine::LayerLimits limits = always_in_layers;
   limits.least_elements_with_spheres = 0;
@@ -122,7 +124,8 @@ TYPED_TEST(LayerSearchOf, SpheresAreSortedAlongWhereMostPairsMustBeDecided) {
 /// A later search of a lattice needs no more memory than the first one where little is left.
 TYPED_TEST(LayerSearchOf, SpheresAreNotSortedAlongWhereMemoryIsShort) {
   constexpr int dim = TypeParam::value;
-  const auto lattice = shuffled<dim>(closest_lattice<dim>(dim == 2 ? 60 : 14), this->random_);
+  const auto lattice =
+      shuffled<dim>(in_tenths<dim>(closest_lattice<dim>(dim == 2 ? 60 : 14)), this->random_);
   engine::LayerLimits limits = always_in_layers;
   limits.least_elements_with_spheres = 0;
   const engine::RowsSettings settings{0.0, 1, kernels::level_to_run(Simd::automatic), limits};

@@ -1,0 +1,76 @@
+#include "engine/layers/coordinate_step.hpp"
+
+#include "base/asking_workers.hpp"
+#include "exact/numbers/bit_range.hpp"
+
+#include <atomic>
+#include <cmath>
+
+namespace abut::engine {
+namespace {
+
+/// Spheres that are looked at first, spread over all.
+constexpr std::size_t samples = 64;
+
+/// Returns the largest power of two in the range of which the coordinates of some spheres are
+/// multiples.
+template <int Dim>
+std::optional<double> step_of_samples(const kernels::StridedSpheres& spheres,
+                                      const StepRange& range) {
+  exact::BitRange bits;
+  bits.include(range.largest);
+  for (std::size_t sample = 0; sample < samples; ++sample) {
+    const std::size_t k = sample * (spheres.size - 1) / (samples - 1);
+    for (const double x : kernels::sphere_at<Dim>(spheres, k).center) bits.include(x);
+    if (std::ldexp(1.0, bits.lowest()) < range.least) return std::nullopt;
+  }
+  return std::ldexp(1.0, bits.lowest());
+}
+
+/// Neither product rounds unless the first one underflows: then the second one is 0.
+bool is_multiple(double x, double step) {
+  return std::nearbyint(x * (1.0 / step)) * step == x;
+}
+
+template <int Dim>
+bool are_in_steps(const kernels::StridedSpheres& spheres, std::size_t begin, std::size_t end,
+                  double step, const kernels::LayerKernels& kernels) {
+  std::size_t k = begin + kernels.count_in_steps(spheres, begin, end - begin, Dim, step);
+  for (; k < end; ++k) {
+    for (const double x : kernels::sphere_at<Dim>(spheres, k).center) {
+      if (!is_multiple(x, step)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<double> coordinate_step(const kernels::StridedSpheres& spheres,
+                                      const StepRange& range, const kernels::LayerKernels& kernels,
+                                      std::size_t workers, base::WorkCounter& work) {
+  if (spheres.size == 0 || range.largest == 0.0) return std::nullopt;
+  const std::optional<double> step = step_of_samples<Dim>(spheres, range);
+  if (!step) return std::nullopt;
+  std::atomic<bool> are_all = true;
+  base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    const auto [first, last] = base::share_of(worker, workers, spheres.size);
+    its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      if (!are_all.load(std::memory_order_relaxed)) return;
+      if (!are_in_steps<Dim>(spheres, begin, end, *step, kernels)) {
+        are_all.store(false, std::memory_order_relaxed);
+      }
+    });
+  });
+  return are_all ? step : std::nullopt;
+}
+
+template std::optional<double> coordinate_step<2>(const kernels::StridedSpheres&, const StepRange&,
+                                                  const kernels::LayerKernels&, std::size_t,
+                                                  base::WorkCounter&);
+template std::optional<double> coordinate_step<3>(const kernels::StridedSpheres&, const StepRange&,
+                                                  const kernels::LayerKernels&, std::size_t,
+                                                  base::WorkCounter&);
+
+}  // namespace abut::engine

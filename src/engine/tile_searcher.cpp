@@ -1,6 +1,7 @@
 #include "engine/tile_searcher.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -130,12 +131,19 @@ void TileSearcher<Dim>::prepare(const SortedTile<Dim>& tile, double unit) {
   job_.margin = static_cast<float>(input_->margin * unit);
   const std::size_t places =
       tile.size() < small_tile ? tile.size() : std::min(tile.size(), tile.most_places_met());
-  const std::size_t room = places + kernels::row_padding + kernels::widest_vector;
+  constexpr std::size_t vector = kernels::widest_vector;
   constexpr std::size_t columns = std::extent_v<decltype(job_.block)>;
-  base::make_room(scratch_.block, columns * room);
-  base::make_room(scratch_.block_number, room);
-  const std::size_t length = scratch_.block.size() / columns;
-  for (std::size_t k = 0; k < columns; ++k) job_.block[k] = scratch_.block.data() + k * length;
+  const std::size_t vectors = (places + kernels::row_padding) / vector + 2;
+  const std::size_t length = vectors * vector;
+  base::make_room(scratch_.block, columns * length + vector);
+  base::make_room(scratch_.block_number, length);
+  // A vector that lies in two cache lines takes twice as long to read.
+  void* first = scratch_.block.data();
+  std::size_t bytes = scratch_.block.size() * sizeof(float);
+  std::align(vector * sizeof(float), columns * length * sizeof(float), first, bytes);
+  for (std::size_t k = 0; k < columns; ++k) {
+    job_.block[k] = static_cast<float*>(first) + k * length;
+  }
   job_.block_number = scratch_.block_number.data();
 }
 

@@ -1,6 +1,6 @@
 // Lanes of single precision, of which sets are bits, included once for each instruction set into
-// the namespace of a file of kernels that has included Highway and compress_table.hpp: no include
-// guard, and no includes.
+// the namespace of a file of kernels that has included Highway, compress_table.hpp, <cstdint> and
+// <cstring>: no include guard, and no includes.
 
 /// Runs are short: wider vectors would be mostly empty.
 using FloatTag = hn::CappedTag<float, 8>;
@@ -12,6 +12,13 @@ constexpr FloatTag floats{};
 constexpr NumberTag numbers{};
 constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
 
+/// All lanes that a vector has, for candidates that stand in long rows.
+using WideTag = hn::ScalableTag<float>;
+using WideNumberTag = hn::RebindToUnsigned<WideTag>;
+constexpr WideTag wide_floats{};
+constexpr WideNumberTag wide_numbers{};
+constexpr std::size_t wide_lanes = hn::MaxLanes(WideTag());
+
 /// A lane is a bit.
 using Bits = std::uint32_t;
 constexpr Bits all_lanes = (1u << lanes) - 1;
@@ -20,6 +27,15 @@ HWY_INLINE Bits bits_of(Mask mask) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(floats, mask, bits);
   return bits[0];
+}
+
+HWY_INLINE Bits wide_bits_of(hn::Mask<WideTag> mask) {
+  static_assert(wide_lanes <= 16);
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(wide_floats, mask, bits);
+  std::uint16_t of_all = 0;
+  std::memcpy(&of_all, bits, sizeof(of_all));
+  return of_all;
 }
 
 /// The lanes of the set, in order, then the others.

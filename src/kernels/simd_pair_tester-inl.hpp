@@ -12,9 +12,7 @@ class SimdPairTester {
         sorted_{{tile.center[0], tile.center[1], tile.center[2]},
                 {tile.size[0], tile.size[1], tile.size[2]},
                 tile.number},
-        block_{{job.block[0], job.block[1], job.block[2]},
-               {job.block[3], job.block[4], job.block[5]},
-               job.block_number},
+        block_(job),
         element_(job.hits->element),
         partner_(job.hits->partner) {}
 
@@ -72,7 +70,11 @@ class SimdPairTester {
 
   /// The first `own` elements of the runs, each with all that follow it.
   HWY_INLINE void test_block(std::uint32_t own, std::span<const Run> runs) {
-    const std::size_t size = gather(runs);
+    const std::size_t size = block_.gather(sorted_, runs, job_);
+    const bool fits_into_list = Block::most_vectors(size) <= VectorList::most;
+    if (expects_few_hits_ && !expects_undecided_count_ && fits_into_list) {
+      return test_block_with_few_hits(own, runs[0].begin, size);
+    }
     std::size_t hits = 0;
     const bool takes_long = own * size > tests_between_takes;
     for (std::uint32_t k = 0; k < own; ++k) {
@@ -88,20 +90,22 @@ class SimdPairTester {
         continue;
       }
       const std::size_t undecided_count = hits_.undecided_count;
-      test_with_care(probe_of(runs[0].begin + k), block_, first, size);
+      test_with_care(probe_of(runs[0].begin + k), block_.columns(), first, size);
       expects_undecided_count_ = hits_.undecided_count != undecided_count;
     }
-    expects_few_hits_ = hits * few_hits * lanes < own * size;
+    expects_few_hits_ = are_few(hits, own * size);
   }
 
   void test(const CoarseElement& coarse, std::span<const Run> runs) {
     const Probe probe(tile_, job_, coarse);
-    if (test_runs(probe, RunsOfCoarseElement{runs})) return;
+    if (test_runs(probe, RunList{runs})) return;
     for (const Run& run : runs) test_with_care(probe, run);
   }
 
  private:
   using Probe = SimdProbe<Dim, Shape>;
+  using Block = SimdBlock<Dim, Shape>;
+  using VectorList = typename Block::VectorList;
   using Row = SimdRow<Probe>;
 
   /// The hits of an element among the first eight candidates of each run: a byte for each run.
@@ -113,8 +117,11 @@ class SimdPairTester {
 
   static constexpr std::uint32_t batch_size = 64;
 
-  /// Vectors to a hit beyond which a branch costs less than to write without one.
-  static constexpr std::size_t few_hits = 4;
+  /// Tells whether there are more than so many vectors to a hit: then to write in each costs more
+  /// than to list those with hits.
+  [[nodiscard]] static HWY_INLINE bool are_few(std::size_t hits, std::size_t tests) {
+    return hits * 4 * lanes < tests;
+  }
 
   /// First the distances of all, then the pairs: two loops that do not wait for each other, each
   /// short enough for the processor to have several elements under way.
@@ -231,17 +238,8 @@ class SimdPairTester {
   /// A run that is long or has a hit.
   HWY_NOINLINE void test_run(std::uint32_t p, Run run) {
     const Probe probe = probe_of(p);
-    if (!test_runs(probe, RunsOfCoarseElement{std::span(&run, 1)})) test_with_care(probe, run);
+    if (!test_runs(probe, RunList{std::span(&run, 1)})) test_with_care(probe, run);
   }
-
-  /// Runs of a coarse element. What follows a run in memory may lie anywhere in the tile.
-  struct RunsOfCoarseElement {
-    static constexpr bool harmless_beyond = false;
-    std::span<const Run> runs;
-
-    [[nodiscard]] HWY_INLINE std::size_t size() const { return runs.size(); }
-    [[nodiscard]] HWY_INLINE const Run& operator[](std::size_t r) const { return runs[r]; }
-  };
 
   /// Runs of any length. Returns false, having found nothing, where the filter cannot decide
   /// everything, or where they do not fit into the hits.
@@ -275,54 +273,62 @@ class SimdPairTester {
 
   HWY_INLINE Probe probe_of(std::uint32_t p) const { return Probe(tile_, job_, p); }
 
-  /// Puts the runs one behind the other and returns how many candidates there are; what follows
-  /// them is within reach of nothing. Whole vectors: the excess is overwritten.
-  HWY_INLINE std::size_t gather(std::span<const Run> runs) {
-    float* const* const to = job_.block;
-    std::uint32_t* const number = job_.block_number;
-    std::size_t size = 0;
-    for (const Run& run : runs) {
-      for (std::size_t k = 0; run.begin + k < run.end; k += lanes) {
-        for (int axis = 0; axis < Dim; ++axis) {
-          hn::StoreU(hn::LoadU(floats, sorted_.center[axis] + run.begin + k), floats,
-                     to[axis] + size + k);
-        }
-        for (int column = 0; column < Probe::size_columns; ++column) {
-          hn::StoreU(hn::LoadU(floats, sorted_.size[column] + run.begin + k), floats,
-                     to[3 + column] + size + k);
-        }
-        hn::StoreU(hn::LoadU(numbers, sorted_.number + run.begin + k), numbers, number + size + k);
-      }
-      size += run.end - run.begin;
-    }
-    hn::StoreU(hn::Set(floats, far_away), floats, to[0] + size);
-    for (int column = 0; column < Probe::size_columns; ++column) {
-      hn::StoreU(hn::Zero(floats), floats, to[3 + column] + size);
-    }
-    return size;
-  }
-
   /// Vectors begin at multiples of their length, so that elements of one block take equally many
   /// turns, which the processor foresees. Returns false, having found nothing, where the filter
   /// cannot decide everything.
   HWY_INLINE bool test_gathered(std::uint32_t p, std::size_t first, std::size_t size) {
     const Probe probe = probe_of(p);
-    const Columns columns = block_;
+    const Columns columns = block_.columns();
     Row row(partner_ + hits_.found);
     const std::size_t begin = first / lanes * lanes;
     const Bits wanted = all_lanes << first % lanes & all_lanes;
-    if (expects_few_hits_) {
-      row.write_few(probe, columns, begin, wanted);
-      for (std::size_t q = begin + lanes; q < size; q += lanes) {
-        row.write_few(probe, columns, q, all_lanes);
-      }
-    } else {
-      row.write_all(probe, columns, begin, wanted);
-      for (std::size_t q = begin + lanes; q < size; q += lanes) {
-        row.write_all(probe, columns, q, all_lanes);
-      }
+    row.write_all(probe, columns, begin, wanted);
+    for (std::size_t q = begin + lanes; q < size; q += lanes) {
+      row.write_all(probe, columns, q, all_lanes);
     }
     return commit(probe, row);
+  }
+
+  /// The same where few vectors have hits: these are listed for many elements before their hits are
+  /// written.
+  HWY_INLINE void test_block_with_few_hits(std::uint32_t own, std::uint32_t begin,
+                                           std::size_t size) {
+    VectorList left;
+    std::size_t count = 0;
+    std::size_t hits = 0;
+    const auto write = [&]() HWY_ATTR {
+      hits += write_hits(left, count);
+      count = 0;
+    };
+    const std::uint32_t end = std::min(own, static_cast<std::uint32_t>(size) - 1);
+    for (std::uint32_t k = 0; k < end; ++k) {
+      if (HWY_UNLIKELY(count + Block::most_vectors(size) > VectorList::most)) write();
+      count = block_.list(tile_, job_, begin + k, k + 1, size, left, count);
+      candidate_tests_ += size - (k + 1);
+      if (HWY_UNLIKELY(candidate_tests_ >= tests_between_takes)) {
+        write();
+        take();
+      }
+    }
+    write();
+    expects_few_hits_ = are_few(hits, own * size);
+  }
+
+  /// Returns the number of hits.
+  HWY_NOINLINE std::size_t write_hits(const VectorList& left, std::size_t count) {
+    std::size_t written = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+      const Probe probe = probe_of(left.element[n]);
+      make_room(wide_lanes + lanes);
+      for (std::size_t k = 0; k < wide_lanes; k += lanes) {
+        const std::size_t q = left.candidates[n] + k;
+        const Bits hits = left.hits[n] >> k & all_lanes;
+        const Filtered filtered = probe.filter(block_.columns(), q);
+        write_lanes(probe, block_.columns(), q, hits, bits_of(filtered.sure));
+        written += static_cast<std::size_t>(std::popcount(hits));
+      }
+    }
+    return written;
   }
 
   /// Takes a row that was written behind the hits, unless some of it is undecided.
@@ -357,30 +363,34 @@ class SimdPairTester {
     for (; first < last; first += longest_piece) {
       const std::size_t end = std::min(last, first + longest_piece);
       if (hits_.found + (end - first) > HitBuffer::size) take();
-      hits_.found = test_piece(probe, columns, first, end, hits_.found);
+      test_piece(probe, columns, first, end);
     }
   }
 
-  HWY_INLINE std::size_t test_piece(const Probe& probe, const Columns& columns, std::size_t begin,
-                                    std::size_t end, std::size_t found) {
+  HWY_INLINE void test_piece(const Probe& probe, const Columns& columns, std::size_t begin,
+                             std::size_t end) {
     for (std::size_t q = begin; q < end; q += lanes) {
       const Filtered filtered = probe.filter(columns, q);
       const Bits within = end - q < lanes ? (1u << (end - q)) - 1 : all_lanes;
-      const Bits hits = bits_of(filtered.hit) & within;
-      const Bits undecided = hits & ~bits_of(filtered.sure);
-      if (HWY_UNLIKELY(undecided != 0)) note_undecided_count(hits, undecided, found);
-      hn::StoreU(probe.number(), numbers, element_ + found);
-      hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, partner_ + found);
-      found += static_cast<std::size_t>(std::popcount(hits));
+      write_lanes(probe, columns, q, bits_of(filtered.hit) & within, bits_of(filtered.sure));
     }
-    return found;
+  }
+
+  /// The hits in the vector from q on, with notes of those that are not sure.
+  HWY_INLINE void write_lanes(const Probe& probe, const Columns& columns, std::size_t q, Bits hits,
+                              Bits sure) {
+    const std::size_t found = hits_.found;
+    if (HWY_UNLIKELY((hits & ~sure) != 0)) note_undecided_count(hits, hits & ~sure, found);
+    hn::StoreU(probe.number(), numbers, element_ + found);
+    hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, partner_ + found);
+    hits_.found = found + static_cast<std::size_t>(std::popcount(hits));
   }
 
   const TileView& tile_;
   SearchJob& job_;
   HitBuffer& hits_;
   Columns sorted_;  ///< the tile's
-  Columns block_;   ///< gathered
+  Block block_;
   std::uint32_t* element_;
   std::uint32_t* partner_;
   std::size_t candidate_tests_ = 0;

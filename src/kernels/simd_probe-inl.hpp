@@ -8,14 +8,24 @@ struct Columns {
   const std::uint32_t* number;
 };
 
-struct Filtered {
-  Mask hit;   ///< not certainly apart
-  Mask sure;  ///< certainly within reach
+template <class Tag>
+struct FilteredLanes {
+  hn::Mask<Tag> hit;   ///< not certainly apart
+  hn::Mask<Tag> sure;  ///< certainly within reach
 };
 
+using Filtered = FilteredLanes<FloatTag>;
+
 /// Spheres, or equal spheres.
-template <int Dim, TileShape Shape>
+template <int Dim, TileShape Shape, class Tag = FloatTag>
 class SimdProbe {
+  using Floats = hn::Vec<Tag>;
+  using NumberTag = hn::RebindToUnsigned<Tag>;
+  using Numbers = hn::Vec<NumberTag>;
+  using Filtered = FilteredLanes<Tag>;
+  static constexpr Tag floats{};
+  static constexpr NumberTag numbers{};
+
  public:
   /// Columns that say how large a candidate is.
   static constexpr int size_columns = Shape == TileShape::equal_spheres ? 0 : 1;
@@ -85,8 +95,15 @@ class SimdProbe {
 };
 
 /// Boxes: on each axis neither may lie behind the other's end.
-template <int Dim>
-class SimdProbe<Dim, TileShape::boxes> {
+template <int Dim, class Tag>
+class SimdProbe<Dim, TileShape::boxes, Tag> {
+  using Floats = hn::Vec<Tag>;
+  using NumberTag = hn::RebindToUnsigned<Tag>;
+  using Numbers = hn::Vec<NumberTag>;
+  using Filtered = FilteredLanes<Tag>;
+  static constexpr Tag floats{};
+  static constexpr NumberTag numbers{};
+
  public:
   static constexpr int size_columns = Dim;
 

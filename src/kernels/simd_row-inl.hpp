@@ -1,6 +1,15 @@
 // The elements that one element meets, in vectors, while they are being found; included like
 // simd_pair_tester-inl.hpp.
 
+/// Any runs. What follows one in memory may lie anywhere in the tile.
+struct RunList {
+  static constexpr bool harmless_beyond = false;
+  std::span<const Run> runs;
+
+  [[nodiscard]] HWY_INLINE std::size_t size() const { return runs.size(); }
+  [[nodiscard]] HWY_INLINE const Run& operator[](std::size_t r) const { return runs[r]; }
+};
+
 /// The partners of an element while they are being found.
 template <class Probe>
 class SimdRow {
@@ -16,14 +25,6 @@ class SimdRow {
     const Bits hits = bits_of(filtered.hit) & wanted;
     hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, end_);
     end_ += std::popcount(hits);
-  }
-
-  /// Writes the hits of a run; for runs of which few vectors hold a hit.
-  HWY_INLINE void write_few(const Probe& probe, const Columns& columns, std::size_t q,
-                            Bits wanted) {
-    if (HWY_UNLIKELY((bits_of(probe.filter(columns, q).hit) & wanted) != 0)) {
-      write_all(probe, columns, q, wanted);
-    }
   }
 
   [[nodiscard]] HWY_INLINE std::uint32_t* end() const { return end_; }

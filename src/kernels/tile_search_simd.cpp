@@ -19,6 +19,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -40,6 +41,8 @@ constexpr std::size_t most_hits = 5 * short_run;
 #include "kernels/simd_nearby-inl.hpp"
 
 #include "kernels/simd_row-inl.hpp"
+
+#include "kernels/simd_block-inl.hpp"
 
 #include "kernels/simd_pair_tester-inl.hpp"
 

@@ -108,6 +108,9 @@ class Images {
     return size_cut_ > bounds_.largest_radius;
   }
 
+  /// True if some locals are not where their elements are given.
+  [[nodiscard]] bool moved_any() const noexcept { return moved_any_; }
+
   /// True if no shift can exceed 2^31 - 1, so that shift_between never throws.
   [[nodiscard]] bool shifts_always_fit() const noexcept { return shifts_always_fit_; }
 

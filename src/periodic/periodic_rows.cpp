@@ -2,6 +2,7 @@
 
 #include "engine/set_search.hpp"
 #include "grid/scaling.hpp"
+#include "kernels/tie_kernels.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/lattice_step.hpp"
 #include "lattice/lattice_unit.hpp"
@@ -209,7 +210,8 @@ bool periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
   if (!boxes.empty()) move_boxes<Dim>(boxes, images, settings.workers, own.moved_boxes);
   const exact::Elements<Dim> originals{std::span(spheres).first(locals), boxes};
   const auto columns = kernels::strided_spheres(originals.spheres);
-  const PeriodicDecider<Dim> decider(originals, columns, lattice, images, settings.margin);
+  const PeriodicDecider<Dim> decider(originals, columns, lattice, images, settings.margin,
+                                     kernels::tie_kernels(settings.simd));
   const auto steps = boxes.empty() ? steps_of(columns, images) : engine::GivenSteps{};
   search_of_all.run(decider, steps, [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
     search(set_search, moved, images);
@@ -232,7 +234,8 @@ bool periodic_rows_in_place(const kernels::StridedSpheres& spheres, const Period
   const Images<Dim>& images = own.images;
   if (images.reach_is_long() || !images.shifts_always_fit()) return false;
   own.moved_boxes.clear();
-  const PeriodicDecider<Dim> decider({}, spheres, lattice, images, settings.margin);
+  const PeriodicDecider<Dim> decider({}, spheres, lattice, images, settings.margin,
+                                     kernels::tie_kernels(settings.simd));
   const auto steps = steps_of(spheres, images);
   const auto search_images = [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
     if (moved.size() == 0) return set_search.search_in_layers(set_of_all(images));

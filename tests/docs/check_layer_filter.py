@@ -10,19 +10,18 @@ import sys
 from fractions import Fraction
 
 from check_tile_filter import root, single
-from check_whole_numbers import UNITS, distance_squared, near_a_unit, nearly_half_way, units
+from check_whole_numbers import distance_squared, near_a_unit, nearly_half_way, units
 
 PAIRS = 6000
 FACES = 30000
 SYSTEMS = 60
 SEED = 23
-BOUND_OF_EQUAL, BOUND = Fraction(201, 100), Fraction(214, 100)  # section 3, in units
-MOVED = Fraction(1, 16)  # section 7
+BOUND_OF_EQUAL, BOUND = Fraction(276, 100), Fraction(327, 100)  # section 3, in units
+MOVED = Fraction(1, 4)  # section 7
 SLACK = 4.0
-CELLS = 2044  # end_of_positions
-FAR = -(1 << 21)
+BITS = [20, 21, 22]  # of the units of a cell
 LANES = 8
-BAND = 17.0  # LayerGrid::set_reach
+BAND = 20.0  # LayerGrid::set_reach
 
 
 def bits(value):
@@ -33,10 +32,11 @@ def bits(value):
 class Filter:
     """LayerGrid, and the comparisons of simd_layer_tester-inl.hpp."""
 
-    def __init__(self, reach, units_of_one, halvings=2, finer=0):
-        """For elements whose largest reach that is, in cells of 2^(20 + finer) units."""
+    def __init__(self, reach, units_of_one, halvings=2, finer=0, bits=20):
+        """For elements whose largest reach that is, in cells of 2^(bits + finer) units."""
         self.units = reach * units_of_one
-        self.cell_shift = 20 + finer
+        self.far = -2 << bits
+        self.cell_shift = bits + finer
         self.shift = self.cell_shift - halvings
         self.columns = int((self.units + 2 * SLACK) / (1 << self.shift)) + 1
         largest = single(self.units)
@@ -81,9 +81,11 @@ def random_reach(draw, cell, units_of_one, equal):
 def random_case(draw, equal, moved):
     """Two elements about a reach apart: (filter, frame, as given, as stored, reach)."""
     cell = draw.uniform(0.5, 2.0)
-    units_of_one = UNITS / cell
+    bits = draw.choice(BITS)
+    units_of_one = (1 << bits) / cell
     lower = draw.choice([0.0, draw.uniform(-1, 1), draw.uniform(-1e6, 1e6)])
-    widest = min(2.0 ** draw.choice([2, 8, 11]), CELLS - 4.0)
+    # LayerGrid::end_of_positions leaves almost 2^(31 - bits) cells.
+    widest = 2.0 ** draw.choice([2, 8, 31 - bits]) * 0.98
     test, radii, margin = random_reach(draw, cell, units_of_one, equal)
     direction = [draw.uniform(0.9, 1.0) for _ in range(3)]
     norm = math.sqrt(sum(d * d for d in direction))
@@ -126,9 +128,9 @@ def worst_error(draw, equal, moved):
     return worst
 
 
-def pair_across(draw, cell, reach):
+def pair_across(draw, cell, reach, bits):
     """Positions of two elements a reach apart, the first just before a face."""
-    units_of_one = UNITS / cell
+    units_of_one = (1 << bits) / cell
     lower = draw.uniform(-1, 1) * draw.choice([0, 1, 1e3])
     faces = 4 * draw.randrange(1, 1 << draw.choice([2, 8])) + draw.randrange(4)
     x = math.nextafter(lower + faces * cell / 4, -math.inf)
@@ -143,8 +145,9 @@ def cells_apart(draw, margin):
     lost = 0
     for _ in range(FACES):
         reach = draw.uniform(0.5, 2.0)
-        first, second = pair_across(draw, reach * (1.0 + margin), reach)
-        lost += second // UNITS - first // UNITS > 1
+        bits = draw.choice(BITS)
+        first, second = pair_across(draw, reach * (1.0 + margin), reach, bits)
+        lost += (second >> bits) - (first >> bits) > 1
     return lost
 
 
@@ -155,12 +158,13 @@ def columns_apart(draw, fewer):
         reach = draw.uniform(0.5, 2.0)
         halvings = draw.choice([1, 2])
         cell = reach * (1 + 2.0 ** -10) * (1.0 if halvings == 2 else draw.uniform(1.5, 9.0))
-        test = Filter(reach, UNITS / cell, halvings)
-        first, second = pair_across(draw, cell, reach)
+        bits = draw.choice(BITS)
+        test = Filter(reach, (1 << bits) / cell, halvings, bits=bits)
+        first, second = pair_across(draw, cell, reach, bits)
         columns = test.columns - fewer
         lost += (second >> test.shift) - (first >> test.shift) > columns
         # The last place of a column, and the first one behind the last column of its runs.
-        last = draw.randrange(1, 1 << 20) << test.shift
+        last = draw.randrange(1, 1 << 31 - bits) << test.shift
         lost += distance_squared((last - 1,), (last + (columns << test.shift),)) < test.outer
     return lost
 
@@ -217,7 +221,7 @@ class Layers:
         return table
 
     def pad(self, place, count):
-        self.places[place:place + count] = [((FAR, 0, 0), None)] * count
+        self.places[place:place + count] = [((self.test.far, 0, 0), None)] * count
         return place + count
 
     def runs(self, own, following, row, p):
@@ -254,13 +258,13 @@ class Layers:
         self.found.update(frozenset((self.places[p][1], number)) for _, number in hits)
 
 
-def clusters(draw, extent, cell_shift):
+def clusters(draw, extent, cell_shift, units):
     """Positions about a reach apart, around points on faces of columns and cells."""
     positions = []
     for _ in range(4):
         middle = [draw.randrange(2 * n + 1) << cell_shift - 1 for n in extent]
         for _ in range(8):
-            place = [x + draw.randrange(-UNITS // 2, UNITS // 2) for x in middle]
+            place = [x + draw.randrange(-units // 2, units // 2) for x in middle]
             positions.append([min(max(x, 0), (n << cell_shift) - 1)
                               for x, n in zip(place, extent)])
     return positions
@@ -272,7 +276,9 @@ def systems_searched_wrongly(draw, fewer=0, **broken):
     for _ in range(SYSTEMS):
         dimensions = draw.choice([2, 3])
         finer = draw.choice([0, 0, 3, 5])
-        test = Filter(draw.uniform(0.7, 1.0) / (1 + 2.0 ** -10), UNITS, 1 if finer else 2, finer)
+        bits = draw.choice(BITS)
+        reach = draw.uniform(0.7, 1.0) / (1 + 2.0 ** -10)
+        test = Filter(reach, 1 << bits, 1 if finer else 2, finer, bits)
         test.columns -= fewer
         layers, rows, cells = draw.choice([3, 4]), draw.choice([1, 2]), draw.choice([1, 2, 4])
         extent = [cells, layers * rows if dimensions == 2 else rows, layers]
@@ -283,7 +289,7 @@ def systems_searched_wrongly(draw, fewer=0, **broken):
             place[0] %= 1 << test.shift  # the first column
             positions += [place] * draw.choice([4, 9, 30])
         if finer:
-            positions += clusters(draw, extent, test.cell_shift)
+            positions += clusters(draw, extent, test.cell_shift, 1 << bits)
         if dimensions == 2:
             positions = [[*position[:2], 0] for position in positions]
         grid = Layers(dimensions, test, (layers, rows, cells << test.cell_shift - test.shift),

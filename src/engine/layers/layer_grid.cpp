@@ -71,21 +71,23 @@ constexpr double most_units_of_step = 0x1p24;
 /// A position has 31 bits: with one for its cell, an axis has two of these.
 constexpr int most_bits_of_cell = 30;
 
-/// Returns the bits of a position below its cell: more than 20 where the cell is wider than the
-/// reach needs, while the reach stays below 2^20 units and positions fit. The finer the unit, the
-/// fewer pairs are left undecided.
+/// Returns the finest units in which positions fit: the finer, the fewer pairs are left undecided.
+/// A cell has up to 2^22 of them, or more by the power of two by which it is wider than needed.
 template <int Dim>
-int cell_shift_for(const grid::Bounds<Dim>& bounds, double cell, double least) {
+LayerUnits units_for(const grid::Bounds<Dim>& bounds, double cell, double least) {
   double longest = 0.0;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     longest = std::max(longest, bounds.upper[axis] - bounds.lower[axis]);
   }
-  int shift = kernels::cell_bits;
-  for (double half = 0.5 * cell; half >= least && shift < most_bits_of_cell; half *= 0.5) {
-    if (!(longest * (std::ldexp(1.0, shift + 1) / cell) < kernels::end_of_positions)) break;
-    ++shift;
+  int wider = 0;
+  for (double half = 0.5 * cell; half >= least && wider < most_bits_of_cell; half *= 0.5) ++wider;
+  int shift = std::min(kernels::most_cell_bits + wider, most_bits_of_cell);
+  for (; shift > kernels::cell_bits; --shift) {
+    const int reach_bits = std::max(shift - wider, kernels::cell_bits);
+    const double end = kernels::end_of_positions(reach_bits);
+    if (longest * (std::ldexp(1.0, shift) / cell) < end) return {shift, reach_bits};
   }
-  return shift;
+  return {shift, kernels::cell_bits};
 }
 
 /// The axes, the shortest first; of equal ones the first.
@@ -107,8 +109,8 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& boun
                                                    double least_cell, std::size_t elements) {
   LayerGrid grid;
   const double cell = cell_size(bounds, least_cell, static_cast<double>(elements));
-  const int shift = cell_shift_for(bounds, cell, least_cell);
-  if (!grid.lay_out(bounds, std::ldexp(1.0, shift) / cell, shift)) return std::nullopt;
+  const LayerUnits units = units_for(bounds, cell, least_cell);
+  if (!grid.lay_out(bounds, std::ldexp(1.0, units.cell_shift) / cell, units)) return std::nullopt;
   grid.has_wide_cells_ = cell > least_cell;
   grid.cut_rows(bounds, margin, 2.0 * double{kernels::layer_slack});
   if constexpr (Dim == 2) grid.join_rows(elements);
@@ -127,7 +129,8 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::in_steps(const grid::Bounds<Dim>& 
   const double fitting = std::floor(std::ldexp(step / cell(), bits_of_exact_cell));
   const double units = std::min(fitting, most_units_of_step);
   LayerGrid grid;
-  if (!(units >= fewest_units_of_step) || !grid.lay_out(bounds, units / step, bits_of_exact_cell)) {
+  if (!(units >= fewest_units_of_step) ||
+      !grid.lay_out(bounds, units / step, {bits_of_exact_cell, kernels::cell_bits})) {
     return std::nullopt;
   }
   grid.has_wide_cells_ = has_wide_cells_;
@@ -143,7 +146,9 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_cells(const grid::Bounds<Dim>& 
                                                        std::size_t elements) {
   LayerGrid grid;
   const double units_of_one = std::ldexp(1.0, kernels::cell_bits) / cell;
-  if (!grid.lay_out(bounds, units_of_one, kernels::cell_bits)) return std::nullopt;
+  if (!grid.lay_out(bounds, units_of_one, {kernels::cell_bits, kernels::cell_bits})) {
+    return std::nullopt;
+  }
   grid.cut_rows_by_size(margin);
   if (!(grid.units_of(bounds.largest_radius) < most_units) || !(grid.margin_ < most_units)) {
     return std::nullopt;
@@ -153,12 +158,14 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_cells(const grid::Bounds<Dim>& 
 }
 
 template <int Dim>
-bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double units_of_one, int cell_shift) {
-  cell_shift_ = cell_shift;
+bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double units_of_one,
+                             const LayerUnits& units) {
+  cell_shift_ = units.cell_shift;
+  reach_bits_ = units.reach_bits;
   map_.units_of_one = units_of_one;
   // Along no axis there are more cells than positions of 2^20 units to a cell allow.
-  const double end =
-      std::ldexp(kernels::end_of_positions, std::min(cell_shift - kernels::cell_bits, 0));
+  const double end = std::ldexp(kernels::end_of_positions(reach_bits_),
+                                std::min(cell_shift_ - kernels::cell_bits, 0));
   std::array<std::uint32_t, Dim> cells{};
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     map_.lower[axis] = bounds.lower[axis];
@@ -240,8 +247,8 @@ void LayerGrid<Dim>::set_reach(kernels::LayerPair& layers) const noexcept {
   const float farthest = reach_ + slack;
   layers.inner = nearest * nearest;
   layers.outer = farthest * farthest;
-  // (s + 4)^2 - (s - 4)^2 = 16 s; roundings add less than s, and s below the slack 64.
-  layers.band = has_equal_radii_ ? layers.outer - layers.inner : 17.0f * reach_ + 64.0f;
+  // (s + 4)^2 - (s - 4)^2 = 16 s; roundings add less than 4 s, and s below the slack 64.
+  layers.band = has_equal_radii_ ? layers.outer - layers.inner : 20.0f * reach_ + 64.0f;
 }
 
 /// Joins rows to strips of 2^k rows each.

@@ -38,11 +38,18 @@ struct LayerLimits {
   std::size_t least_elements_with_spheres = 400000;
 };
 
+/// A cell has 2^cell_shift units, and the largest reach less than 2^reach_bits, where this bounds
+/// errors.
+struct LayerUnits {
+  int cell_shift;
+  int reach_bits;
+};
+
 /// Positions, columns, rows and layers of elements of one reach.
 ///
 /// The axis with the most cells goes from layer to layer (in 2D from row to row), the next one
-/// along the rows. Cells are cubes, 2^20 units wide or, where the reach is shorter, a higher power
-/// of two; along a row they are cut into columns. In 2D a layer is a strip of rows.
+/// along the rows. Cells are cubes, of a power of two of units, and along a row they are cut into
+/// columns. In 2D a layer is a strip of rows.
 template <int Dim>
 class LayerGrid {
  public:
@@ -121,6 +128,10 @@ class LayerGrid {
   /// Bits of a position below its cell, and below its column.
   [[nodiscard]] int cell_shift() const noexcept { return cell_shift_; }
   [[nodiscard]] int column_shift() const noexcept { return column_shift_; }
+  /// Position along a row of what is no element.
+  [[nodiscard]] std::int32_t far_position() const noexcept {
+    return kernels::far_position(reach_bits_);
+  }
   /// The axis along which rows go.
   [[nodiscard]] std::size_t row_axis() const noexcept { return row_axis_; }
 
@@ -174,7 +185,8 @@ class LayerGrid {
     return static_cast<std::uint32_t>(position) >> map_.layer_shift;
   }
 
-  [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double units_of_one, int cell_shift);
+  [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double units_of_one,
+                             const LayerUnits& units);
   void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double slack);
   void cut_rows_by_size(double margin);
   void join_rows(std::size_t elements);
@@ -188,6 +200,7 @@ class LayerGrid {
   std::uint32_t columns_in_reach_ = 0;
   std::uint32_t row_mask_ = ~std::uint32_t{0};
   int cell_shift_ = kernels::cell_bits;
+  int reach_bits_ = kernels::cell_bits;
   int column_shift_ = kernels::cell_bits;
   float reach_ = 0.0f;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units

@@ -36,9 +36,10 @@ std::uint32_t turn_into_places(std::uint32_t* counts, std::size_t size, std::uin
   return place;
 }
 
-kernels::PositionRecord no_element(std::size_t row_axis) {
+template <int Dim>
+kernels::PositionRecord no_element(const LayerGrid<Dim>& grid) {
   kernels::PositionRecord record{};
-  record.position[row_axis] = kernels::far_position;
+  record.position[grid.row_axis()] = grid.far_position();
   return record;
 }
 
@@ -191,7 +192,7 @@ void SortedLayers<Dim>::copy(const kernels::StridedSpheres& spheres, std::uint32
 template <int Dim>
 void SortedLayers<Dim>::pad(const LayerGrid<Dim>& grid, const std::uint32_t* table,
                             kernels::PositionRecord* placed, std::uint32_t end) noexcept {
-  const kernels::PositionRecord none = no_element(grid.row_axis());
+  const kernels::PositionRecord none = no_element(grid);
   const auto put = [&](std::uint32_t place, std::size_t count) {
     std::fill_n(placed + place, count, none);
     if (!grid.has_equal_radii()) std::fill_n(radii_.data() + place, count, 0.0f);

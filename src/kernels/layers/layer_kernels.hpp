@@ -10,16 +10,24 @@
 
 namespace abut::kernels {
 
-/// Bits of a position below its cell, where cells are no wider than the reach needs: 2^20 units, as
-/// on a device (docs/derivations/whole_numbers.md).
+/// Bits of a position below its cell, at least: 2^20 units, as on a device
+/// (docs/derivations/whole_numbers.md).
 inline constexpr int cell_bits = 20;
+/// The same, at most, where cells are no wider than the reach needs: squares of single precision
+/// hold no finer distances.
+inline constexpr int most_cell_bits = 22;
 
-/// Positions are below this on every axis, so that any two of them, and `far_position`, differ by a
-/// number of 32 bits with its sign.
-inline constexpr double end_of_positions = 0x1p31 - 0x1p22;
+/// Position, along a row, of what is no element, where a reach has less than 2^bits units: two
+/// reaches or more before every element.
+[[nodiscard]] constexpr std::int32_t far_position(int reach_bits) noexcept {
+  return -(1 << (reach_bits + 1));
+}
 
-/// Position, along a row, of what is no element: two reaches or more before every element.
-inline constexpr std::int32_t far_position = -(1 << 21);
+/// Positions are below this on every axis, so that any two of them, and that far position, differ
+/// by a number of 32 bits with its sign.
+[[nodiscard]] constexpr double end_of_positions(int reach_bits) noexcept {
+  return 0x1p31 - 0x1p21 + far_position(reach_bits);
+}
 
 /// Bound of the error of a distance between whole positions, in units.
 inline constexpr float layer_slack = 4.0f;
@@ -78,7 +86,7 @@ struct LayerColumns {
 };
 
 /// Two adjacent layers, sorted by row and column, in one set of arrays. In 2D a layer is a strip of
-/// some rows. Each row ends with row_padding places at far_position:
+/// some rows. Each row ends with row_padding places at a far position:
 ///
 ///   row      | columns 0 .. n - 1 | padding | next row ...
 ///   table    row * row_length + c: first place of column c - K, with K columns in a reach; so

@@ -105,7 +105,7 @@ TYPED_TEST(LayerFacesOf, PairsAcrossFaces) {
   for (std::size_t k = 0; k < TestFixture::pairs; ++k) {
     Vector a{};
     for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
-      const double parts = std::array{1.0, 4.0, 1048576.0}[this->random_.below(3)];
+      const double parts = std::array{1.0, 4.0, 0x1p22}[this->random_.below(3)];
       const double x = this->random_.uniform(0.0, extent[axis]);
       a[axis] = in_box(beside(this->random_, std::floor(x * parts) / parts), axis);
     }
@@ -121,7 +121,7 @@ TYPED_TEST(LayerFacesOf, PairsAcrossFaces) {
   const auto grid =
       layer_grid_over<dim>(bounds_of<dim>(spheres), reach, reach * (1.0 + 0x1p-10), spheres.size());
   ASSERT_TRUE(grid);
-  ASSERT_EQ(grid->map().units_of_one, 0x1p20);
+  ASSERT_EQ(grid->map().units_of_one, 0x1p22);
   expect_right_in_layers<dim>(spheres);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,13 @@
 namespace abut::testing {
 namespace {
 
-constexpr double units_of_cell = 1 << kernels::cell_bits;
+/// Units that a reach has at most, where positions fit.
+constexpr double most_units = 1 << kernels::most_cell_bits;
+
+template <class Grid>
+double units_of_cell(const Grid& grid) {
+  return std::ldexp(1.0, grid.cell_shift());
+}
 
 template <class Dimension>
 class LayerGridOf : public ::testing::Test {
@@ -34,7 +41,7 @@ class LayerGridOf : public ::testing::Test {
   static std::uint32_t cells(const Grid& grid, const std::array<double, 3>& extent,
                              std::size_t axis) {
     const auto record = grid.record(sphere_at<Dimension::value>(extent), 0);
-    return (static_cast<std::uint32_t>(record.position[axis]) >> kernels::cell_bits) + 1;
+    return (static_cast<std::uint32_t>(record.position[axis]) >> grid.cell_shift()) + 1;
   }
 
   static kernels::LayerPair reach_of(const Grid& grid) {
@@ -101,16 +108,16 @@ TYPED_TEST(LayerGridOf, PositionsAreWholeUnitsFromTheLowerCorner) {
   const std::array<double, 3> extent{16.0, 24.0, 32.0};
   const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 20000);
   ASSERT_TRUE(grid);
-  ASSERT_EQ(grid->map().units_of_one, units_of_cell);
+  ASSERT_EQ(grid->map().units_of_one, most_units);
   for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
     for (const double x : {0.0, 0.25, 1.0, 7.0, 8.0, 15.0, extent[axis]}) {
       for (const double beside : {x, std::nextafter(x, 0.0), std::nextafter(x, extent[axis])}) {
         std::array<double, 3> center{};
         center[axis] = beside;
         const auto record = grid->record(sphere_at<TypeParam::value>(center), 0);
-        EXPECT_EQ(record.position[axis], static_cast<std::int32_t>(beside * units_of_cell));
+        EXPECT_EQ(record.position[axis], static_cast<std::int32_t>(beside * most_units));
         if (axis == grid->row_axis()) {
-          const double columns = std::ldexp(beside, kernels::cell_bits - grid->column_shift());
+          const double columns = std::ldexp(beside, grid->cell_shift() - grid->column_shift());
           EXPECT_EQ(grid->column(record), static_cast<std::uint32_t>(columns));
         }
       }
@@ -133,7 +140,7 @@ TYPED_TEST(LayerGridOf, LayersHoldRowAfterRow) {
     for (int k = 0; k < 300; ++k) {
       const auto sphere = uniform_spheres<TypeParam::value>(this->random_, 1, extent)[0];
       const auto record = grid->record(sphere, 0);
-      const auto cell = static_cast<std::uint32_t>(record.position[axis]) >> kernels::cell_bits;
+      const auto cell = static_cast<std::uint32_t>(record.position[axis]) >> grid->cell_shift();
       EXPECT_EQ(grid->layer(sphere), cell / in_layer);
       EXPECT_TRUE(!has_strips || grid->row(record) == cell % in_layer);
     }
@@ -158,17 +165,27 @@ TYPED_TEST(LayerGridOf, FewElementsHaveAsFewRowsAsAnAxisHasCells) {
   }
 }
 
-/// Cells of 2^20 units along an axis, and some to spare: the difference of two positions, or of one
-/// and far_position, has 31 bits and a sign.
+/// Cells of 2^22, 2^21 or 2^20 units along an axis, and some to spare: the difference of two
+/// positions, or of one and the far position, has 31 bits and a sign.
 TYPED_TEST(LayerGridOf, PositionsHaveAnEnd) {
+  struct Axis {
+    double cells;
+    int bits;
+  };
+  constexpr std::array<Axis, 6> ends{
+      {{509.0, 22}, {509.4, 22}, {509.6, 21}, {1020.9, 21}, {1021.1, 20}, {2043.5, 20}}};
   for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
     std::array<double, 3> extent{40.0, 40.0, 40.0};
-    extent[axis] = 2043.5;
-    const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 1U << 30);
-    ASSERT_TRUE(grid);
-    const auto last = grid->record(sphere_at<TypeParam::value>(extent), 0).position[axis];
-    EXPECT_LT(last, kernels::end_of_positions);
-    EXPECT_LT(std::int64_t{last} - kernels::far_position, std::int64_t{1} << 31);
+    for (const auto& [cells, bits] : ends) {
+      extent[axis] = cells;
+      const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 1U << 30);
+      ASSERT_TRUE(grid);
+      EXPECT_EQ(grid->cell_shift(), bits) << cells;
+      EXPECT_EQ(grid->far_position(), -(2 << bits));
+      const auto last = grid->record(sphere_at<TypeParam::value>(extent), 0).position[axis];
+      EXPECT_LT(last, kernels::end_of_positions(bits));
+      EXPECT_LT(std::int64_t{last} - grid->far_position(), std::int64_t{1} << 31);
+    }
     extent[axis] = 2044.5;
     EXPECT_FALSE(layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 1U << 30));
     extent[axis] = 1e300;
@@ -195,8 +212,8 @@ TYPED_TEST(LayerGridOf, ColumnsInReachCoverIt) {
       x += reach;
       const auto far = grid->record(sphere, 0);
       EXPECT_LE(grid->column(far), grid->column(near) + covered);
-      EXPECT_LE(far.position[axis] >> kernels::cell_bits,
-                (near.position[axis] >> kernels::cell_bits) + 1);
+      EXPECT_LE(far.position[axis] >> grid->cell_shift(),
+                (near.position[axis] >> grid->cell_shift()) + 1);
     }
     const double beyond = std::ldexp(static_cast<double>(covered), grid->column_shift());
     EXPECT_GT(beyond * beyond, static_cast<double>(this->reach_of(*grid).outer));
@@ -231,14 +248,14 @@ TYPED_TEST(LayerGridOf, CellsAreNotManyMoreThanElements) {
         cells *= std::max(1.0, along);
       }
       EXPECT_LE(cells, 3.001 * elements) << cell;
-      EXPECT_LE(grid->map().units_of_one, units_of_cell / cell);
+      EXPECT_LE(grid->map().units_of_one, units_of_cell(*grid) / cell);
     }
   }
 }
 
-/// In cells wider than the reach needs, the unit is the finest of which a reach has 2^20 at most
-/// and with which positions have their 31 bits: half of it has one or the other no more.
-TYPED_TEST(LayerGridOf, WideCellsHaveFinerUnits) {
+/// The unit is the finest of which a reach has 2^22 at most, in wide cells as well, and with which
+/// positions have their 31 bits: half of it has one or the other no more.
+TYPED_TEST(LayerGridOf, UnitsAreAsFineAsReachAndPositionsAllow) {
   bool is_as_fine_as_reaches = false;
   bool is_as_fine_as_positions = false;
   for (const double least : {1.0, 0.3, 0.01, 1e-5, 1e-12}) {
@@ -247,16 +264,18 @@ TYPED_TEST(LayerGridOf, WideCellsHaveFinerUnits) {
       const auto grid =
           layer_grid_over<TypeParam::value>(this->box(extent), 0.9 * least, least, 20000);
       ASSERT_TRUE(grid);
-      EXPECT_EQ(grid->has_wide_cells(), grid->cell_shift() > kernels::cell_bits ||
-                                            least * grid->map().units_of_one < units_of_cell);
       const double units_of_reach = least * grid->map().units_of_one;
+      EXPECT_EQ(grid->has_wide_cells(), units_of_reach < units_of_cell(*grid));
       const double units_of_axis = side * grid->map().units_of_one;
-      EXPECT_LE(units_of_reach, units_of_cell);
-      EXPECT_LT(units_of_axis, kernels::end_of_positions);
-      const bool fit_no_finer_reach = 2.0 * units_of_reach > units_of_cell;
-      const bool fit_no_finer_positions = 2.0 * units_of_axis >= kernels::end_of_positions;
+      const int reach_bits = std::bit_width(static_cast<unsigned>(-grid->far_position())) - 2;
+      EXPECT_LE(units_of_reach, std::ldexp(1.0, reach_bits));
+      EXPECT_LT(units_of_axis, kernels::end_of_positions(reach_bits));
+      const bool fit_no_finer_reach = 2.0 * units_of_reach > most_units;
+      const int finer_bits = std::min(reach_bits + 1, kernels::most_cell_bits);
+      const bool fit_no_finer_positions =
+          2.0 * units_of_axis >= kernels::end_of_positions(finer_bits);
       EXPECT_TRUE(fit_no_finer_reach || fit_no_finer_positions) << least << " " << side;
-      is_as_fine_as_reaches |= fit_no_finer_reach && grid->cell_shift() > kernels::cell_bits;
+      is_as_fine_as_reaches |= fit_no_finer_reach && grid->has_wide_cells();
       is_as_fine_as_positions |= fit_no_finer_positions;
       EXPECT_LT(grid->map().layer_shift, 32);
     }

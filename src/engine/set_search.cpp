@@ -70,7 +70,9 @@ void SetSearch<Dim>::search(const SearchSet<Dim>& set) {
 
 template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
-  if (set.locals.empty() || set.locals.size() < input_.layer_limits.least_elements) return false;
+  const bool may_be_few = set.bounds.smallest_radius == set.bounds.largest_radius;
+  if (set.locals.empty()) return false;
+  if (!may_be_few && set.locals.size() < input_.layer_limits.least_elements) return false;
   const SearchPlace at{nullptr, workspace_.levels, workspace_.histogram, 0};
   const SizeChoice choice = choose_by_size(set, at);
   if (!choice.is_searched && (choice.cut || !take_layers(set))) return false;

@@ -20,27 +20,34 @@ class SimdBlock {
   [[nodiscard]] HWY_INLINE const Columns& columns() const { return columns_; }
 
   /// Puts the runs one behind the other and returns how many candidates there are; what follows
-  /// them is within reach of nothing. Whole vectors: the excess is overwritten.
-  HWY_INLINE std::size_t gather(const Columns& from, std::span<const Run> runs,
+  /// them is within reach of nothing. Whole vectors: the excess is overwritten. Those of the tag
+  /// are to be the ones that will be read: a processor waits for what it reads of several writes.
+  template <class Tag>
+  HWY_INLINE std::size_t gather(Tag tag, const Columns& from, std::span<const Run> runs,
                                 const SearchJob& job) const {
+    constexpr hn::RebindToUnsigned<Tag> number_tag{};
+    constexpr std::size_t length = hn::MaxLanes(Tag());
     float* to[6];
     std::copy_n(job.block, 6, to);
     std::uint32_t* const number = job.block_number;
     std::size_t size = 0;
     for (const Run& run : runs) {
-      for (std::size_t k = 0; run.begin + k < run.end; k += wide_lanes) {
+      for (std::size_t k = 0; run.begin + k < run.end; k += length) {
         const std::size_t q = run.begin + k;
-        for (int axis = 0; axis < Dim; ++axis) copy(from.center[axis] + q, to[axis] + size + k);
-        for (int column = 0; column < size_columns; ++column) {
-          copy(from.size[column] + q, to[3 + column] + size + k);
+        const std::size_t place = size + k;
+        for (int axis = 0; axis < Dim; ++axis) {
+          hn::StoreU(hn::LoadU(tag, from.center[axis] + q), tag, to[axis] + place);
         }
-        hn::StoreU(hn::LoadU(wide_numbers, from.number + q), wide_numbers, number + size + k);
+        for (int column = 0; column < size_columns; ++column) {
+          hn::StoreU(hn::LoadU(tag, from.size[column] + q), tag, to[3 + column] + place);
+        }
+        hn::StoreU(hn::LoadU(number_tag, from.number + q), number_tag, number + place);
       }
       size += run.end - run.begin;
     }
-    hn::StoreU(hn::Set(wide_floats, far_away), wide_floats, to[0] + size);
+    hn::StoreU(hn::Set(tag, far_away), tag, to[0] + size);
     for (int column = 0; column < size_columns; ++column) {
-      hn::StoreU(hn::Zero(wide_floats), wide_floats, to[3 + column] + size);
+      hn::StoreU(hn::Zero(tag), tag, to[3 + column] + size);
     }
     return size;
   }
@@ -71,10 +78,6 @@ class SimdBlock {
 
  private:
   static constexpr int size_columns = SimdProbe<Dim, Shape>::size_columns;
-
-  static HWY_INLINE void copy(const float* from, float* to) {
-    hn::StoreU(hn::LoadU(wide_floats, from), wide_floats, to);
-  }
 
   Columns columns_;
 };

@@ -14,9 +14,7 @@ constexpr std::size_t lanes = hn::MaxLanes(FloatTag());
 
 /// All lanes that a vector has, for candidates that stand in long rows.
 using WideTag = hn::ScalableTag<float>;
-using WideNumberTag = hn::RebindToUnsigned<WideTag>;
 constexpr WideTag wide_floats{};
-constexpr WideNumberTag wide_numbers{};
 constexpr std::size_t wide_lanes = hn::MaxLanes(WideTag());
 
 /// A lane is a bit.

@@ -70,11 +70,13 @@ class SimdPairTester {
 
   /// The first `own` elements of the runs, each with all that follow it.
   HWY_INLINE void test_block(std::uint32_t own, std::span<const Run> runs) {
-    const std::size_t size = block_.gather(sorted_, runs, job_);
-    const bool fits_into_list = Block::most_vectors(size) <= VectorList::most;
-    if (expects_few_hits_ && !expects_undecided_count_ && fits_into_list) {
-      return test_block_with_few_hits(own, runs[0].begin, size);
+    if (expects_few_hits_ && !expects_undecided_count_) {
+      const std::size_t size = block_.gather(wide_floats, sorted_, runs, job_);
+      if (Block::most_vectors(size) <= VectorList::most) {
+        return test_block_with_few_hits(own, runs[0].begin, size);
+      }
     }
+    const std::size_t size = block_.gather(floats, sorted_, runs, job_);
     std::size_t hits = 0;
     const bool takes_long = own * size > tests_between_takes;
     for (std::uint32_t k = 0; k < own; ++k) {

@@ -17,6 +17,7 @@ constexpr std::size_t samples = 64;
 template <int Dim>
 std::optional<double> step_of_samples(const kernels::StridedSpheres& spheres,
                                       const StepRange& range) {
+  if (spheres.size == 0 || range.largest == 0.0) return std::nullopt;
   exact::BitRange bits;
   bits.include(range.largest);
   for (std::size_t sample = 0; sample < samples; ++sample) {
@@ -47,10 +48,14 @@ bool are_in_steps(const kernels::StridedSpheres& spheres, std::size_t begin, std
 }  // namespace
 
 template <int Dim>
+bool may_have_step(const kernels::StridedSpheres& spheres, const StepRange& range) {
+  return step_of_samples<Dim>(spheres, range).has_value();
+}
+
+template <int Dim>
 std::optional<double> coordinate_step(const kernels::StridedSpheres& spheres,
                                       const StepRange& range, const kernels::LayerKernels& kernels,
                                       std::size_t workers, base::WorkCounter& work) {
-  if (spheres.size == 0 || range.largest == 0.0) return std::nullopt;
   const std::optional<double> step = step_of_samples<Dim>(spheres, range);
   if (!step) return std::nullopt;
   std::atomic<bool> are_all = true;
@@ -66,6 +71,8 @@ std::optional<double> coordinate_step(const kernels::StridedSpheres& spheres,
   return are_all ? step : std::nullopt;
 }
 
+template bool may_have_step<2>(const kernels::StridedSpheres&, const StepRange&);
+template bool may_have_step<3>(const kernels::StridedSpheres&, const StepRange&);
 template std::optional<double> coordinate_step<2>(const kernels::StridedSpheres&, const StepRange&,
                                                   const kernels::LayerKernels&, std::size_t,
                                                   base::WorkCounter&);

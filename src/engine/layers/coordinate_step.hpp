@@ -15,9 +15,14 @@ struct StepRange {
   double largest;
 };
 
-/// Returns the largest power of two in the range of which all coordinates of the spheres are
-/// multiples, as those of a lattice may be. A look at a few of them shows what it must be, or that
-/// there is none; all are looked at, by all workers, where those few agree.
+/// Tells whether a look at a few spheres leaves it open that there is a power of two in the range
+/// of which all coordinates are multiples.
+template <int Dim>
+[[nodiscard]] bool may_have_step(const kernels::StridedSpheres& spheres, const StepRange& range);
+
+/// Returns the largest such power of two, as the coordinates of a lattice may have. A look at a few
+/// shows what it must be, or that there is none; all are looked at, by all workers, where those few
+/// agree.
 template <int Dim>
 [[nodiscard]] std::optional<double> coordinate_step(const kernels::StridedSpheres& spheres,
                                                     const StepRange& range,

@@ -14,10 +14,12 @@ namespace abut::engine {
 
 /// What layers are worth.
 struct LayerLimits {
-  /// Fewer elements are searched as fast in one tile.
+  /// Fewer elements are searched as fast in one tile,
   std::size_t least_elements = 20'000;
-  /// The same in clusters: tiles would be cut anew around each. Fewer have no full layers.
+  /// but for those in clusters: tiles would be cut anew around each. Fewer have no full layers.
   std::size_t least_elements_of_clusters = 4'000;
+  /// The same where distances may be exact: ties would need other decisions in tiles.
+  std::size_t least_elements_in_steps = 4'000;
   /// Mean occupancy of wide cells from which so few elements count as clusters.
   double least_occupancy_of_clusters = 6.0;
   /// Beside the work for an element there is work for a row and for a layer.

@@ -47,6 +47,21 @@ bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std:
   return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
 }
 
+std::size_t fewest_elements(const LayerLimits& limits) {
+  return std::min(
+      {limits.least_elements, limits.least_elements_of_clusters, limits.least_elements_in_steps});
+}
+
+template <int Dim>
+StepRange steps_for(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
+  return {std::max(input.given.least_step, grid.least_step()), input.given.largest_step};
+}
+
+template <int Dim>
+bool may_be_in_steps(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
+  return grid.has_equal_radii() && may_have_step<Dim>(input.given.spheres, steps_for(grid, input));
+}
+
 /// Tells whether most spheres lie in the layer of the next one: of some spread over all. A single
 /// sphere does.
 template <int Dim>
@@ -100,15 +115,20 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
                                             OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  const std::size_t fewest = std::min(limits.least_elements, limits.least_elements_of_clusters);
   const bool are_few = elements < limits.least_elements;
-  if (!may_be_in_layers(set, input) || elements < fewest) return std::nullopt;
+  if (!may_be_in_layers(set, input) || elements < fewest_elements(limits)) return std::nullopt;
   const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
-  if (are_few && !grid->has_wide_cells()) return std::nullopt;
+  const bool may_be_exact =
+      elements >= limits.least_elements_in_steps && may_be_in_steps(*grid, input);
+  const bool may_be_clusters =
+      elements >= limits.least_elements_of_clusters && grid->has_wide_cells();
+  if (are_few && !may_be_exact && !may_be_clusters) return std::nullopt;
   const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements),
                                                  are_few ? SampleSize::small : SampleSize::full);
-  if (are_few && occupancy < limits.least_occupancy_of_clusters) return std::nullopt;
+  if (are_few && !may_be_exact && occupancy < limits.least_occupancy_of_clusters) {
+    return std::nullopt;
+  }
   const double joined = (occupancy - 1.0) * grid->cells_joined();
   const double most = grid->has_wide_cells() ? limits.most_joined_of_clusters : limits.most_joined;
   if (joined > most) return std::nullopt;
@@ -121,9 +141,8 @@ std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
                                               const LayerGrid<Dim>& grid, std::size_t workers,
                                               base::WorkCounter& work) {
   if (!grid.has_equal_radii()) return std::nullopt;
-  const auto& [spheres, least_step, largest_step] = input.given;
-  const StepRange range{std::max(least_step, grid.least_step()), largest_step};
-  const auto step = coordinate_step<Dim>(spheres, range, input.layer_kernels, workers, work);
+  const auto step = coordinate_step<Dim>(input.given.spheres, steps_for(grid, input),
+                                         input.layer_kernels, workers, work);
   if (!step) return std::nullopt;
   return grid.in_steps(set.bounds, input.margin, set.locals.size(), *step);
 }

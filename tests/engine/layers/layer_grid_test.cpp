@@ -267,7 +267,8 @@ TYPED_TEST(LayerGridOf, UnitsAreAsFineAsReachAndPositionsAllow) {
       const double units_of_reach = least * grid->map().units_of_one;
       EXPECT_EQ(grid->has_wide_cells(), units_of_reach < units_of_cell(*grid));
       const double units_of_axis = side * grid->map().units_of_one;
-      const int reach_bits = std::bit_width(static_cast<unsigned>(-grid->far_position())) - 2;
+      const int reach_bits =
+          static_cast<int>(std::bit_width(static_cast<unsigned>(-grid->far_position()))) - 2;
       EXPECT_LE(units_of_reach, std::ldexp(1.0, reach_bits));
       EXPECT_LT(units_of_axis, kernels::end_of_positions(reach_bits));
       const bool fit_no_finer_reach = 2.0 * units_of_reach > most_units;

@@ -242,5 +242,18 @@ TYPED_TEST(LayerSearchOf, FewElementsInClusters) {
                               {});
 }
 
+/// The same of lattices whose distances are exact, and of those whose are not.
+TYPED_TEST(LayerSearchOf, FewElementsOnLattices) {
+  constexpr int dim = TypeParam::value;
+  const auto expect_way = [&](std::size_t side, Way way, Way way_in_tenths) {
+    const auto lattice = cubic_lattice<dim>(side);
+    expect_right_in_layers<dim>(lattice, 0.0, way, {});
+    expect_right_in_layers<dim>(in_tenths<dim>(lattice), 0.0, way_in_tenths, {});
+  };
+  expect_way(dim == 2 ? 60 : 15, Way::tiles, Way::tiles);
+  expect_way(dim == 2 ? 115 : 17, Way::layers, Way::tiles);
+  expect_way(dim == 2 ? 150 : 28, Way::layers, Way::layers);
+}
+
 }  // namespace
 }  // namespace abut::testing

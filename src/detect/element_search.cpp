@@ -83,12 +83,12 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
   if (task.domain.is_periodic()) {
     workspace_->most_in_layers = 0;
     entry.on_images(input, elements.spheres, elements::lattice_of(task.domain), sink, context);
-    was_in_layers_ = workspace_->most_in_layers >= packed.size();
+    next_may_be_in_place_ = workspace_->most_in_layers >= packed.size();
     return;
   }
   if (entry.on_elements != nullptr) {
     entry.on_elements(input, sink, context);
-    was_in_layers_ = workspace_->most_in_layers == packed.size();
+    next_may_be_in_place_ = workspace_->most_in_layers == packed.size();
     return;
   }
   search_cells<Dim>(*choice.row, packed, elements.bounds, task.options, sink, context);
@@ -97,7 +97,7 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
 template <int Dim>
 bool ElementSearch<Dim>::may_be_in_place(const ElementView& elements,
                                          const SearchTask& task) const {
-  return was_in_layers_ && elements.size() >= task.settings.layers.least_elements &&
+  return next_may_be_in_place_ && elements.size() >= task.settings.layers.least_elements &&
          choose(task.options, elements.size()).row->info.algorithm == Algorithm::rows;
 }
 
@@ -120,14 +120,14 @@ bool ElementSearch<Dim>::search_in_place(const ElementView& spheres, const Searc
   context.progress.begin("search", spheres.size());
   if (task.domain.is_periodic()) {
     const exact::Lattice lattice = elements::lattice_of(task.domain);
-    was_in_layers_ =
+    next_may_be_in_place_ =
         periodic::periodic_rows_in_place<Dim>(*columns, {{}, room.bounds, lattice, task.settings},
                                               *workspace_, *periodic_, sink, context);
   } else {
-    was_in_layers_ = engine::rows_in_place<Dim>(*columns, room.bounds, task.settings, *workspace_,
-                                                sink, context);
+    next_may_be_in_place_ = engine::rows_in_place<Dim>(*columns, room.bounds, task.settings,
+                                                       *workspace_, sink, context);
   }
-  return was_in_layers_;
+  return next_may_be_in_place_;
 }
 
 template <int Dim>

@@ -53,7 +53,8 @@ class ElementSearch {
   base::MemoryMeter& memory_;
   std::optional<engine::Workspace<Dim>> workspace_;
   std::optional<periodic::PeriodicWorkspace<Dim>> periodic_;
-  bool was_in_layers_ = true;  ///< the last search, or in place; the first one is tried so
+  /// The last search was in layers, or done in place. The first one is tried.
+  bool next_may_be_in_place_ = true;
 };
 
 }  // namespace abut::detect

@@ -185,11 +185,12 @@ ImageKernels image_kernels(Simd level) {
   if (level != Simd::scalar) return simd_image_kernels(entry_of(level).target);
 #endif
   static_cast<void>(level);
-  return {[](const StridedSpheres&, std::size_t, std::size_t, int, const OrthogonalCellMap&,
-             double*, void*, CenterBounds&, BlockList&) { return std::size_t{0}; },
-          [](const StridedSpheres&, std::size_t, std::size_t, int, const OrthogonalCellMap&,
-             BlockList&) { return std::size_t{0}; },
-          [](const StridedSpheres&, std::size_t, std::size_t, int, const OrthogonalCellMap&,
+  return {[](const StridedSpheres&, std::size_t, std::size_t, int, const CellSideMap&, double*,
+             void*, CenterBounds&, BlockList&) { return std::size_t{0}; },
+          [](const StridedSpheres&, std::size_t, std::size_t, int, const CellSideMap&, BlockList&) {
+            return std::size_t{0};
+          },
+          [](const StridedSpheres&, std::size_t, std::size_t, int, const CellSideMap&,
              CenterBounds&) { return std::size_t{0}; },
           [](const ContactPair*, std::size_t, std::uint32_t, ContactPair*, BlockList&) {
             return KeptPairs{0, 0};

@@ -79,9 +79,8 @@ class SimdPairTester {
     const std::size_t size = block_.gather(floats, sorted_, runs, job_);
     std::size_t hits = 0;
     const bool takes_long = own * size > tests_between_takes;
-    for (std::uint32_t k = 0; k < own; ++k) {
+    for (std::uint32_t k = 0; k < own && k + 1 < size; ++k) {
       const std::size_t first = k + 1;
-      if (first >= size) break;
       if (HWY_UNLIKELY(takes_long)) take_now_and_then();
       candidate_tests_ += size - first;
       make_room(size + lanes);
@@ -95,7 +94,7 @@ class SimdPairTester {
       test_with_care(probe_of(runs[0].begin + k), block_.columns(), first, size);
       expects_undecided_count_ = hits_.undecided_count != undecided_count;
     }
-    expects_few_hits_ = are_few(hits, own * size);
+    expects_few_hits_ = are_few(hits, own, size);
   }
 
   void test(const CoarseElement& coarse, std::span<const Run> runs) {
@@ -119,10 +118,11 @@ class SimdPairTester {
 
   static constexpr std::uint32_t batch_size = 64;
 
-  /// Tells whether there are more than so many vectors to a hit: then to write in each costs more
-  /// than to list those with hits.
-  [[nodiscard]] static HWY_INLINE bool are_few(std::size_t hits, std::size_t tests) {
-    return hits * 4 * lanes < tests;
+  /// Tells whether to write in each vector of such long rows costs more than to list those with
+  /// hits.
+  [[nodiscard]] static HWY_INLINE bool are_few(std::size_t hits, std::size_t own,
+                                               std::size_t size) {
+    return size >= 64 && hits * 4 * lanes < own * size;
   }
 
   /// First the distances of all, then the pairs: two loops that do not wait for each other, each
@@ -283,8 +283,7 @@ class SimdPairTester {
     const Columns columns = block_.columns();
     Row row(partner_ + hits_.found);
     const std::size_t begin = first / lanes * lanes;
-    const Bits wanted = all_lanes << first % lanes & all_lanes;
-    row.write_all(probe, columns, begin, wanted);
+    row.write_all(probe, columns, begin, all_lanes << first % lanes & all_lanes);
     for (std::size_t q = begin + lanes; q < size; q += lanes) {
       row.write_all(probe, columns, q, all_lanes);
     }
@@ -313,7 +312,7 @@ class SimdPairTester {
       }
     }
     write();
-    expects_few_hits_ = are_few(hits, own * size);
+    expects_few_hits_ = are_few(hits, own, size);
   }
 
   /// Returns the number of hits.

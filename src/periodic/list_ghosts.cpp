@@ -49,7 +49,7 @@ void require_countable(const kernels::StridedSpheres& locals, const GhostWindows
 }
 
 template <int Dim>
-void list_outer(const LocalBlock& block, const kernels::OrthogonalCellMap& map,
+void list_outer(const LocalBlock& block, const kernels::CellSideMap& map,
                 const kernels::ImageKernels& kernels, kernels::BlockList& outer) {
   const auto& [locals, first, count] = block;
   std::size_t k = kernels.list_outer(locals, first, count, Dim, map, outer);
@@ -96,9 +96,9 @@ template bool is_long_reach(const kernels::StridedSpheres&, const GhostWindows<2
 template bool is_long_reach(const kernels::StridedSpheres&, const GhostWindows<3>&);
 template void require_countable(const kernels::StridedSpheres&, const GhostWindows<2>&);
 template void require_countable(const kernels::StridedSpheres&, const GhostWindows<3>&);
-template void list_outer<2>(const LocalBlock&, const kernels::OrthogonalCellMap&,
+template void list_outer<2>(const LocalBlock&, const kernels::CellSideMap&,
                             const kernels::ImageKernels&, kernels::BlockList&);
-template void list_outer<3>(const LocalBlock&, const kernels::OrthogonalCellMap&,
+template void list_outer<3>(const LocalBlock&, const kernels::CellSideMap&,
                             const kernels::ImageKernels&, kernels::BlockList&);
 template void list_ghosts(const LocalBlock&, const kernels::BlockList&, const GhostWindows<2>&,
                           base::Array<Ghost>&, base::ProgressReporter*);

@@ -37,7 +37,7 @@ struct LocalBlock {
 
 /// Lists those of a block that may have ghosts.
 template <int Dim>
-void list_outer(const LocalBlock& block, const kernels::OrthogonalCellMap& map,
+void list_outer(const LocalBlock& block, const kernels::CellSideMap& map,
                 const kernels::ImageKernels& kernels, kernels::BlockList& outer);
 
 /// Appends the ghosts of the outer ones of a block. Asks `progress`, if there is one, now and then.

@@ -10,7 +10,7 @@ namespace {
 
 /// One element of wrap_fast.
 template <int Dim>
-lattice::CellsMoved wrap_fast(const kernels::OrthogonalCellMap& map, exact::Sphere<Dim>& sphere) {
+lattice::CellsMoved wrap_fast(const kernels::CellSideMap& map, exact::Sphere<Dim>& sphere) {
   std::array<double, 3> cells{};
   for (std::size_t k = 0; k < map.sides; ++k) {
     if (!map.along[k]) continue;
@@ -31,8 +31,8 @@ lattice::CellsMoved wrap_fast(const kernels::OrthogonalCellMap& map, exact::Sphe
 }  // namespace
 
 template <int Dim>
-kernels::OrthogonalCellMap map_of(const lattice::CellSides<Dim>& cell) {
-  kernels::OrthogonalCellMap map{};
+kernels::CellSideMap map_of(const lattice::CellSides<Dim>& cell) {
+  kernels::CellSideMap map{};
   map.sides = cell.count;
   for (std::size_t k = 0; k < cell.count; ++k) {
     std::copy(cell.coefficients[k].begin(), cell.coefficients[k].end(), map.coefficients[k]);
@@ -42,11 +42,10 @@ kernels::OrthogonalCellMap map_of(const lattice::CellSides<Dim>& cell) {
 }
 
 template <int Dim>
-kernels::OrthogonalCellMap map_of(const lattice::ReducedLattice<Dim>& lattice,
-                                  const lattice::CellSides<Dim>& cell,
-                                  const std::array<bool, Dim>& along,
-                                  const GhostWindows<Dim>& windows) {
-  kernels::OrthogonalCellMap map = map_of(cell);
+kernels::CellSideMap map_of(const lattice::ReducedLattice<Dim>& lattice,
+                            const lattice::CellSides<Dim>& cell, const std::array<bool, Dim>& along,
+                            const GhostWindows<Dim>& windows) {
+  kernels::CellSideMap map = map_of(cell);
   map.outer_from_radius = windows.cut;
   for (std::size_t k = 0; k < cell.count; ++k) {
     const auto& vector = lattice.vectors[cell.vector_of[k]];
@@ -105,7 +104,7 @@ WrapEstimate<Dim>::WrapEstimate(const lattice::ReducedLattice<Dim>& lattice,
 }
 
 template <int Dim>
-void wrap_fast(const LocalBlock& elements, const kernels::OrthogonalCellMap& map,
+void wrap_fast(const LocalBlock& elements, const kernels::CellSideMap& map,
                const kernels::ImageKernels& kernels, std::span<exact::Sphere<Dim>> locals,
                MovedCells& cells, grid::Bounds<Dim>& bounds, kernels::BlockList& outer) {
   static_assert(sizeof(lattice::CellsMoved) == 3 * sizeof(std::int32_t));
@@ -133,12 +132,12 @@ void wrap_fast(const LocalBlock& elements, const kernels::OrthogonalCellMap& map
   }
 }
 
-template kernels::OrthogonalCellMap map_of<2>(const lattice::ReducedLattice<2>&,
-                                              const lattice::CellSides<2>&,
-                                              const std::array<bool, 2>&, const GhostWindows<2>&);
-template kernels::OrthogonalCellMap map_of<3>(const lattice::ReducedLattice<3>&,
-                                              const lattice::CellSides<3>&,
-                                              const std::array<bool, 3>&, const GhostWindows<3>&);
+template kernels::CellSideMap map_of<2>(const lattice::ReducedLattice<2>&,
+                                        const lattice::CellSides<2>&, const std::array<bool, 2>&,
+                                        const GhostWindows<2>&);
+template kernels::CellSideMap map_of<3>(const lattice::ReducedLattice<3>&,
+                                        const lattice::CellSides<3>&, const std::array<bool, 3>&,
+                                        const GhostWindows<3>&);
 template lattice::CellExtent<2> extent_of(const kernels::StridedSpheres&, std::size_t, std::size_t,
                                           const lattice::CellSides<2>&, const grid::Bounds<2>&,
                                           const kernels::ImageKernels&);
@@ -147,10 +146,10 @@ template lattice::CellExtent<3> extent_of(const kernels::StridedSpheres&, std::s
                                           const kernels::ImageKernels&);
 template struct WrapEstimate<2>;
 template struct WrapEstimate<3>;
-template void wrap_fast(const LocalBlock&, const kernels::OrthogonalCellMap&,
+template void wrap_fast(const LocalBlock&, const kernels::CellSideMap&,
                         const kernels::ImageKernels&, std::span<exact::Sphere<2>>, MovedCells&,
                         grid::Bounds<2>&, kernels::BlockList&);
-template void wrap_fast(const LocalBlock&, const kernels::OrthogonalCellMap&,
+template void wrap_fast(const LocalBlock&, const kernels::CellSideMap&,
                         const kernels::ImageKernels&, std::span<exact::Sphere<3>>, MovedCells&,
                         grid::Bounds<3>&, kernels::BlockList&);
 

@@ -20,10 +20,10 @@ namespace abut::periodic {
 
 /// The numbers of a cell for vector kernels: who may have ghosts, as the windows say.
 template <int Dim>
-[[nodiscard]] kernels::OrthogonalCellMap map_of(const lattice::ReducedLattice<Dim>& lattice,
-                                                const lattice::CellSides<Dim>& cell,
-                                                const std::array<bool, Dim>& along,
-                                                const GhostWindows<Dim>& windows);
+[[nodiscard]] kernels::CellSideMap map_of(const lattice::ReducedLattice<Dim>& lattice,
+                                          const lattice::CellSides<Dim>& cell,
+                                          const std::array<bool, Dim>& along,
+                                          const GhostWindows<Dim>& windows);
 
 /// The extent of the spheres [first, first + count) along the sides of a cell; `bounds` are those
 /// of all spheres.
@@ -53,7 +53,7 @@ struct WrapEstimate {
 /// elements, which go to the places of their numbers in `locals`. Lists those that may have ghosts
 /// then.
 template <int Dim>
-void wrap_fast(const LocalBlock& elements, const kernels::OrthogonalCellMap& map,
+void wrap_fast(const LocalBlock& elements, const kernels::CellSideMap& map,
                const kernels::ImageKernels& kernels, std::span<exact::Sphere<Dim>> locals,
                MovedCells& cells, grid::Bounds<Dim>& bounds, kernels::BlockList& outer);
 

@@ -11,7 +11,7 @@
 namespace abut::kernels {
 
 /// lattice::CellSides, of an orthogonal cell or an oblique one, and the vectors of the sides.
-struct OrthogonalCellMap {
+struct CellSideMap {
   std::size_t sides;
   double coefficients[3][3];  ///< of side, by axis
   double offset[3][3];
@@ -24,7 +24,7 @@ struct OrthogonalCellMap {
 
 /// lattice::CellSides::coordinate, of one element and by the operations of the vector kernels.
 template <int Dim>
-[[nodiscard]] inline double coordinate(const OrthogonalCellMap& map, std::size_t side,
+[[nodiscard]] inline double coordinate(const CellSideMap& map, std::size_t side,
                                        const double* center) {
   double sum = map.coefficients[side][0] * center[0];
   for (std::size_t axis = 1; axis < Dim; ++axis) sum += map.coefficients[side][axis] * center[axis];
@@ -33,7 +33,7 @@ template <int Dim>
 
 /// Tells whether a coordinate is at most outer_below, or the radius at least outer_from_radius.
 template <int Dim>
-[[nodiscard]] inline bool is_outer(const OrthogonalCellMap& map, const exact::Sphere<Dim>& sphere) {
+[[nodiscard]] inline bool is_outer(const CellSideMap& map, const exact::Sphere<Dim>& sphere) {
   bool outer = sphere.radius >= map.outer_from_radius;
   for (std::size_t k = 0; k < map.sides; ++k) {
     outer = outer || coordinate<Dim>(map, k, sphere.center) <= map.outer_below[k];
@@ -79,16 +79,16 @@ struct ImageKernels {
   /// or three of `cells`. Widens the bounds, and lists those that are outer then, by k. Presupposes
   /// less than 2^31 cells.
   std::size_t (*wrap)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
-                      int dimensions, const OrthogonalCellMap& map, double* locals, void* cells,
+                      int dimensions, const CellSideMap& map, double* locals, void* cells,
                       CenterBounds& bounds, BlockList& outer);
 
   /// Lists those of the spheres first + k that are outer, by k.
   std::size_t (*list_outer)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
-                            int dimensions, const OrthogonalCellMap& map, BlockList& outer);
+                            int dimensions, const CellSideMap& map, BlockList& outer);
 
   /// Widens the bounds, by side, by the coordinates of the spheres first + k.
   std::size_t (*bound_sides)(const StridedSpheres& spheres, std::size_t first, std::size_t count,
-                             int dimensions, const OrthogonalCellMap& map, CenterBounds& bounds);
+                             int dimensions, const CellSideMap& map, CenterBounds& bounds);
 
   KeepWithLocal* keep_with_local;
 };

@@ -51,7 +51,7 @@ HWY_INLINE std::uint32_t* list_lanes(D d, hn::Mask<D> mask, std::size_t first, s
 
 /// The outer ones of a vector of records.
 template <int Dim, std::size_t Sides>
-HWY_INLINE Mask outer_lanes(const OrthogonalCellMap& map, const Doubles* center, Doubles radius) {
+HWY_INLINE Mask outer_lanes(const CellSideMap& map, const Doubles* center, Doubles radius) {
   Mask outer = hn::Ge(radius, hn::Set(doubles, map.outer_from_radius));
   for (std::size_t k = 0; k < Sides; ++k) {
     outer = hn::Or(outer, hn::Le(coordinate<Dim>(map.coefficients[k], center),
@@ -62,9 +62,9 @@ HWY_INLINE Mask outer_lanes(const OrthogonalCellMap& map, const Doubles* center,
 
 template <int Dim, std::size_t Sides, class Spheres>
 std::size_t wrap_in(const Spheres& spheres, std::size_t first, std::size_t count,
-                    const OrthogonalCellMap& given, double* locals, void* cells_moved,
+                    const CellSideMap& given, double* locals, void* cells_moved,
                     CenterBounds& bounds, BlockList& outer) {
-  const OrthogonalCellMap map = given;  // a copy that nothing can change
+  const CellSideMap map = given;  // a copy that nothing can change
   std::uint32_t* end_of_outer = outer.number + outer.count;
   const hn::Rebind<std::int32_t, DoubleTag> integers;
   auto* const out = static_cast<std::int32_t*>(cells_moved);
@@ -125,8 +125,8 @@ std::size_t wrap_in(const Spheres& spheres, std::size_t first, std::size_t count
 
 template <int Dim, std::size_t Sides, class Spheres>
 std::size_t list_outer_in(const Spheres& spheres, std::size_t first, std::size_t count,
-                          const OrthogonalCellMap& given, BlockList& outer) {
-  const OrthogonalCellMap map = given;  // a copy that nothing can change
+                          const CellSideMap& given, BlockList& outer) {
+  const CellSideMap map = given;  // a copy that nothing can change
   std::uint32_t* end = outer.number + outer.count;
   std::size_t i = 0;
   for (; i + lanes <= count; i += lanes) {
@@ -144,7 +144,7 @@ std::size_t list_outer_in(const Spheres& spheres, std::size_t first, std::size_t
 template <int Dim>
 class SidesOfBlock {
  public:
-  explicit SidesOfBlock(const OrthogonalCellMap& map) {
+  explicit SidesOfBlock(const CellSideMap& map) {
     std::fill_n(below_, Dim, -std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < map.sides; ++k) {
       std::size_t axis = 0;
@@ -154,7 +154,7 @@ class SidesOfBlock {
     }
   }
 
-  [[nodiscard]] static bool fit(const OrthogonalCellMap& map) {
+  [[nodiscard]] static bool fit(const CellSideMap& map) {
     for (std::size_t k = 0; k < map.sides; ++k) {
       const double* const by_axis = map.coefficients[k];
       if (std::count(by_axis, by_axis + Dim, 0.0) != Dim - 1) return false;
@@ -181,7 +181,7 @@ class SidesOfBlock {
 
 template <int Dim, class Spheres>
 std::size_t list_outer_of_block(const Spheres& spheres, std::size_t first, std::size_t count,
-                                const OrthogonalCellMap& map, BlockList& outer) {
+                                const CellSideMap& map, BlockList& outer) {
   const SidesOfBlock<Dim> sides(map);
   std::uint32_t* end = outer.number + outer.count;
   std::size_t i = 0;
@@ -196,8 +196,8 @@ std::size_t list_outer_of_block(const Spheres& spheres, std::size_t first, std::
 
 template <int Dim, std::size_t Sides, class Spheres>
 std::size_t bound_sides_in(const Spheres& spheres, std::size_t first, std::size_t count,
-                           const OrthogonalCellMap& given, CenterBounds& bounds) {
-  const OrthogonalCellMap map = given;  // a copy that nothing can change
+                           const CellSideMap& given, CenterBounds& bounds) {
+  const CellSideMap map = given;  // a copy that nothing can change
   Doubles lower[Sides];
   Doubles upper[Sides];
   for (std::size_t k = 0; k < Sides; ++k) {
@@ -233,7 +233,7 @@ std::size_t with_sides(const StridedSpheres& spheres, std::size_t sides, const B
 }
 
 std::size_t wrap(const StridedSpheres& spheres, std::size_t first, std::size_t count,
-                 int dimensions, const OrthogonalCellMap& map, double* locals, void* cells,
+                 int dimensions, const CellSideMap& map, double* locals, void* cells,
                  CenterBounds& bounds, BlockList& outer) {
   return with_dimensions(dimensions, [&](auto dim) {
     return with_sides<dim()>(spheres, map.sides, [&](const auto& loader, auto sides) {
@@ -243,7 +243,7 @@ std::size_t wrap(const StridedSpheres& spheres, std::size_t first, std::size_t c
 }
 
 std::size_t list_outer(const StridedSpheres& spheres, std::size_t first, std::size_t count,
-                       int dimensions, const OrthogonalCellMap& map, BlockList& outer) {
+                       int dimensions, const CellSideMap& map, BlockList& outer) {
   return with_dimensions(dimensions, [&](auto dim) {
     if (SidesOfBlock<dim()>::fit(map)) {
       return with_loader<dim()>(spheres, [&](const auto& loader) {
@@ -257,7 +257,7 @@ std::size_t list_outer(const StridedSpheres& spheres, std::size_t first, std::si
 }
 
 std::size_t bound_sides(const StridedSpheres& spheres, std::size_t first, std::size_t count,
-                        int dimensions, const OrthogonalCellMap& map, CenterBounds& bounds) {
+                        int dimensions, const CellSideMap& map, CenterBounds& bounds) {
   return with_dimensions(dimensions, [&](auto dim) {
     return with_sides<dim()>(spheres, map.sides, [&](const auto& loader, auto sides) {
       return bound_sides_in<dim(), sides()>(loader, first, count, map, bounds);

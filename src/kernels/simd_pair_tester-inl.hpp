@@ -70,13 +70,12 @@ class SimdPairTester {
 
   /// The first `own` elements of the runs, each with all that follow it.
   HWY_INLINE void test_block(std::uint32_t own, std::span<const Run> runs) {
-    if (expects_few_hits_ && !expects_undecided_count_) {
-      const std::size_t size = block_.gather(wide_floats, sorted_, runs, job_);
-      if (Block::most_vectors(size) <= VectorList::most) {
-        return test_block_with_few_hits(own, runs[0].begin, size);
-      }
+    const bool are_few = expects_few_hits_ && !expects_undecided_count_;
+    const std::size_t size = are_few ? block_.gather(wide_floats, sorted_, runs, job_)
+                                     : block_.gather(floats, sorted_, runs, job_);
+    if (are_few && Block::most_vectors(size) <= VectorList::most) {
+      return test_block_with_few_hits(own, runs[0].begin, size);
     }
-    const std::size_t size = block_.gather(floats, sorted_, runs, job_);
     std::size_t hits = 0;
     const bool takes_long = own * size > tests_between_takes;
     for (std::uint32_t k = 0; k < own && k + 1 < size; ++k) {
@@ -94,7 +93,7 @@ class SimdPairTester {
       test_with_care(probe_of(runs[0].begin + k), block_.columns(), first, size);
       expects_undecided_count_ = hits_.undecided_count != undecided_count;
     }
-    expects_few_hits_ = are_few(hits, own, size);
+    expects_few_hits_ = hits_are_few(hits, own, size);
   }
 
   void test(const CoarseElement& coarse, std::span<const Run> runs) {
@@ -120,8 +119,8 @@ class SimdPairTester {
 
   /// Tells whether to write in each vector of such long rows costs more than to list those with
   /// hits.
-  [[nodiscard]] static HWY_INLINE bool are_few(std::size_t hits, std::size_t own,
-                                               std::size_t size) {
+  [[nodiscard]] static HWY_INLINE bool hits_are_few(std::size_t hits, std::size_t own,
+                                                    std::size_t size) {
     return size >= 64 && hits * 4 * lanes < own * size;
   }
 
@@ -312,7 +311,7 @@ class SimdPairTester {
       }
     }
     write();
-    expects_few_hits_ = are_few(hits, own, size);
+    expects_few_hits_ = hits_are_few(hits, own, size);
   }
 
   /// Returns the number of hits.

@@ -2,9 +2,14 @@
 src/engine/layers/ and src/kernels/layers/ do and in fractions as the contract does; pairs beside
 faces of cells and columns; and small systems, searched place by place in sorted layers."""
 
+import bisect
 import collections
+import csv
+import itertools
 import math
+import os
 import random
+import statistics
 import struct
 import sys
 from fractions import Fraction
@@ -302,6 +307,25 @@ def systems_searched_wrongly(draw, fewer=0, **broken):
     return wrong
 
 
+def settled_overlaps():
+    """Overlaps of spheres that settled under their weight, as parts of the reach, ascending."""
+    folder = os.path.dirname(os.path.abspath(__file__))
+    with open(os.path.join(folder, "../../examples/data/yade_settled_5000.csv")) as file:
+        spheres = [tuple(map(float, row)) for row in list(csv.reader(file))[1:]]
+    cell = 2.0 * max(sphere[3] for sphere in spheres)
+    cells = collections.defaultdict(list)
+    for sphere in spheres:
+        cells[tuple(math.floor(x / cell) for x in sphere[:3])].append(sphere)
+    overlaps = []
+    for at, elements in cells.items():
+        for step in itertools.product((-1, 0, 1), repeat=3):
+            for one, other in itertools.product(elements, cells.get(tuple(map(sum, zip(at, step))), [])):
+                reach = one[3] + other[3]
+                if one < other and math.dist(one[:3], other[:3]) <= reach:
+                    overlaps.append(1.0 - math.dist(one[:3], other[:3]) / reach)
+    return sorted(overlaps)
+
+
 def main():
     draw = random.Random(SEED)
     problems = []
@@ -326,6 +350,13 @@ def main():
                          ("systems, padding", {"padding": 0}),
                          ("systems, the second run from a vector ahead", {"clamp": False})]:
         require(what, systems_searched_wrongly(draw, **broken), having)
+    overlaps = settled_overlaps()
+    open_pairs = {b: bisect.bisect(overlaps, units / 2 ** b) / len(overlaps)
+                  for b, units in [(20, 6.13), (22, 7.27)]}
+    print(f"a settled bed: median overlap {statistics.median(overlaps):.2e}, undecided of its pairs "
+          + ", ".join(f"{part:.3f} with b = {b}" for b, part in open_pairs.items()))
+    if not 0.5e-4 < statistics.median(overlaps) < 2e-4 or not 3 * open_pairs[22] < open_pairs[20]:
+        problems.append("a settled bed")
     print(f"{len(problems)} problems, seed {SEED}")
     return 1 if problems else 0
 

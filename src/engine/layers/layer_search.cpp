@@ -120,7 +120,7 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
   const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
   const bool may_be_exact =
-      elements >= limits.least_elements_in_steps && may_be_in_steps(*grid, input);
+      are_few && elements >= limits.least_elements_in_steps && may_be_in_steps(*grid, input);
   const bool may_be_clusters =
       elements >= limits.least_elements_of_clusters && grid->has_wide_cells();
   if (are_few && !may_be_exact && !may_be_clusters) return std::nullopt;

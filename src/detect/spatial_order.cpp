@@ -4,6 +4,7 @@
 #include "base/asking_workers.hpp"
 #include "base/callers_exception.hpp"
 #include "base/detection_context.hpp"
+#include "base/fetch_next_line.hpp"
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
 #include "base/workers.hpp"
@@ -79,7 +80,11 @@ void sort(base::Array<CurvePlace>& places, base::MemoryMeter& memory, base::Work
     if (next[digit_of(places[0])] == places.size()) continue;
     std::exclusive_scan(next.begin(), next.end(), next.begin(), std::size_t{0});
     work.in_pieces(0, places.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) sorted[next[digit_of(places[k])]++] = places[k];
+      for (std::size_t k = begin; k < end; ++k) {
+        CurvePlace* const place = sorted.data() + next[digit_of(places[k])]++;
+        base::fetch_next_line(place);
+        *place = places[k];
+      }
     });
     std::swap(places, sorted);
   }

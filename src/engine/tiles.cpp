@@ -1,6 +1,7 @@
 #include "engine/tiles.hpp"
 
 #include "base/asking_workers.hpp"
+#include "base/fetch_next_line.hpp"
 #include "engine/query_box.hpp"
 #include "engine/sphere_block.hpp"
 #include "engine/tile_neighbors.hpp"
@@ -236,6 +237,7 @@ void Tiles<Dim>::scatter_locals(const exact::Elements<Dim>& elements, const Sear
     near.clear();
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint64_t target = cursors.own[tile_of_place(places_[k])]++;
+      base::fetch_next_line(records_.data() + target);
       records_[target] = records[k - begin];
       if (sized) note_sizes(elements, locals[k], spheres[k - begin], recorder, target);
       near.add_if_near(k, places_[k]);

@@ -1,6 +1,5 @@
-// Rows of pairs sorted in vectors, compiled once for each instruction set (Highway). The second
-// elements of a short row fit a vector, which a network sorts without a branch to guess. In a
-// longer row the place of a pair is the number of pairs there that come before it.
+// Rows of numbers sorted in vectors, compiled once for each instruction set (Highway). A network
+// sorts the numbers of a row, which fit a few vectors, without a branch to guess.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/order_kernels_simd.cpp"
@@ -20,11 +19,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 // Never chosen: abut::Simd::scalar sorts by insertion.
-void sort_pairs(const PairRows&, ContactPair*) {}
-void sort_words(const WordRows&, std::uint64_t*) {}
+void sort_pairs(const NumberSlots&, ElementIndex, ContactPair*) {}
+void sort_numbers(const NumberSlots&, std::uint32_t*) {}
+void sort_words(const WordSlots&, std::uint64_t*) {}
+void sort_word_rows(const WordRows&, std::uint64_t*) {}
 #else
 
-/// Partners of the pairs of a row, and whole entries of 8 bytes.
+/// Second elements of pairs, and whole entries of 8 bytes.
 using NumberTag = hn::CappedTag<std::uint32_t, 8>;
 using WordTag = hn::CappedTag<std::uint64_t, 8>;
 template <class Tag>
@@ -130,100 +131,104 @@ HWY_INLINE void sort_vectors(Tag tag, Values<Tag>* values) {
   }
 }
 
-/// Reads and writes rows of pairs: only their second elements are sorted.
-class PairLanes {
- public:
-  using Tag = NumberTag;
-  using Entry = ContactPair;
+// What is written of the numbers of a row.
 
-  explicit PairLanes(const PairRows& rows) : first_element_(rows.first_element) {}
+/// The numbers themselves.
+template <class NumberOfTag>
+struct WriteNumbers {
+  using Tag = NumberOfTag;
+  using Entry = hn::TFromD<Tag>;
 
-  HWY_INLINE static Values<Tag> load(const Entry* from) {
-    Values<Tag> first;
-    Values<Tag> second;
-    hn::LoadInterleaved2(Tag(), reinterpret_cast<const std::uint32_t*>(from), first, second);
-    return second;
-  }
-  HWY_INLINE void store(Values<Tag> second, std::uint32_t row, Entry* to) const {
-    hn::StoreInterleaved2(hn::Set(Tag(), first_element_ + row), second, Tag(),
-                          reinterpret_cast<std::uint32_t*>(to));
-  }
-
- private:
-  ElementIndex first_element_;
-};
-
-/// Reads and writes rows of entries that are sorted as they are.
-class WordLanes {
- public:
-  using Tag = WordTag;
-  using Entry = std::uint64_t;
-
-  explicit WordLanes(const WordRows&) {}
-
-  HWY_INLINE static Values<Tag> load(const Entry* from) { return hn::LoadU(Tag(), from); }
   HWY_INLINE static void store(Values<Tag> values, std::uint32_t, Entry* to) {
     hn::StoreU(values, Tag(), to);
   }
+  HWY_INLINE static Entry entry(std::uint32_t, Entry number) { return number; }
 };
 
-/// Sorts `size` entries of a row, the first of which is number `begin`, in so many vectors. They
-/// are written whole: what is written behind the row is overwritten by the next rows. Behind the
-/// last row lie other entries, so that the last ones go through `last`.
-template <std::size_t Vectors, class RowLanes, class Rows>
-HWY_INLINE void sort_row(const RowLanes& lanes_of_row, const Rows& rows, std::uint32_t row,
-                         std::uint32_t begin, std::uint32_t size, typename RowLanes::Entry* sorted,
-                         typename RowLanes::Entry* last) {
-  using Tag = typename RowLanes::Tag;
+/// Pairs, whose second elements the numbers are.
+struct WritePairs {
+  using Tag = NumberTag;
+  using Entry = ContactPair;
+
+  HWY_INLINE void store(Values<Tag> second, std::uint32_t row, Entry* to) const {
+    hn::StoreInterleaved2(hn::Set(Tag(), first_element + row), second, Tag(),
+                          reinterpret_cast<std::uint32_t*>(to));
+  }
+  [[nodiscard]] HWY_INLINE Entry entry(std::uint32_t row, std::uint32_t second) const {
+    return {first_element + row, second};
+  }
+
+  ElementIndex first_element;
+};
+
+/// Sorts `size` numbers of a row, which are written from place `begin` on, in so many vectors.
+/// These are written whole: what is written behind the row is overwritten by the next rows. Behind
+/// the last row lie the entries of others, so that the last ones go through `last`.
+template <std::size_t Vectors, class Write, class Rows>
+HWY_INLINE void sort_row(const Write& write, const Rows& rows, std::uint32_t row,
+                         std::uint32_t begin, std::uint32_t size, typename Write::Entry* sorted,
+                         typename Write::Entry* last) {
+  using Tag = typename Write::Tag;
   constexpr std::uint32_t lanes = lanes_of<Tag>;
   constexpr std::uint32_t room = Vectors * lanes;
   constexpr Tag tag;
+  const auto* const numbers = rows.first(row, begin);
   Values<Tag> values[Vectors];
   for (std::uint32_t v = 0; v < Vectors; ++v) {
     const std::uint32_t before = v * lanes;
     const auto own = hn::FirstN(tag, size > before ? size - before : 0);
     const auto behind_all = hn::Not(hn::Zero(tag));
-    values[v] = hn::IfThenElse(own, lanes_of_row.load(rows.entries + begin + before), behind_all);
+    values[v] = hn::IfThenElse(own, hn::LoadU(tag, numbers + before), behind_all);
   }
   sort_vectors<Vectors>(tag, values);
   auto* const place = begin + room <= rows.count ? sorted + begin : last;
-  for (std::uint32_t v = 0; v < Vectors; ++v) lanes_of_row.store(values[v], row, place + v * lanes);
-  if (place == last) std::copy_n(last, size, sorted + begin);
+  for (std::uint32_t v = 0; v < Vectors; ++v) write.store(values[v], row, place + v * lanes);
+  if (place == last) std::copy_n(last, std::min(size, room), sorted + begin);
 }
 
-template <class RowLanes, class Rows>
-HWY_INLINE void sort_all(const Rows& rows, typename RowLanes::Entry* sorted) {
-  constexpr std::uint32_t lanes = lanes_of<typename RowLanes::Tag>;
+template <class Write, class Rows>
+HWY_INLINE void sort_all(const Write& write, const Rows& rows, typename Write::Entry* sorted) {
+  constexpr std::uint32_t lanes = lanes_of<typename Write::Tag>;
   static_assert(longest_sorted_row == 16 * 4);
-  typename RowLanes::Entry last[longest_sorted_row];
-  const RowLanes lanes_of_row(rows);
+  typename Write::Entry last[longest_sorted_row];
   std::uint32_t begin = 0;
   for (std::uint32_t row = 0; row < rows.row_count; ++row) {
-    const std::uint32_t size = rows.ends[row] - begin;
-    if (size <= lanes) {
-      sort_row<1>(lanes_of_row, rows, row, begin, size, sorted, last);
+    const std::uint32_t size = rows.size(row, begin);
+    if (size > rows.longest()) {
+      const auto* const numbers = rows.first(row, begin);
+      for (std::uint32_t k = 0; k < rows.longest(); ++k) {
+        sorted[begin + k] = write.entry(row, numbers[k]);
+      }
+    } else if (size <= lanes) {
+      sort_row<1>(write, rows, row, begin, size, sorted, last);
     } else if (size <= 2 * lanes) {
-      sort_row<2>(lanes_of_row, rows, row, begin, size, sorted, last);
+      sort_row<2>(write, rows, row, begin, size, sorted, last);
     } else if (size <= 4 * lanes) {
-      sort_row<4>(lanes_of_row, rows, row, begin, size, sorted, last);
+      sort_row<4>(write, rows, row, begin, size, sorted, last);
     } else if (size <= 8 * lanes) {
-      sort_row<8>(lanes_of_row, rows, row, begin, size, sorted, last);
-    } else if (size <= longest_sorted_row) {
-      sort_row<longest_sorted_row / lanes>(lanes_of_row, rows, row, begin, size, sorted, last);
+      sort_row<8>(write, rows, row, begin, size, sorted, last);
     } else {
-      std::copy_n(rows.entries + begin, size, sorted + begin);
+      sort_row<longest_sorted_row / lanes>(write, rows, row, begin, size, sorted, last);
     }
     begin += size;
   }
 }
 
-void sort_pairs(const PairRows& rows, ContactPair* sorted) {
-  sort_all<PairLanes>(rows, sorted);
+void sort_pairs(const NumberSlots& rows, ElementIndex first_element, ContactPair* sorted) {
+  sort_all(WritePairs{first_element}, rows, sorted);
 }
 
-void sort_words(const WordRows& rows, std::uint64_t* sorted) {
-  // Vectors of two words are no faster than sorting by insertion.
-  if constexpr (lanes_of<WordTag> >= 4) sort_all<WordLanes>(rows, sorted);
+void sort_numbers(const NumberSlots& rows, std::uint32_t* sorted) {
+  sort_all(WriteNumbers<NumberTag>(), rows, sorted);
+}
+
+// Vectors of two words are no faster than sorting by insertion.
+void sort_words(const WordSlots& rows, std::uint64_t* sorted) {
+  if constexpr (lanes_of<WordTag> >= 4) sort_all(WriteNumbers<WordTag>(), rows, sorted);
+}
+
+void sort_word_rows(const WordRows& rows, std::uint64_t* sorted) {
+  if constexpr (lanes_of<WordTag> >= 4) sort_all(WriteNumbers<WordTag>(), rows, sorted);
 }
 
 #endif
@@ -235,14 +240,21 @@ HWY_AFTER_NAMESPACE();
 namespace abut::kernels {
 
 HWY_EXPORT(sort_pairs);
+HWY_EXPORT(sort_numbers);
 HWY_EXPORT(sort_words);
+HWY_EXPORT(sort_word_rows);
 
 OrderKernels simd_order_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
   chosen.Update(target);
+  const std::size_t here = chosen.GetIndex();
+  OrderKernels kernels{HWY_DISPATCH_TABLE(sort_pairs)[here], HWY_DISPATCH_TABLE(sort_numbers)[here],
+                       nullptr, nullptr};
   constexpr std::int64_t wide = HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL;
-  return {HWY_DISPATCH_TABLE(sort_pairs)[chosen.GetIndex()],
-          (target & wide) != 0 ? HWY_DISPATCH_TABLE(sort_words)[chosen.GetIndex()] : nullptr};
+  if ((target & wide) == 0) return kernels;
+  kernels.sort_words = HWY_DISPATCH_TABLE(sort_words)[here];
+  kernels.sort_word_rows = HWY_DISPATCH_TABLE(sort_word_rows)[here];
+  return kernels;
 }
 
 }  // namespace abut::kernels

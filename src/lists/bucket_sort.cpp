@@ -4,7 +4,6 @@
 #include "lists/far_apart.hpp"
 
 #include <algorithm>
-#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -59,41 +58,6 @@ struct BySecond : Digits {
   }
 };
 
-/// Tells whether vectors sort such entries.
-template <RangeEntry Entry>
-bool has_vectors(const kernels::OrderKernels& kernels) {
-  if constexpr (std::same_as<Entry, ContactPair>) return kernels.sort_pairs != nullptr;
-  if constexpr (std::same_as<Entry, PackedEntry>) return kernels.sort_words != nullptr;
-  return false;
-}
-
-/// Tells whether rows have entries enough on average, since an empty one costs as much as some
-/// entries, and not so many that a good part of them would be too long.
-bool suits_vectors(std::size_t entries, std::size_t rows) {
-  constexpr std::size_t most_on_average = 48;
-  return 2 * entries >= 3 * rows && entries <= most_on_average * rows;
-}
-
-/// Sorts rows in vectors, but for those that are too long.
-void sort_in_vectors(std::span<const ContactPair> from, std::span<const std::uint32_t> ends,
-                     std::size_t first_element, const kernels::OrderKernels& kernels,
-                     std::span<ContactPair> target) {
-  kernels.sort_pairs(
-      {{from.data(), target.size(), ends.data(), static_cast<std::uint32_t>(ends.size())},
-       static_cast<ElementIndex>(first_element)},
-      target.data());
-}
-void sort_in_vectors(std::span<const PackedEntry> from, std::span<const std::uint32_t> ends,
-                     std::size_t, const kernels::OrderKernels& kernels,
-                     std::span<PackedEntry> target) {
-  static_assert(sizeof(PackedEntry) == sizeof(std::uint64_t));
-  kernels.sort_words(
-      {&from.data()->key, target.size(), ends.data(), static_cast<std::uint32_t>(ends.size())},
-      &target.data()->key);
-}
-void sort_in_vectors(std::span<const ImagePair>, std::span<const std::uint32_t>, std::size_t,
-                     const kernels::OrderKernels&, std::span<ImagePair>) {}
-
 /// Tells whether most partners, judged by a few of them, are elements of the range themselves.
 template <RangeEntry Entry>
 bool are_near(std::span<const Entry> entries, std::size_t first_element, std::size_t width) {
@@ -132,16 +96,6 @@ std::uint32_t most_of_digit(std::span<const std::uint32_t> ends) {
   std::uint32_t most = 0;
   for (const std::uint32_t end : ends) most = std::max(most, end - std::exchange(begin, end));
   return most;
-}
-
-/// Calls visit(begin, end) for each row that vectors do not sort.
-template <class Visit>
-void for_each_long_row(std::span<const std::uint32_t> ends, Visit&& visit) {
-  std::uint32_t begin = 0;
-  for (const std::uint32_t end : ends) {
-    if (end - begin > kernels::longest_sorted_row) visit(begin, end);
-    begin = end;
-  }
 }
 
 bool has_crowd(std::span<const std::uint32_t> ends) {
@@ -248,47 +202,22 @@ void BucketSort<Entry>::scatter_stably(std::span<const Entry> from, const Digit&
   });
 }
 
-/// Sorts the rows of `moved_` into `entries` in vectors, and the few that are too long for these by
-/// std::sort; does nothing and returns false where they are not few.
-template <RangeEntry Entry>
-bool BucketSort<Entry>::sort_rows(std::span<Entry> entries, std::span<const std::uint32_t> ends,
-                                  std::size_t first_element, const kernels::OrderKernels& kernels,
-                                  base::WorkCounter& work) const {
-  constexpr std::size_t one_in = 8;
-  std::size_t in_long_rows = 0;
-  for_each_long_row(ends,
-                    [&](std::uint32_t begin, std::uint32_t end) { in_long_rows += end - begin; });
-  if (in_long_rows * one_in > entries.size()) return false;
-  sort_in_vectors(std::span<const Entry>(moved_), ends, first_element, kernels, entries);
-  work.did(entries.size());
-  for_each_long_row(ends, [&](std::uint32_t begin, std::uint32_t end) {
-    base::sort_asking(entries.begin() + begin, entries.begin() + end, work,
-                      [](const Entry& a, const Entry& b) { return comes_before(a, b); });
-  });
-  return true;
-}
-
 template <RangeEntry Entry>
 void BucketSort<Entry>::sort(std::span<Entry> entries, std::size_t first_element, std::size_t width,
-                             const kernels::OrderKernels& kernels, base::WorkCounter& work) {
+                             base::WorkCounter& work) {
   if (entries.size() > std::numeric_limits<std::uint32_t>::max()) {
     return base::sort_asking(entries.begin(), entries.end(), work);
   }
   if (entries.empty()) return;
-  base::make_room(moved_, entries.size() + kernels::longest_sorted_row);
+  base::make_room(moved_, entries.size());
   const std::span<Entry> moved = std::span(moved_).first(entries.size());
   const ElementIndex first = row_origin<Entry>(first_element);
   // If most elements have no pair, several share a digit: an empty digit costs as much as a pair.
   const ByFirst by_first(first, first + static_cast<ElementIndex>(width - 1), 2 * entries.size());
-  const bool digits_are_rows = by_first.count() == width;
-  const bool fits_vectors =
-      digits_are_rows && has_vectors<Entry>(kernels) && suits_vectors(entries.size(), width);
   // Few pairs, and those of rows whose partners lie in the same cache lines, are sorted by
   // insertion without a pass over second elements.
-  if (fits_vectors || entries.size() < width / 2 ||
-      are_near<Entry>(entries, first_element, width)) {
+  if (entries.size() < width / 2 || are_near<Entry>(entries, first_element, width)) {
     const auto ends = scatter(entries, by_first, moved, work);
-    if (fits_vectors && sort_rows(entries, ends, first_element, kernels, work)) return;
     if (!has_crowd(ends) && !is_shuffled<Entry>(moved, work)) {
       std::copy(moved.begin(), moved.end(), entries.begin());
       return sort_by_insertion(entries, work);

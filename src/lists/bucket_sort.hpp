@@ -2,7 +2,6 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
-#include "kernels/order_kernels.hpp"
 #include "lists/packed_entry.hpp"
 
 #include <cstddef>
@@ -11,8 +10,8 @@
 
 namespace abut::lists {
 
-/// Sorts pairs whose first elements lie in a narrow range: by counting, then row by row in vectors,
-/// or by insertion, which has next to nothing left to do. It keeps its arrays.
+/// Sorts pairs whose first elements lie in a narrow range: by counting, then by insertion, which
+/// has next to nothing left to do. It keeps its arrays.
 template <RangeEntry Entry>
 class BucketSort {
  public:
@@ -23,13 +22,9 @@ class BucketSort {
   /// First elements are first_element .. first_element + width - 1, counted from row_origin().
   /// Equal entries may come.
   void sort(std::span<Entry> entries, std::size_t first_element, std::size_t width,
-            const kernels::OrderKernels& kernels, base::WorkCounter& work);
+            base::WorkCounter& work);
 
  private:
-  bool sort_rows(std::span<Entry> entries, std::span<const std::uint32_t> ends,
-                 std::size_t first_element, const kernels::OrderKernels& kernels,
-                 base::WorkCounter& work) const;
-
   [[nodiscard]] std::span<std::uint32_t> no_places(std::size_t digits);
   template <class Digit>
   std::span<const std::uint32_t> scatter(std::span<const Entry> from, const Digit& digit,

@@ -1,6 +1,7 @@
 #include "lists/csr_builder.hpp"
 
 #include "base/asking_workers.hpp"
+#include "base/fetch_next_line.hpp"
 #include "lists/far_apart.hpp"
 
 #include <algorithm>
@@ -48,6 +49,8 @@ struct RowTarget {
   void operator()(const Entry& entry) const {
     const auto [row, neighbor] = pair_of(entry);
     const std::uint64_t place = next[ranges.of(row)]++;
+    base::fetch_next_line(rows.neighbors.data() + place);
+    base::fetch_next_line(row_in_range + place);
     rows.neighbors[place] = neighbor;
     put_shift(entry, rows.shifts, place);
     row_in_range[place] = ranges.in_range(row);
@@ -62,9 +65,16 @@ struct PackedTarget {
 
   void operator()(const ImagePair& entry) const {
     const ElementIndex row = entry.pair.first;
-    entries[next[ranges.of(row)]++] = packed(ranges.in_range(row), entry);
+    PackedEntry* const place = entries + next[ranges.of(row)]++;
+    base::fetch_next_line(place);
+    *place = packed(ranges.in_range(row), entry);
   }
 };
+
+/// Turns the lengths of rows into the places where they begin.
+void lay_out(std::span<PairCount> rows, PairCount place) {
+  for (PairCount& row : rows) place += std::exchange(row, place);
+}
 
 }  // namespace
 
@@ -130,19 +140,46 @@ std::span<Entry> CsrBuilder::entries_of(const ElementRanges& ranges, std::size_t
   }
 }
 
+/// Sorts the neighbors of a range in vectors; false where these are not for them.
+bool CsrBuilder::sort_in_vectors(const ElementRanges& ranges, std::size_t range,
+                                 const RowArrays& rows, RowSort<std::uint32_t>& sort,
+                                 base::WorkCounter& work) {
+  if (kernels_.sort_numbers == nullptr) return false;
+  const auto neighbors = rows.neighbors.subspan(places_.begin(range), places_.size(range));
+  const auto number_at = [row = row_in_range_.data() + places_.begin(range),
+                          neighbor = neighbors.data()](std::size_t k) {
+    return RowNumber<std::uint32_t>{row[k], neighbor[k]};
+  };
+  if (!sort.take(neighbors.size(), ranges.size(range), number_at, work)) return false;
+  kernels_.sort_numbers(sort.slots(), neighbors.data());
+  work.did(neighbors.size());
+  sort.add_excess(
+      neighbors, [](std::uint32_t, ElementIndex neighbor) { return neighbor; }, work);
+  return true;
+}
+
 /// Sorts the entries of a range and says where its rows begin.
 template <RangeEntry Entry>
 void CsrBuilder::finish_range(const ElementRanges& ranges, std::size_t range, const RowArrays& rows,
                               SortScratch<Entry>& scratch, base::WorkCounter& work) {
   const PairCount begin = places_.begin(range);
   const std::size_t first_row = ranges.first_of(range);
-  const auto begins = rows.offsets.first(rows.offsets.size() - 1)
-                          .subspan(first_row)
-                          .first(std::min(ranges.width(), rows.offsets.size() - 1 - first_row));
-  const std::span entries = entries_of<Entry>(ranges, range, rows, scratch, work);
-  scratch.sort.sort(entries, first_row, ranges.width(), kernels_, work);
-  std::fill(begins.begin(), begins.end(), PairCount{0});
+  const auto begins = rows.offsets.subspan(first_row, ranges.size(range));
   work.did(begins.size());
+  if constexpr (std::same_as<Entry, ContactPair>) {
+    if (sort_in_vectors(ranges, range, rows, scratch.rows, work)) {
+      std::copy(scratch.rows.sizes().begin(), scratch.rows.sizes().end(), begins.begin());
+      return lay_out(begins, begin);
+    }
+  }
+  const std::span entries = entries_of<Entry>(ranges, range, rows, scratch, work);
+  if constexpr (std::same_as<Entry, PackedEntry>) {
+    sort_packed(entries, static_cast<ElementIndex>(first_row), ranges.size(range), scratch,
+                kernels_, work);
+  } else {
+    scratch.sort.sort(entries, first_row, ranges.size(range), work);
+  }
+  std::fill(begins.begin(), begins.end(), PairCount{0});
   work.in_pieces(0, entries.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t k = from; k < to; ++k) {
       const auto [row, neighbor] = pair_of(entries[k]);
@@ -151,8 +188,7 @@ void CsrBuilder::finish_range(const ElementRanges& ranges, std::size_t range, co
       ++begins[row - row_origin<Entry>(first_row)];
     }
   });
-  PairCount place = begin;
-  for (PairCount& row : begins) place += std::exchange(row, place);
+  lay_out(begins, begin);
 }
 
 }  // namespace abut::lists

@@ -50,6 +50,9 @@ class CsrBuilder {
   [[nodiscard]] std::span<Entry> entries_of(const ElementRanges& ranges, std::size_t range,
                                             const RowArrays& rows, SortScratch<Entry>& scratch,
                                             base::WorkCounter& work);
+  [[nodiscard]] bool sort_in_vectors(const ElementRanges& ranges, std::size_t range,
+                                     const RowArrays& rows, RowSort<std::uint32_t>& sort,
+                                     base::WorkCounter& work);
   template <RangeEntry Entry>
   void finish_range(const ElementRanges& ranges, std::size_t range, const RowArrays& rows,
                     SortScratch<Entry>& scratch, base::WorkCounter& work);

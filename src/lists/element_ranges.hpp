@@ -16,14 +16,21 @@ namespace abut::lists {
 /// enough that the pairs of one lie in the cache.
 class ElementRanges {
  public:
-  explicit ElementRanges(std::size_t element_count) {
-    while ((element_count >> shift_) >= most && shift_ < widest) ++shift_;
+  explicit ElementRanges(std::size_t element_count) : element_count_(element_count) {
+    const auto are_many = [&] {
+      return (element_count >> shift_) >= (width() < enough ? fair_number : most);
+    };
+    while (shift_ < widest && are_many()) ++shift_;
     count_ = (element_count >> shift_) + 1;
   }
 
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  /// Number of elements in a range, at most 2^16.
+  /// Most elements of a range, at most 2^16.
   [[nodiscard]] std::size_t width() const noexcept { return std::size_t{1} << shift_; }
+  /// Number of elements in a range.
+  [[nodiscard]] std::size_t size(std::size_t range) const noexcept {
+    return std::min(width(), element_count_ - first_of(range));
+  }
   [[nodiscard]] std::size_t of(ElementIndex element) const noexcept { return element >> shift_; }
   /// The number of an element in its range.
   [[nodiscard]] std::uint16_t in_range(ElementIndex element) const noexcept {
@@ -32,9 +39,14 @@ class ElementRanges {
   [[nodiscard]] std::size_t first_of(std::size_t range) const noexcept { return range << shift_; }
 
  private:
-  static constexpr std::size_t most = 512;
+  /// What is scattered to two arrays at so many places still fits the first cache, and rows of so
+  /// many elements the second one.
+  static constexpr std::size_t fair_number = 256;
+  static constexpr std::size_t enough = 4096;
+  static constexpr std::size_t most = 1024;
   static constexpr int widest = 16;
 
+  std::size_t element_count_;
   int shift_ = 11;
   std::size_t count_;
 };

@@ -1,6 +1,7 @@
 #include "lists/order_pairs.hpp"
 
 #include "base/asking_workers.hpp"
+#include "base/fetch_next_line.hpp"
 #include "lists/copy_in_pieces.hpp"
 #include "lists/far_apart.hpp"
 
@@ -41,6 +42,7 @@ void scatter(const FoundPiece& piece, const ElementRanges& ranges, std::uint64_t
   for_each_far_apart(piece.pairs.size(), work, [piece, ranges, next, target](std::size_t p) {
     const auto [pairs, shifts] = piece;
     const std::uint64_t place = next[ranges.of(pairs[p].first)]++;
+    base::fetch_next_line(target.pairs.data() + place);
     if constexpr (std::same_as<Entry, PackedEntry>) {
       const PackedEntry entry = packed(ranges.in_range(pairs[p].first), {pairs[p], shifts[p]});
       target.pairs[place] = std::bit_cast<ContactPair>(entry);
@@ -51,20 +53,43 @@ void scatter(const FoundPiece& piece, const ElementRanges& ranges, std::uint64_t
   });
 }
 
-void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t width,
-               SortScratch<ContactPair>& scratch, const kernels::OrderKernels& kernels,
-               base::WorkCounter& work) {
-  scratch.sort.sort(part.pairs, first_element, width, kernels, work);
+/// The elements of a range: rows of pairs.
+struct RangeRows {
+  ElementIndex first;
+  std::size_t count;
+};
+
+/// Sorts pairs in vectors; false where these are not for such pairs.
+bool sort_in_vectors(std::span<ContactPair> pairs, const RangeRows& rows,
+                     RowSort<std::uint32_t>& sort, const kernels::OrderKernels& kernels,
+                     base::WorkCounter& work) {
+  if (kernels.sort_pairs == nullptr) return false;
+  const auto number_at = [first = rows.first, from = pairs.data()](std::size_t k) {
+    return RowNumber<std::uint32_t>{from[k].first - first, from[k].second};
+  };
+  if (!sort.take(pairs.size(), rows.count, number_at, work)) return false;
+  kernels.sort_pairs(sort.slots(), rows.first, pairs.data());
+  work.did(pairs.size());
+  const auto pair_of_row = [first = rows.first](std::uint32_t row, ElementIndex second) {
+    return ContactPair{first + row, second};
+  };
+  sort.add_excess(pairs, pair_of_row, work);
+  return true;
 }
 
-void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t width,
-               SortScratch<ImagePair>& scratch, const kernels::OrderKernels& kernels,
-               base::WorkCounter& work) {
+void sort_part(const OutputBuffer& part, const RangeRows& rows, SortScratch<ContactPair>& scratch,
+               const kernels::OrderKernels& kernels, base::WorkCounter& work) {
+  if (sort_in_vectors(part.pairs, rows, scratch.rows, kernels, work)) return;
+  scratch.sort.sort(part.pairs, rows.first, rows.count, work);
+}
+
+void sort_part(const OutputBuffer& part, const RangeRows& rows, SortScratch<ImagePair>& scratch,
+               const kernels::OrderKernels&, base::WorkCounter& work) {
   const std::span entries = scratch.entries_for(part.pairs.size());
   work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) entries[k] = {part.pairs[k], part.shifts[k]};
   });
-  scratch.sort.sort(entries, first_element, width, kernels, work);
+  scratch.sort.sort(entries, rows.first, rows.count, work);
   work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       part.pairs[k] = entries[k].pair;
@@ -73,20 +98,19 @@ void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t 
   });
 }
 
-void sort_part(const OutputBuffer& part, std::size_t first_element, std::size_t width,
-               SortScratch<PackedEntry>& scratch, const kernels::OrderKernels& kernels,
-               base::WorkCounter& work) {
+void sort_part(const OutputBuffer& part, const RangeRows& rows, SortScratch<PackedEntry>& scratch,
+               const kernels::OrderKernels& kernels, base::WorkCounter& work) {
   const std::span entries = scratch.entries_for(part.pairs.size());
   work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       entries[k] = std::bit_cast<PackedEntry>(part.pairs[k]);
     }
   });
-  scratch.sort.sort(entries, first_element, width, kernels, work);
+  sort_packed(entries, rows.first, rows.count, scratch, kernels, work);
   work.in_pieces(0, entries.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const auto [row, neighbor] = pair_of(entries[k]);
-      part.pairs[k] = {static_cast<ElementIndex>(first_element + row), neighbor};
+      part.pairs[k] = {rows.first + row, neighbor};
       put_shift(entries[k], part.shifts, k);
     }
   });
@@ -149,8 +173,11 @@ void PairOrder::sort_entries(const FoundPieces& pieces, const ElementRanges& ran
   const std::span scratches = scratch_.of<Entry>(workers);
   const auto sort_range = [&](std::size_t worker, std::size_t b, base::WorkCounter& its_work) {
     its_work.did(1);
-    sort_part(target.part(places_.begin(b), places_.size(b)), ranges.first_of(b), ranges.width(),
-              scratches[worker], kernels_, its_work);
+    if (places_.size(b) == 0) return;
+    const std::size_t first = ranges.first_of(b);
+    const RangeRows rows{static_cast<ElementIndex>(first), ranges.size(b)};
+    sort_part(target.part(places_.begin(b), places_.size(b)), rows, scratches[worker], kernels_,
+              its_work);
   };
   base::for_each_index(workers, ranges.count(), work, sort_range);
 }

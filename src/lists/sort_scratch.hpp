@@ -2,10 +2,14 @@
 
 #include "base/array.hpp"
 #include "lists/bucket_sort.hpp"
+#include "lists/row_sort.hpp"
 
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace abut::lists {
@@ -14,7 +18,7 @@ namespace abut::lists {
 template <RangeEntry Entry>
 struct SortScratch {
   explicit SortScratch(base::MemoryMeter& memory)
-      : sort(memory), entries(base::make_array_for_overwrite<Entry>(memory, 0)) {}
+      : rows(memory), sort(memory), entries(base::make_array_for_overwrite<Entry>(memory, 0)) {}
 
   /// Room for entries that do not lie together, on their way through the sort.
   [[nodiscard]] std::span<Entry> entries_for(std::size_t count) {
@@ -22,9 +26,31 @@ struct SortScratch {
     return std::span(entries).first(count);
   }
 
-  BucketSort<Entry> sort;
+  /// What tells the entries of one row apart, where it is a whole number.
+  using Number = std::conditional_t<std::same_as<Entry, PackedEntry>, std::uint64_t, std::uint32_t>;
+
+  RowSort<Number> rows;    ///< for rows of some entries
+  BucketSort<Entry> sort;  ///< for all others
   base::Array<Entry> entries;
 };
+
+/// Sorts the packed entries of a range of rows, in vectors where there are these for them.
+inline void sort_packed(std::span<PackedEntry> entries, ElementIndex first_row, std::size_t rows,
+                        SortScratch<PackedEntry>& scratch, const kernels::OrderKernels& kernels,
+                        base::WorkCounter& work) {
+  static_assert(sizeof(PackedEntry) == sizeof(std::uint64_t));
+  const auto number_at = [from = entries.data()](std::size_t k) {
+    return RowNumber<std::uint64_t>{pair_of(from[k]).first, from[k].key};
+  };
+  if (kernels.sort_words == nullptr || entries.empty() ||
+      !scratch.rows.take(entries.size(), rows, number_at, work)) {
+    return scratch.sort.sort(entries, first_row, rows, work);
+  }
+  kernels.sort_words(scratch.rows.slots(), &entries.data()->key);
+  work.did(entries.size());
+  const auto entry_of = [](std::uint32_t, std::uint64_t key) { return PackedEntry{key}; };
+  scratch.rows.add_excess(entries, entry_of, work);
+}
 
 /// The scratch of all workers, for each type of entry. It keeps its arrays.
 class WorkersSortScratch {

@@ -175,7 +175,7 @@ std::size_t CandidateLayout::sort_short_runs(std::size_t first_slot, std::size_t
   constexpr std::size_t most_runs = 64;
   constexpr std::size_t most_keys = 512;
   static_assert(most_keys >= kernels::longest_sorted_row);
-  if (kernels_.sort_words == nullptr) return first_slot;
+  if (kernels_.sort_word_rows == nullptr) return first_slot;
   const std::uint32_t begin = end_[first_slot];
   std::array<std::uint32_t, most_runs> ends;
   std::uint32_t runs = 0;
@@ -189,7 +189,7 @@ std::size_t CandidateLayout::sort_short_runs(std::size_t first_slot, std::size_t
   // A copy: whole vectors are read, and behind the last run lie keys that another worker sorts.
   std::array<std::uint64_t, most_keys + kernels::longest_sorted_row> keys;
   std::copy_n(keys_.data() + begin, count, keys.data());
-  kernels_.sort_words({keys.data(), count, ends.data(), runs}, keys_.data() + begin);
+  kernels_.sort_word_rows({keys.data(), ends.data(), runs, count}, keys_.data() + begin);
   return first_slot + runs;
 }
 

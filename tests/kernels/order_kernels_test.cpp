@@ -23,6 +23,11 @@ constexpr std::uint32_t longest = kernels::longest_sorted_row;
 /// Stands behind the last row: pairs of others, which stay as they are.
 constexpr ContactPair of_others{7, 77};
 
+/// Both elements of a pair: words of one row have the same upper half.
+std::uint64_t word_of(const ContactPair& pair) {
+  return std::uint64_t{pair.first} << 32 | pair.second;
+}
+
 /// Pairs that lie together row by row, and where their rows end.
 struct Rows {
   ElementIndex first_element;
@@ -37,62 +42,123 @@ struct Rows {
     }
     ends.push_back(static_cast<std::uint32_t>(pairs.size()));
   }
+
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(ends.size()); }
+  [[nodiscard]] std::uint32_t begin(std::size_t row) const { return row == 0 ? 0 : ends[row - 1]; }
 };
 
-std::vector<ContactPair> sorted_by_std(const Rows& rows) {
+/// The numbers of the rows in slots, of which a row may have too few.
+template <class Number>
+struct Slots {
+  std::vector<Number> numbers;
+  std::vector<std::uint32_t> sizes;
+  std::uint32_t capacity;
+
+  template <class NumberOf>
+  Slots(const Rows& rows, std::uint32_t slots, const NumberOf& number_of)
+      : numbers(std::size_t{slots} * rows.count() + longest), capacity(slots) {
+    for (std::uint32_t row = 0; row < rows.count(); ++row) {
+      const std::uint32_t begin = rows.begin(row);
+      sizes.push_back(rows.ends[row] - begin);
+      for (std::uint32_t k = 0; k < std::min(sizes[row], slots); ++k) {
+        numbers[std::size_t{slots} * row + k] = number_of(rows.pairs[begin + k]);
+      }
+    }
+  }
+
+  [[nodiscard]] kernels::RowSlots<Number> view(const Rows& rows) const {
+    return {numbers.data(), sizes.data(), rows.count(), capacity, rows.pairs.size()};
+  }
+};
+
+/// What must come of rows, of each of which `slots` pairs have a slot: every row sorted, and of
+/// longer ones those pairs alone, in their order among themselves, before room for the others.
+std::vector<ContactPair> sorted_by_std(const Rows& rows, std::uint32_t slots) {
   std::vector<ContactPair> sorted = rows.pairs;
-  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t row = 0; row < rows.count(); ++row) {
+    const auto first = sorted.begin() + rows.begin(row);
+    const auto last = sorted.begin() + rows.ends[row];
+    std::sort(first, first + std::min<std::ptrdiff_t>(last - first, slots));
+    if (last - first > slots) std::fill(first + slots, last, of_others);
+  }
   sorted.resize(sorted.size() + longest, of_others);
   return sorted;
 }
 
-/// Both elements of a pair: words of one row have the same upper half.
-std::uint64_t word_of(const ContactPair& pair) {
-  return std::uint64_t{pair.first} << 32 | pair.second;
-}
-
-std::vector<std::uint64_t> words_of(const std::vector<ContactPair>& pairs) {
-  std::vector<std::uint64_t> words(pairs.size());
-  std::transform(pairs.begin(), pairs.end(), words.begin(), word_of);
-  return words;
-}
-
-std::vector<ContactPair> sorted_by(Simd level, const Rows& rows) {
-  std::vector<ContactPair> readable = rows.pairs;
-  readable.resize(readable.size() + longest);
-  std::vector<ContactPair> sorted(readable.size(), of_others);
-  kernels::order_kernels(level).sort_pairs({{readable.data(), rows.pairs.size(), rows.ends.data(),
-                                             static_cast<std::uint32_t>(rows.ends.size())},
-                                            rows.first_element},
-                                           sorted.data());
+/// Pairs without a slot replaced, and the others of their rows sorted, since kernels leave both as
+/// they like.
+template <class Entry>
+std::vector<Entry> without_excess(std::vector<Entry> sorted, const Rows& rows, std::uint32_t slots,
+                                  Entry other) {
+  for (std::size_t row = 0; row < rows.count(); ++row) {
+    const auto first = sorted.begin() + rows.begin(row);
+    const auto last = sorted.begin() + rows.ends[row];
+    if (last - first <= slots) continue;
+    std::sort(first, first + slots);
+    std::fill(first + slots, last, other);
+  }
   return sorted;
 }
 
-std::vector<std::uint64_t> sorted_words_by(Simd level, const Rows& rows) {
-  std::vector<std::uint64_t> readable = words_of(rows.pairs);
-  readable.resize(readable.size() + longest);
-  std::vector<std::uint64_t> sorted(readable.size(), word_of(of_others));
-  kernels::order_kernels(level).sort_words({readable.data(), rows.pairs.size(), rows.ends.data(),
-                                            static_cast<std::uint32_t>(rows.ends.size())},
-                                           sorted.data());
-  return sorted;
+template <class To, class Make>
+std::vector<To> made_of(const std::vector<ContactPair>& pairs, const Make& make) {
+  std::vector<To> result(pairs.size());
+  std::transform(pairs.begin(), pairs.end(), result.begin(), make);
+  return result;
 }
 
-void expect_sorted(const Rows& rows) {
-  const std::vector<ContactPair> expected = sorted_by_std(rows);
+void expect_sorted_slots(const Rows& rows, std::uint32_t slots) {
+  const std::vector<ContactPair> expected = sorted_by_std(rows, slots);
+  const auto second_of = [](const ContactPair& pair) { return pair.second; };
+  const Slots<std::uint32_t> numbers(rows, slots, second_of);
+  const Slots<std::uint64_t> words(rows, slots, word_of);
   for (const Simd level : simd_levels_here()) {
     const kernels::OrderKernels kernels = kernels::order_kernels(level);
     const auto which = [&] {
-      return std::string(name_of(level)) + ", " + std::to_string(rows.ends.size()) + " rows of " +
-             std::to_string(rows.pairs.size());
+      return std::string(name_of(level)) + ", " + std::to_string(rows.count()) + " rows of " +
+             std::to_string(rows.pairs.size()) + " in " + std::to_string(slots) + " slots each";
     };
     if (kernels.sort_pairs != nullptr) {
-      EXPECT_TRUE(sorted_by(level, rows) == expected) << which();
+      std::vector<ContactPair> sorted(expected.size(), of_others);
+      kernels.sort_pairs(numbers.view(rows), rows.first_element, sorted.data());
+      EXPECT_TRUE(without_excess(sorted, rows, slots, of_others) == expected) << which();
+    }
+    if (kernels.sort_numbers != nullptr) {
+      std::vector<std::uint32_t> sorted(expected.size(), of_others.second);
+      kernels.sort_numbers(numbers.view(rows), sorted.data());
+      EXPECT_TRUE(without_excess(sorted, rows, slots, of_others.second) ==
+                  made_of<std::uint32_t>(expected, second_of))
+          << which();
     }
     if (kernels.sort_words != nullptr) {
-      EXPECT_TRUE(sorted_words_by(level, rows) == words_of(expected)) << which();
+      std::vector<std::uint64_t> sorted(expected.size(), word_of(of_others));
+      kernels.sort_words(words.view(rows), sorted.data());
+      EXPECT_TRUE(without_excess(sorted, rows, slots, word_of(of_others)) ==
+                  made_of<std::uint64_t>(expected, word_of))
+          << which();
     }
   }
+}
+
+void expect_sorted_rows(const Rows& rows) {
+  const auto expected = made_of<std::uint64_t>(sorted_by_std(rows, longest), word_of);
+  std::vector<std::uint64_t> readable = made_of<std::uint64_t>(rows.pairs, word_of);
+  readable.resize(readable.size() + longest);
+  for (const Simd level : simd_levels_here()) {
+    const kernels::OrderKernels kernels = kernels::order_kernels(level);
+    if (kernels.sort_word_rows == nullptr) continue;
+    std::vector<std::uint64_t> sorted(readable.size(), word_of(of_others));
+    kernels.sort_word_rows({readable.data(), rows.ends.data(), rows.count(), rows.pairs.size()},
+                           sorted.data());
+    EXPECT_TRUE(sorted == expected)
+        << name_of(level) << ", " << rows.count() << " rows of " << rows.pairs.size();
+  }
+}
+
+/// Rows of at most `longest` pairs.
+void expect_sorted(const Rows& rows) {
+  for (const std::uint32_t slots : {8U, 16U, 32U, longest}) expect_sorted_slots(rows, slots);
+  expect_sorted_rows(rows);
 }
 
 TEST(OrderKernels, LevelsThatSort) {
@@ -100,7 +166,9 @@ TEST(OrderKernels, LevelsThatSort) {
     const kernels::OrderKernels kernels = kernels::order_kernels(level);
     EXPECT_EQ(kernels.sort_pairs != nullptr, level != Simd::scalar) << name_of(level);
     const bool is_wide = level == Simd::avx2 || level == Simd::avx512;
+    EXPECT_EQ(kernels.sort_numbers != nullptr, level != Simd::scalar) << name_of(level);
     EXPECT_EQ(kernels.sort_words != nullptr, is_wide) << name_of(level);
+    EXPECT_EQ(kernels.sort_word_rows != nullptr, is_wide) << name_of(level);
   }
 }
 
@@ -130,6 +198,18 @@ TEST(OrderKernels, SortManyRowsOfAnyLength) {
       }
       expect_sorted(rows);
     }
+  }
+}
+
+/// Between rows that have slots enough, some that are longer than vectors take.
+TEST(OrderKernels, RowsWithoutSlotsEnoughLeaveRoom) {
+  Random random(7);
+  for (const std::uint32_t size : {9U, 65U, 300U}) {
+    Rows rows{50, {}, {}};
+    for (int row = 0; row < 40; ++row) {
+      rows.add(random, row % 7 == 3 ? size : static_cast<std::uint32_t>(random.below(9)), 1000);
+    }
+    for (const std::uint32_t slots : {8U, 16U, 32U, longest}) expect_sorted_slots(rows, slots);
   }
 }
 

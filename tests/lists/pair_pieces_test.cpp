@@ -8,6 +8,7 @@
 #include "scenes/random.hpp"
 #include "support/nobody_asked.hpp"
 #include "support/oracle.hpp"
+#include "support/rows_variants.hpp"
 
 #include <abut/simd.hpp>
 
@@ -57,6 +58,47 @@ PairVector scattered_pairs(Random& random, ElementIndex count, std::size_t pairs
     }
   }
   return result;
+}
+
+/// How pairs are sorted in vectors depends on how many there are for each element: 8 slots a row,
+/// or twice as many up to 64; and one element in some has twice as many pairs as slots.
+TEST(OrderPairs, FewAndManySlotsOnEveryLevel) {
+  constexpr ElementIndex count = 9000;
+  Random random(10);
+  for (const std::uint64_t most : {5U, 12U, 28U, 60U, 90U}) {
+    for (const ElementIndex between : {30U, 1000U}) {
+      PairVector pairs;
+      for (ElementIndex first = 0; first < count; ++first) {
+        const std::size_t partners = first % between == 7 ? 2 * most + 20 : random.below(most + 1);
+        for (std::size_t k = 0; k < partners; ++k) {
+          pairs.push_back({first, static_cast<ElementIndex>(random.below(count))});
+        }
+      }
+      std::shuffle(pairs.begin(), pairs.end(), random);
+      PairVector expected = pairs;
+      std::sort(expected.begin(), expected.end());
+      const std::span<const ContactPair> piece(pairs);
+      for (const Simd level : simd_levels_here()) {
+        base::MemoryMeter memory;
+        PairVector ordered(pairs.size());
+        lists::PairOrder order(memory);
+        order.use(kernels::order_kernels(level));
+        order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
+        EXPECT_TRUE(ordered == expected) << name_of(level) << ' ' << most << ' ' << between;
+        std::vector<PairCount> offsets(count + 1, 12345);
+        std::vector<ElementIndex> neighbors(pairs.size());
+        lists::CsrBuilder builder(memory);
+        builder.use(kernels::order_kernels(level));
+        builder.list({{&piece, 1}}, NeighborListKind::half, {offsets, neighbors}, 2, nobody.work);
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+          const ContactPair& pair = expected[k];
+          ASSERT_EQ(neighbors[k], pair.second) << name_of(level) << ' ' << most << ' ' << between;
+          ASSERT_TRUE(offsets[pair.first] <= k && k < offsets[pair.first + 1]);
+        }
+        ASSERT_EQ(offsets[count], pairs.size());
+      }
+    }
+  }
 }
 
 /// Of `count` elements, each with up to 7 partners or none, some of them equal; but every so many

@@ -1,6 +1,7 @@
 #include "engine/layers/layer_records.hpp"
 
 #include "base/asking_workers.hpp"
+#include "base/fetch_next_line.hpp"
 
 namespace abut::engine {
 
@@ -61,9 +62,12 @@ void LayerRecords<Dim>::scatter(const kernels::SomeSpheres& some, const LayerGri
     for (; k < end; ++k) {
       const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(columns, k);
       const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
+      base::fetch_next_line(to.records + place);
       to.records[place] = grid.record(sphere, number_of_first + static_cast<std::uint32_t>(k));
       if (has_radii_) to.radii[place] = grid.units_of(sphere.radius);
-      if (has_spheres_) spheres_[place] = sphere;
+      if (!has_spheres_) continue;
+      base::fetch_next_line(spheres_.data() + place);
+      spheres_[place] = sphere;
     }
   }
 }

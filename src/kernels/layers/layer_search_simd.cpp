@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "base/fetch_next_line.hpp"
 #include "kernels/compress_table.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 

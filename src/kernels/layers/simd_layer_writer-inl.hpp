@@ -52,6 +52,7 @@ class LayerWriter {
     for (std::size_t k = 0; k < count; ++k) {
       const auto position = static_cast<std::uint32_t>(block[k].position[map_.layer_axis]);
       const std::uint64_t place = to_.cursors[position >> map_.layer_shift]++;
+      base::fetch_next_line(to_.records + place);
       to_.records[place] = block[k];
       if (to_.radii != nullptr) {
         to_.radii[place] = radius_in_units(spheres_.radius(first + k), map_);

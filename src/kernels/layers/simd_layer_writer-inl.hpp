@@ -55,6 +55,7 @@ class LayerWriter {
       base::fetch_next_line(to_.records + place);
       to_.records[place] = block[k];
       if (to_.radii != nullptr) {
+        base::fetch_next_line(to_.radii + place);
         to_.radii[place] = radius_in_units(spheres_.radius(first + k), map_);
       }
     }

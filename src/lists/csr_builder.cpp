@@ -3,6 +3,7 @@
 #include "base/asking_workers.hpp"
 #include "base/fetch_next_line.hpp"
 #include "lists/far_apart.hpp"
+#include "lists/sort_packed.hpp"
 
 #include <algorithm>
 #include <concepts>

@@ -4,6 +4,7 @@
 #include "base/fetch_next_line.hpp"
 #include "lists/copy_in_pieces.hpp"
 #include "lists/far_apart.hpp"
+#include "lists/sort_packed.hpp"
 
 #include <bit>
 #include <concepts>

@@ -6,14 +6,11 @@
 #include "kernels/order_kernels.hpp"
 #include "lists/far_apart.hpp"
 
-#include <abut/pair.hpp>
-
 #include <algorithm>
-#include <concepts>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 
 namespace abut::lists {
 

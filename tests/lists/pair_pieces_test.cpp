@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace abut::testing {
@@ -60,47 +61,6 @@ PairVector scattered_pairs(Random& random, ElementIndex count, std::size_t pairs
   return result;
 }
 
-/// How pairs are sorted in vectors depends on how many there are for each element: 8 slots a row,
-/// or twice as many up to 64; and one element in some has twice as many pairs as slots.
-TEST(OrderPairs, FewAndManySlotsOnEveryLevel) {
-  constexpr ElementIndex count = 9000;
-  Random random(10);
-  for (const std::uint64_t most : {5U, 12U, 28U, 60U, 90U}) {
-    for (const ElementIndex between : {30U, 1000U}) {
-      PairVector pairs;
-      for (ElementIndex first = 0; first < count; ++first) {
-        const std::size_t partners = first % between == 7 ? 2 * most + 20 : random.below(most + 1);
-        for (std::size_t k = 0; k < partners; ++k) {
-          pairs.push_back({first, static_cast<ElementIndex>(random.below(count))});
-        }
-      }
-      std::shuffle(pairs.begin(), pairs.end(), random);
-      PairVector expected = pairs;
-      std::sort(expected.begin(), expected.end());
-      const std::span<const ContactPair> piece(pairs);
-      for (const Simd level : simd_levels_here()) {
-        base::MemoryMeter memory;
-        PairVector ordered(pairs.size());
-        lists::PairOrder order(memory);
-        order.use(kernels::order_kernels(level));
-        order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
-        EXPECT_TRUE(ordered == expected) << name_of(level) << ' ' << most << ' ' << between;
-        std::vector<PairCount> offsets(count + 1, 12345);
-        std::vector<ElementIndex> neighbors(pairs.size());
-        lists::CsrBuilder builder(memory);
-        builder.use(kernels::order_kernels(level));
-        builder.list({{&piece, 1}}, NeighborListKind::half, {offsets, neighbors}, 2, nobody.work);
-        for (std::size_t k = 0; k < pairs.size(); ++k) {
-          const ContactPair& pair = expected[k];
-          ASSERT_EQ(neighbors[k], pair.second) << name_of(level) << ' ' << most << ' ' << between;
-          ASSERT_TRUE(offsets[pair.first] <= k && k < offsets[pair.first + 1]);
-        }
-        ASSERT_EQ(offsets[count], pairs.size());
-      }
-    }
-  }
-}
-
 /// Of `count` elements, each with up to 7 partners or none, some of them equal; but every so many
 /// with `longest` of them.
 PairVector rows_of_pairs(Random& random, ElementIndex count, ElementIndex between_long_rows,
@@ -118,6 +78,58 @@ PairVector rows_of_pairs(Random& random, ElementIndex count, ElementIndex betwee
   return pairs;
 }
 
+/// Brings pairs of `count` elements into canonical order and into rows on every level, and expects
+/// what std::sort makes of them.
+void expect_order_on_every_level(const PairVector& pairs, ElementIndex count) {
+  PairVector expected = pairs;
+  std::sort(expected.begin(), expected.end());
+  const std::span<const ContactPair> piece(pairs);
+  for (const Simd level : simd_levels_here()) {
+    base::MemoryMeter memory;
+    PairVector ordered(pairs.size());
+    lists::PairOrder order(memory);
+    order.use(kernels::order_kernels(level));
+    order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
+    EXPECT_TRUE(ordered == expected) << name_of(level);
+    std::vector<PairCount> offsets(count + 1, 12345);
+    std::vector<ElementIndex> neighbors(pairs.size());
+    lists::CsrBuilder builder(memory);
+    builder.use(kernels::order_kernels(level));
+    builder.list({{&piece, 1}}, NeighborListKind::half, {offsets, neighbors}, 2, nobody.work);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto [first, second] = expected[k];
+      ASSERT_EQ(neighbors[k], second) << name_of(level);
+      ASSERT_TRUE(offsets[first] <= k && k < offsets[first + 1]) << name_of(level);
+    }
+    ASSERT_EQ(offsets[count], pairs.size());
+  }
+}
+
+/// How pairs are sorted in vectors depends on how many there are for each element: 8 slots a row,
+/// or twice as many up to 64; and one element in some has twice as many pairs as slots. The last
+/// range of elements is empty, has one element, or some.
+TEST(OrderPairs, FewAndManySlotsOnEveryLevel) {
+  Random random(10);
+  for (const ElementIndex count : {1U, 2U, 4096U, 4097U, 9000U}) {
+    for (const std::uint64_t most : {5U, 12U, 28U, 60U, 90U}) {
+      for (const ElementIndex between : {30U, 1000U}) {
+        SCOPED_TRACE(std::to_string(count) + " elements, up to " + std::to_string(most) +
+                     " pairs, more for one in " + std::to_string(between));
+        PairVector pairs;
+        for (ElementIndex first = 0; first < count; ++first) {
+          const bool is_long = first % between == between - 1;
+          const std::size_t partners = is_long ? 2 * most + 20 : random.below(most + 1);
+          for (std::size_t k = 0; k < partners; ++k) {
+            pairs.push_back({first, static_cast<ElementIndex>(random.below(count))});
+          }
+        }
+        std::shuffle(pairs.begin(), pairs.end(), random);
+        expect_order_on_every_level(pairs, count);
+      }
+    }
+  }
+}
+
 /// Rows as short as those of contacts, which vectors sort; few and many that are as long as they
 /// take, longer by one, and much longer.
 TEST(OrderPairs, RowsOfEachLengthOnEveryLevel) {
@@ -125,19 +137,8 @@ TEST(OrderPairs, RowsOfEachLengthOnEveryLevel) {
   Random random(9);
   for (const std::size_t longest : {64U, 65U, 500U}) {
     for (const ElementIndex between : {5U, 100U, 5000U}) {
-      const PairVector pairs = rows_of_pairs(random, count, between, longest);
-      PairVector expected = pairs;
-      std::sort(expected.begin(), expected.end());
-      const std::span<const ContactPair> piece(pairs);
-      for (const Simd level : simd_levels()) {
-        if (!available(level)) continue;
-        base::MemoryMeter memory;
-        PairVector ordered(pairs.size());
-        lists::PairOrder order(memory);
-        order.use(kernels::order_kernels(level));
-        order.sort({{&piece, 1}}, count, {ordered, {}}, 2, nobody.work);
-        EXPECT_TRUE(ordered == expected) << name_of(level) << ' ' << longest << ' ' << between;
-      }
+      SCOPED_TRACE(std::to_string(longest) + " pairs of one element in " + std::to_string(between));
+      expect_order_on_every_level(rows_of_pairs(random, count, between, longest), count);
     }
   }
 }

@@ -33,6 +33,10 @@ struct LayerLimits {
   /// Cost of layers in which elements look for smaller ones, to that of other searches, up to which
   /// they are taken: both are estimates.
   double most_by_size = 0.95;
+  /// Elements from which on other searches cost so many candidate tests more for each: they bring
+  /// elements into several arrays at places far apart, which then lie in no cache of one core.
+  std::size_t least_elements_beyond_caches = 250'000;
+  double cost_beyond_caches = 40.0;
   /// Other elements in an element's cell there, up to which they are: crowds are cut anew in tiles.
   double most_crowded_by_size = 12.0;
   /// Elements from which on spheres are sorted by layer along with their records, where most pairs

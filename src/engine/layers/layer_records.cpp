@@ -28,17 +28,18 @@ void LayerRecords<Dim>::sort(const kernels::SphereParts& spheres, const LayerGri
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
       count(spheres.some(begin, end), grid, counts);
-      if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });
   });
-  if (grid.is_by_size()) far.sort(grid);
   cursors_.lay_out();
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
       scatter(spheres.some(begin, end), grid, kernels, cursors_.of(worker));
+      // Their numbers are in a cache now.
+      if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });
   });
+  if (grid.is_by_size()) far.sort(grid);
 }
 
 template <int Dim>

@@ -156,8 +156,11 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
   const std::size_t elements = set.locals.size();
   if (!may_be_in_layers(set, input) || elements < limits.least_elements) return std::nullopt;
   const CellBySize best = choose_cell_by_size<Dim>(estimate.classes, estimate.sizes, set.bounds);
-  if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * estimate.other_cost))
-    return std::nullopt;
+  double other_cost = estimate.other_cost;
+  if (elements >= limits.least_elements_beyond_caches) {
+    other_cost += limits.cost_beyond_caches * static_cast<double>(elements);
+  }
+  if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * other_cost)) return std::nullopt;
   double cell = std::max(best.cell, estimate.least_cell);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     const double extent = set.bounds.upper[axis] - set.bounds.lower[axis];

@@ -72,6 +72,11 @@ struct NearPieces {
   std::int32_t last;
 };
 
+/// The most runs of a middle element: its reach is below a cell, so that it cuts up to three cells
+/// along each axis.
+template <int Dim>
+inline constexpr std::uint32_t most_runs_around = Dim == 2 ? 3 : 9;
+
 /// The same for a middle element of the own layer, and all three layers: of adjacent rows in
 /// adjacent layers, each as long as the element's own reach.
 template <int Dim, class Test>

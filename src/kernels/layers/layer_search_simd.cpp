@@ -64,6 +64,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/simd_layer_tester-inl.hpp"
 
+#include "kernels/layers/simd_run_jobs-inl.hpp"
+
 #include "kernels/layers/simd_far_tester-inl.hpp"
 
 #if HWY_TARGET == HWY_SCALAR

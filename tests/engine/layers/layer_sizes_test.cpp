@@ -234,5 +234,18 @@ TYPED_TEST(LayerSizesOf, TestsFollowTheSmallerOnes) {
   EXPECT_LT(by_size.candidate_tests, 25 * spheres.size());
 }
 
+/// Radii from 1 to 100, of which both searches cost nearly the same: layers are taken from so many
+/// elements on that the copies of the other search lie in no cache.
+TYPED_TEST(LayerSizesOf, ManyElementsOfNearlyTheSameCost) {
+  constexpr int dim = TypeParam::value;
+  const auto spheres = this->log_uniform(20000, 100.0, 0.3);
+  engine::LayerLimits limits;
+  limits.cost_beyond_caches = 1000.0;
+  limits.least_elements_beyond_caches = spheres.size();
+  EXPECT_TRUE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+  limits.least_elements_beyond_caches = spheres.size() + 1;
+  EXPECT_FALSE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+}
+
 }  // namespace
 }  // namespace abut::testing

@@ -80,10 +80,15 @@ bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
   return true;
 }
 
+/// The layers that suit a set, whatever its sizes.
+template <int Dim>
+std::optional<LayerGrid<Dim>> SetSearch<Dim>::layers_for(const SearchSet<Dim>& set) {
+  return choose_layers(set, input_, cell_size_for(set.bounds, input_), workspace_.occupancy);
+}
+
 template <int Dim>
 bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
-  const auto layers =
-      choose_layers(set, input_, cell_size_for(set.bounds, input_), workspace_.occupancy);
+  const auto layers = layers_for(set);
   if (!layers) return false;
   const auto in_steps =
       layers_in_steps(set, input_, *layers, worker_count_, workspace_.workers[0]->work());
@@ -130,15 +135,31 @@ auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace
   const SizeDistribution sizes = sizes_of(set.bounds, input_.margin, volume);
   const SizeClasses classes(at.histogram, sizes);
   const SizePlan plan = plan_sizes<Dim>(classes, sizes);
-  if (at.worker == nullptr) {
-    const SizeEstimate estimate{classes, sizes, plan.cost, least_cell_for(set.bounds, input_)};
-    const auto layers = choose_layers_by_size(set, input_, estimate, workspace_.occupancy);
-    if (layers) {
-      search_layers(set, *layers);
-      return {std::nullopt, true};
-    }
+  if (at.worker == nullptr && search_by_size(set, classes, sizes, plan.cost)) {
+    return {std::nullopt, true};
   }
   return {plan.cut};
+}
+
+/// Searches the set in layers by size if that is estimated to cost less than the other search. What
+/// tiles cost beside their tests has a say only where they are the other search.
+template <int Dim>
+bool SetSearch<Dim>::search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
+                                    const SizeDistribution& sizes, double other_cost) {
+  const auto choose = [&](double cost) {
+    const SizeEstimate estimate{classes, sizes, cost, least_cell_for(set.bounds, input_)};
+    return choose_layers_by_size(set, input_, estimate, workspace_.occupancy);
+  };
+  auto layers = choose(other_cost);
+  const LayerLimits& limits = input_.layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (!layers && elements >= limits.least_elements_of_copies) {
+    layers = choose(other_cost + limits.cost_of_copies * static_cast<double>(elements));
+    if (layers && layers_for(set)) return false;
+  }
+  if (!layers) return false;
+  search_layers(set, *layers);
+  return true;
 }
 
 template <int Dim>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/detection_context.hpp"
+#include "engine/size_classes.hpp"
 #include "engine/tile_searcher.hpp"
 #include "engine/workspace.hpp"
 
@@ -61,6 +62,7 @@ class SetSearch {
   }
 
   void finish();
+  [[nodiscard]] std::optional<LayerGrid<Dim>> layers_for(const SearchSet<Dim>& set);
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
   void search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);
 
@@ -70,6 +72,8 @@ class SetSearch {
     bool is_searched = false;  ///< in layers, by size
   };
   [[nodiscard]] SizeChoice choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at);
+  [[nodiscard]] bool search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
+                                    const SizeDistribution& sizes, double other_cost);
   void search(const SearchSet<Dim>& set, const SearchPlace& at);
   void search(const CrowdedTile& part, const SearchPlace& at);
   void search_divided(const SearchSet<Dim>& set, double cut, const SearchPlace& at);

@@ -27,16 +27,19 @@ struct LayerLimits {
   /// Mean number of elements in two runs that are joined in a vector of eight, up to which layers
   /// are faster than blocks in tiles.
   double most_joined = 9.0;
+  /// The same from so many elements on: those in tiles are brought into several arrays, at places
+  /// far apart, which then lie in no cache of one core.
+  double most_joined_beyond_caches = 12.0;
+  std::size_t least_elements_beyond_caches = 250'000;
   /// The same where cells are wider than the reach needs, so that elements share them in clusters,
   /// and tiles would be cut anew around each.
   double most_joined_of_clusters = 400.0;
   /// Cost of layers in which elements look for smaller ones, to that of other searches, up to which
   /// they are taken: both are estimates.
   double most_by_size = 0.95;
-  /// Elements from which on other searches cost so many candidate tests more for each: they bring
-  /// elements into several arrays at places far apart, which then lie in no cache of one core.
-  std::size_t least_elements_beyond_caches = 250'000;
-  double cost_beyond_caches = 40.0;
+  /// The candidate tests that these arrays cost an element of tiles, and from how many elements on.
+  double cost_of_copies = 40.0;
+  std::size_t least_elements_of_copies = 50'000;
   /// Other elements in an element's cell there, up to which they are: crowds are cut anew in tiles.
   double most_crowded_by_size = 12.0;
   /// Elements from which on spheres are sorted by layer along with their records, where most pairs

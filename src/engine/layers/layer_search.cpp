@@ -47,6 +47,13 @@ bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std:
   return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
 }
 
+template <int Dim>
+double most_joined(const LayerGrid<Dim>& grid, const LayerLimits& limits, std::size_t elements) {
+  if (grid.has_wide_cells()) return limits.most_joined_of_clusters;
+  return elements < limits.least_elements_beyond_caches ? limits.most_joined
+                                                        : limits.most_joined_beyond_caches;
+}
+
 std::size_t fewest_elements(const LayerLimits& limits) {
   return std::min(
       {limits.least_elements, limits.least_elements_of_clusters, limits.least_elements_in_steps});
@@ -130,8 +137,7 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
     return std::nullopt;
   }
   const double joined = (occupancy - 1.0) * grid->cells_joined();
-  const double most = grid->has_wide_cells() ? limits.most_joined_of_clusters : limits.most_joined;
-  if (joined > most) return std::nullopt;
+  if (joined > most_joined(*grid, limits, elements)) return std::nullopt;
   return grid;
 }
 
@@ -156,11 +162,9 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
   const std::size_t elements = set.locals.size();
   if (!may_be_in_layers(set, input) || elements < limits.least_elements) return std::nullopt;
   const CellBySize best = choose_cell_by_size<Dim>(estimate.classes, estimate.sizes, set.bounds);
-  double other_cost = estimate.other_cost;
-  if (elements >= limits.least_elements_beyond_caches) {
-    other_cost += limits.cost_beyond_caches * static_cast<double>(elements);
+  if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * estimate.other_cost)) {
+    return std::nullopt;
   }
-  if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * other_cost)) return std::nullopt;
   double cell = std::max(best.cell, estimate.least_cell);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     const double extent = set.bounds.upper[axis] - set.bounds.lower[axis];

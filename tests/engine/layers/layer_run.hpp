@@ -27,6 +27,7 @@ inline constexpr engine::LayerLimits always_in_layers{
     .least_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
+    .most_joined_beyond_caches = std::numeric_limits<double>::infinity(),
     .most_joined_of_clusters = std::numeric_limits<double>::infinity(),
     .most_by_size = 0.0};
 
@@ -35,6 +36,7 @@ inline constexpr engine::LayerLimits always_by_size{
     .least_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = 0.0,
+    .most_joined_beyond_caches = 0.0,
     .most_joined_of_clusters = 0.0,
     .most_by_size = std::numeric_limits<double>::infinity(),
     .most_crowded_by_size = std::numeric_limits<double>::infinity()};

@@ -234,13 +234,35 @@ TYPED_TEST(LayerSizesOf, TestsFollowTheSmallerOnes) {
   EXPECT_LT(by_size.candidate_tests, 25 * spheres.size());
 }
 
-/// Radii from 1 to 100, of which both searches cost nearly the same: layers are taken from so many
-/// elements on that the copies of the other search lie in no cache.
-TYPED_TEST(LayerSizesOf, ManyElementsOfNearlyTheSameCost) {
+/// Radii from 1 to 100, for which tiles and layers cost nearly the same: layers are taken from so
+/// many elements on that the copies that tiles take cost more.
+TYPED_TEST(LayerSizesOf, CopiesOfTilesCostMoreThanTests) {
   constexpr int dim = TypeParam::value;
   const auto spheres = this->log_uniform(20000, 100.0, 0.3);
-  engine::LayerLimits limits;
-  limits.cost_beyond_caches = 1000.0;
+  engine::LayerLimits limits{.most_joined = 0.0, .cost_of_copies = 1000.0};
+  limits.least_elements_of_copies = spheres.size();
+  EXPECT_TRUE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+  limits.least_elements_of_copies = spheres.size() + 1;
+  EXPECT_FALSE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+}
+
+/// Nearly equal radii go to layers of one reach, in which elements are tested against each other
+/// once, whatever copies cost.
+TYPED_TEST(LayerSizesOf, CopiesOfTilesDoNotWeighAgainstLayers) {
+  constexpr int dim = TypeParam::value;
+  const auto spheres = this->log_uniform(20000, 1.1, 0.3);
+  const engine::LayerLimits limits{.cost_of_copies = 1000.0, .least_elements_of_copies = 0};
+  const engine::LayerLimits without{.cost_of_copies = 0.0, .least_elements_of_copies = 0};
+  const LayerRun run = run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits});
+  EXPECT_TRUE(run.in_layers);
+  expect_same(run, run_rows<dim>(spheres, {0.0, 1, Simd::scalar, without}));
+}
+
+/// Where elements crowd more, layers of one reach are taken for many elements only.
+TYPED_TEST(LayerSizesOf, ManyElementsMayCrowdMore) {
+  constexpr int dim = TypeParam::value;
+  const auto spheres = this->log_uniform(20000, 1.1, 0.3);
+  engine::LayerLimits limits{.most_joined = 0.0, .most_by_size = 0.0};
   limits.least_elements_beyond_caches = spheres.size();
   EXPECT_TRUE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
   limits.least_elements_beyond_caches = spheres.size() + 1;

@@ -48,6 +48,7 @@ void shuffle(Scene& scene, std::uint64_t seed);
 [[nodiscard]] Scene make_two_far_clusters(std::size_t count, std::uint64_t seed);
 
 [[nodiscard]] Scene make_bidisperse(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_polydisperse(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_log_uniform(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_log_uniform_1000(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_graded(std::size_t count, std::uint64_t seed);

@@ -51,6 +51,7 @@ constexpr std::array table{
               checked<make_clusters_30>},
     SceneInfo{"bidisperse", 3, "one sphere in a hundred ten times as large",
               checked<make_bidisperse>},
+    SceneInfo{"polydisperse", 3, "radii 1 to 4, each as often", checked<make_polydisperse>},
     SceneInfo{"log_uniform", 3, "radii 1 to 100, each decade as often", checked<make_log_uniform>},
     SceneInfo{"log_uniform_1000", 3, "radii 1 to 1000, each decade as often",
               checked<make_log_uniform_1000>},

@@ -52,6 +52,11 @@ Scene make_bidisperse(std::size_t count, std::uint64_t seed) {
                      [](Random& random) { return random.uniform() < 0.01 ? 10.0 : 1.0; });
 }
 
+/// As sieved grains are.
+Scene make_polydisperse(std::size_t count, std::uint64_t seed) {
+  return filled_cube(count, seed, [](Random& random) { return random.uniform(1.0, 4.0); });
+}
+
 Scene make_log_uniform(std::size_t count, std::uint64_t seed) {
   return log_uniform(count, seed, 100.0);
 }

@@ -19,6 +19,7 @@ struct Plan {
                                   "clusters_100",
                                   "clusters_30",
                                   "bidisperse",
+                                  "polydisperse",
                                   "log_uniform",
                                   "log_uniform_1000",
                                   "graded",

@@ -100,6 +100,7 @@ const std::map<std::string_view, std::uint64_t> recorded_hashes{
     {"clusters_100", 0x776f64f443aaf49d},  // `clusters` makes ten clusters, too
     {"clusters_30", 0x6c2947b6d5e89bfa},
     {"bidisperse", 0x8057bc54b96782cb},
+    {"polydisperse", 0x377c10d184222b7a},
     {"log_uniform", 0x5459de47cbe6e866},
     {"log_uniform_1000", 0x6f284b5f5f31e6e8},
     {"graded", 0xaea9e3dfe288f604},

@@ -25,7 +25,7 @@ class SimdFarTester {
   HWY_INLINE void search(const FarSphere* far, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
       for_each_run<Dim>(layers_, far[k], [&](const Run& run) {
-        jobs_.make_room(1);
+        jobs_.make_room();
         jobs_.add(far[k], run);
       });
     }
@@ -50,7 +50,7 @@ class SimdFarTester {
     }
     FarSphere& element = middle_[middle_count_++];
     element = element_at(layers_, p);
-    jobs_.make_room(most_runs_around<Dim>);
+    jobs_.make_room();
     for_each_run_around<Dim>(layers_, element, [&](const Run& run) { jobs_.add(element, run); });
   }
 

@@ -17,12 +17,14 @@ class RunJobs {
   HWY_INLINE RunJobs(const ThreeLayers& layers, SearchJob& job)
       : layers_(layers), hits_(layers, job) {}
 
-  /// Makes room for the jobs of so many short runs.
-  HWY_INLINE void make_room(std::uint32_t runs) {
-    if (HWY_UNLIKELY(count_ + runs * jobs_of_run > most_jobs)) run();
+  /// Makes room for the jobs of as many short runs as a middle element may have.
+  HWY_INLINE void make_room() {
+    static_assert(most_runs_around<Dim> * jobs_of_run <= most_jobs);
+    if (HWY_UNLIKELY(count_ + most_runs_around<Dim> * jobs_of_run > most_jobs)) run();
   }
 
-  /// Adds the jobs of a short run, or of a longer one, for which it makes room.
+  /// Adds the jobs of a short run, for which there must be room. Before those of the end of a
+  /// longer one, it makes room for as many as `make_room` does.
   HWY_INLINE void add(const FarSphere& element, Run run) {
     hits_.count_tests(run.end - run.begin);
     if (HWY_UNLIKELY(run.end - run.begin > short_run)) add_begin_of_long(element, run);
@@ -66,8 +68,8 @@ class RunJobs {
   /// Leaves the end of the run, a short one.
   HWY_NOINLINE void add_begin_of_long(const FarSphere& element, Run& run) {
     for (; run.end - run.begin > short_run; run.begin += vector_size) {
-      make_room(2);
       jobs_[count_++] = {&element, run.begin, vector_size};
+      make_room();
     }
   }
 

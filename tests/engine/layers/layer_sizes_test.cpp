@@ -195,6 +195,22 @@ TYPED_TEST(LayerSizesOf, Crowds) {
   }
 }
 
+/// Elements in and beside a crowd: of the adjacent rows in which one looks, some hold many vectors
+/// of smaller ones, and some a few elements.
+TYPED_TEST(LayerSizesOf, LargerOnesBesideACrowd) {
+  constexpr int dim = TypeParam::value;
+  auto spheres = uniform_spheres<dim>(this->random_, 3000, {30.0, 30.0, 30.0});
+  for (const auto& sphere : uniform_spheres<dim>(this->random_, 1500, {4.0, 4.0, 4.0})) {
+    spheres.push_back(sphere);
+  }
+  for (auto& sphere : spheres) sphere.radius = this->random_.uniform(0.01, 0.02);
+  for (auto sphere : uniform_spheres<dim>(this->random_, 1500, {8.0, 8.0, 8.0})) {
+    sphere.radius = this->random_.uniform(0.3, 1.2);
+    spheres.push_back(sphere);
+  }
+  expect_right_by_size<dim>(spheres);
+}
+
 TYPED_TEST(LayerSizesOf, NumbersOfAnySize) {
   constexpr int dim = TypeParam::value;
   for (const double factor : {0x1p-1060, 0x1p-900, 0x1p-500, 0x1p500, 0x1p900, 0x1p1000}) {

@@ -43,6 +43,15 @@ class LayerSizesOf : public ::testing::Test {
     return spheres;
   }
 
+  /// Expects layers from as many elements on as that limit says.
+  static void expect_layers_from(std::size_t engine::LayerLimits::*least,
+                                 engine::LayerLimits limits, const Spheres<its_dim>& spheres) {
+    limits.*least = spheres.size();
+    EXPECT_TRUE((run_rows<its_dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+    limits.*least = spheres.size() + 1;
+    EXPECT_FALSE((run_rows<its_dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+  }
+
   static void scale(Spheres<its_dim>& spheres, double factor) {
     for (auto& sphere : spheres) {
       for (double& x : sphere.center) x *= factor;
@@ -253,13 +262,9 @@ TYPED_TEST(LayerSizesOf, TestsFollowTheSmallerOnes) {
 /// Radii from 1 to 100, for which tiles and layers cost nearly the same: layers are taken from so
 /// many elements on that the copies that tiles take cost more.
 TYPED_TEST(LayerSizesOf, CopiesOfTilesCostMoreThanTests) {
-  constexpr int dim = TypeParam::value;
-  const auto spheres = this->log_uniform(20000, 100.0, 0.3);
-  engine::LayerLimits limits{.most_joined = 0.0, .cost_of_copies = 1000.0};
-  limits.least_elements_of_copies = spheres.size();
-  EXPECT_TRUE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
-  limits.least_elements_of_copies = spheres.size() + 1;
-  EXPECT_FALSE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+  this->expect_layers_from(&engine::LayerLimits::least_elements_of_copies,
+                           {.most_joined = 0.0, .cost_of_copies = 1000.0},
+                           this->log_uniform(20000, 100.0, 0.3));
 }
 
 /// Nearly equal radii go to layers of one reach, in which elements are tested against each other
@@ -276,13 +281,9 @@ TYPED_TEST(LayerSizesOf, CopiesOfTilesDoNotWeighAgainstLayers) {
 
 /// Where elements crowd more, layers of one reach are taken for many elements only.
 TYPED_TEST(LayerSizesOf, ManyElementsMayCrowdMore) {
-  constexpr int dim = TypeParam::value;
-  const auto spheres = this->log_uniform(20000, 1.1, 0.3);
-  engine::LayerLimits limits{.most_joined = 0.0, .most_by_size = 0.0};
-  limits.least_elements_beyond_caches = spheres.size();
-  EXPECT_TRUE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
-  limits.least_elements_beyond_caches = spheres.size() + 1;
-  EXPECT_FALSE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+  this->expect_layers_from(&engine::LayerLimits::least_elements_beyond_caches,
+                           {.most_joined = 0.0, .most_by_size = 0.0},
+                           this->log_uniform(20000, 1.1, 0.3));
 }
 
 }  // namespace

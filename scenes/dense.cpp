@@ -105,6 +105,14 @@ Scene make_dense_spread(std::size_t count, std::uint64_t seed) {
   return scene;
 }
 
+/// One element of `dense` was blown out of it, many times as far as the cube is wide.
+Scene make_dense_stray(std::size_t count, std::uint64_t seed) {
+  constexpr double far = 1e6;
+  Scene scene = make_dense(count, seed);
+  if (count > 1) scene.x[count / 2] += far;
+  return scene;
+}
+
 Scene make_ordered(std::size_t count, std::uint64_t seed) {
   const Scene scene = make_dense(count, seed);
   // Positive, so that the conversion is a floor.

@@ -12,6 +12,7 @@ namespace abut::benchmarks {
 struct Plan {
   std::vector<std::string> scenes{"dense",
                                   "dense_spread",
+                                  "dense_stray",
                                   "ordered",
                                   "gas",
                                   "sparse",

@@ -2,7 +2,6 @@
 
 #include "base/asking_workers.hpp"
 #include "engine/divide.hpp"
-#include "engine/layers/layer_search.hpp"
 #include "engine/set_cells.hpp"
 #include "engine/size_cut.hpp"
 
@@ -33,22 +32,10 @@ constexpr std::size_t least_shared_tile = 1 << 13;
 constexpr std::size_t parts_for_each = 4;
 
 template <int Dim>
-SizeDistribution sizes_of(const grid::Bounds<Dim>& sizes, double margin, double volume) {
-  return {sizes.largest_radius, sizes.smallest_radius, margin, volume};
-}
-
-template <int Dim>
 bool is_clustered(const SortedTile<Dim>& tile) {
   return tile.size() > never_crowded &&
          tile.squared_occupancy() > least_mean_occupancy * tile.size() &&
          tile.squared_occupancy() < most_mean_occupancy * tile.size();
-}
-
-void count_radii(RadiusHistogram& histogram, const kernels::SphereParts& spheres,
-                 const Numbers& numbers, base::WorkCounter& work) {
-  work.in_pieces(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) histogram.add(spheres.radius(numbers[k]));
-  });
 }
 
 }  // namespace
@@ -56,51 +43,23 @@ void count_radii(RadiusHistogram& histogram, const kernels::SphereParts& spheres
 template <int Dim>
 SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspace,
                           std::size_t workers, base::DetectionContext& context)
-    : input_(input), workspace_(workspace), worker_count_(workers), context_(context) {
+    : given_(input), workspace_(workspace), worker_count_(workers), context_(context) {
   workspace.expect_workers(workers);
   workspace.most_in_layers = 0;
-  for (const auto& worker : workspace.workers) worker->start(input);
+  workspace.clusters_moved = 0;
+  start_workers(input);
+}
+
+template <int Dim>
+void SetSearch<Dim>::start_workers(const SearchInput<Dim>& input) {
+  input_ = &input;
+  for (const auto& worker : workspace_.workers) worker->start(input);
 }
 
 template <int Dim>
 void SetSearch<Dim>::search(const SearchSet<Dim>& set) {
-  search(set, SearchPlace{nullptr, workspace_.levels, workspace_.histogram, 0});
+  search(set, place_of_all());
   finish();
-}
-
-template <int Dim>
-bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
-  const bool may_be_few = set.bounds.smallest_radius == set.bounds.largest_radius;
-  if (set.locals.empty()) return false;
-  if (!may_be_few && set.locals.size() < input_.layer_limits.least_elements) return false;
-  const SearchPlace at{nullptr, workspace_.levels, workspace_.histogram, 0};
-  const SizeChoice choice = choose_by_size(set, at);
-  if (!choice.is_searched && (choice.cut || !take_layers(set))) return false;
-  finish();
-  return true;
-}
-
-/// The layers that suit a set, whatever its sizes.
-template <int Dim>
-std::optional<LayerGrid<Dim>> SetSearch<Dim>::layers_for(const SearchSet<Dim>& set) {
-  return choose_layers(set, input_, cell_size_for(set.bounds, input_), workspace_.occupancy);
-}
-
-template <int Dim>
-bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
-  const auto layers = layers_for(set);
-  if (!layers) return false;
-  const auto in_steps =
-      layers_in_steps(set, input_, *layers, worker_count_, workspace_.workers[0]->work());
-  search_layers(set, in_steps ? *in_steps : *layers);
-  return true;
-}
-
-template <int Dim>
-void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers) {
-  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
-  LayerSearch<Dim> search(input_, workspace_, worker_count_, context_);
-  next_unit_ = search.search(set, layers, next_unit_);
 }
 
 template <int Dim>
@@ -117,58 +76,18 @@ void SetSearch<Dim>::search(const SearchSet<Dim>& set, const SearchPlace& at) {
   if (set.locals.empty()) return;
   if (set.wanted == Wanted::pairs_of_coarse && set.coarse_elements.empty()) return;
   const SizeChoice choice = choose_by_size(set, at);
-  if (choice.is_searched) return;
+  if (at.worker == nullptr && (take_layers(set, choice) || take_clusters(set))) return;
   if (choice.cut) return search_divided(set, *choice.cut, at);
   search_tiles(set, at);
-}
-
-/// Searches the set in layers by size where that costs least; otherwise returns the radius at which
-/// it pays to divide it, if there is one.
-template <int Dim>
-auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at)
-    -> SizeChoice {
-  if (set.bounds.smallest_radius == set.bounds.largest_radius) return {};
-  at.histogram.clear();
-  count_radii(at.histogram, input_.spheres, set.locals, work_at(at));
-  count_radii(at.histogram, input_.spheres, set.halo, work_at(at));
-  const double volume = volume_in_cells(set.bounds, cell_size_for(set.bounds, input_));
-  const SizeDistribution sizes = sizes_of(set.bounds, input_.margin, volume);
-  const SizeClasses classes(at.histogram, sizes);
-  const SizePlan plan = plan_sizes<Dim>(classes, sizes);
-  if (at.worker == nullptr && search_by_size(set, classes, sizes, plan.cost)) {
-    return {std::nullopt, true};
-  }
-  return {plan.cut};
-}
-
-/// Searches the set in layers by size if that is estimated to cost less than the other search. What
-/// tiles cost beside their tests has a say only where they are the other search.
-template <int Dim>
-bool SetSearch<Dim>::search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
-                                    const SizeDistribution& sizes, double other_cost) {
-  const auto choose = [&](double cost) {
-    const SizeEstimate estimate{classes, sizes, cost, least_cell_for(set.bounds, input_)};
-    return choose_layers_by_size(set, input_, estimate, workspace_.occupancy);
-  };
-  auto layers = choose(other_cost);
-  const LayerLimits& limits = input_.layer_limits;
-  const std::size_t elements = set.locals.size();
-  if (!layers && elements >= limits.least_elements_of_copies) {
-    layers = choose(other_cost + limits.cost_of_copies * static_cast<double>(elements));
-    if (layers && layers_for(set)) return false;
-  }
-  if (!layers) return false;
-  search_layers(set, *layers);
-  return true;
 }
 
 template <int Dim>
 void SetSearch<Dim>::search_divided(const SearchSet<Dim>& set, double cut, const SearchPlace& at) {
   RecursionLevel<Dim>& level = at.levels.at(at.depth);
   base::WorkCounter& work = work_at(at);
-  divide_by_size(input_.elements, set, cut, level, work);
+  divide_by_size(input_->elements, set, cut, level, work);
   const auto search_part = [&](const Members& members, Wanted wanted) {
-    search(search_set_of(input_.elements, members, wanted, input_.element_kernels, work),
+    search(search_set_of(input_->elements, members, wanted, input_->element_kernels, work),
            at.deeper());
   };
   search_part(level.large, set.wanted);
@@ -178,19 +97,18 @@ void SetSearch<Dim>::search_divided(const SearchSet<Dim>& set, double cut, const
 
 template <int Dim>
 void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& at) {
-  if (at.worker == nullptr && take_layers(set)) return;
-  const TileGrid<Dim> grid = cut_into_tiles(set, cell_size_for(set.bounds, input_));
+  const TileGrid<Dim> grid = cut_into_tiles(set, cell_size_for(set.bounds, *input_));
   Tiles<Dim>& tiles = at.levels.at(at.depth).tiles;
   if (at.worker != nullptr) {
-    tiles.partition(input_.elements, set, grid, input_.margin, input_.element_kernels, 1,
+    tiles.partition(input_->elements, set, grid, input_->margin, input_->element_kernels, 1,
                     work_at(at));
     for (std::size_t tile = 0; tile < grid.tile_count; ++tile) {
       search_tile(set, grid, tiles, tile, at);
     }
     return;
   }
-  tiles.partition(input_.elements, set, grid, input_.margin, input_.element_kernels, worker_count_,
-                  work_at(at));
+  tiles.partition(input_->elements, set, grid, input_->margin, input_->element_kernels,
+                  worker_count_, work_at(at));
   if (worker_count_ > 1 && grid.tiles_in_box() == 1.0 && set.locals.size() >= least_shared_tile) {
     return search_one_tile(set, grid, tiles, at);
   }
@@ -205,7 +123,7 @@ void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& 
     if (worker_count_ > 1) worker.finish_unit();
     context_.progress.advance(tiles.own_count(tile));
   };
-  input_.sink.expect_units(next_unit_, grid.tile_count);
+  input_->sink.expect_units(next_unit_, grid.tile_count);
   base::for_each_index(worker_count_, grid.tile_count, work_at(at), search_one);
   next_unit_ += grid.tile_count;
   context_.progress.poll();
@@ -243,7 +161,7 @@ void SetSearch<Dim>::search_pairs(double unit, const SearchPlace& at) {
     worker.search(tile, {static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)}, unit);
     worker.finish_unit();
   };
-  input_.sink.expect_units(next_unit_, parts);
+  input_->sink.expect_units(next_unit_, parts);
   base::for_each_index(worker_count_, parts, work_at(at), search_part);
   next_unit_ += parts;
   at.worker->begin_unit(next_unit_++);
@@ -260,10 +178,10 @@ void SetSearch<Dim>::search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>&
   SortedTile<Dim>& sorted = at.worker->scratch().tile;
   TileCells<Dim> cells = choose_tile_cells(grid, tiles.unit(), records.size());
   base::WorkCounter& work = at.worker->work();
-  sorted.count(records, own, cells, input_.element_kernels, work);
+  sorted.count(records, own, cells, input_->element_kernels, work);
   if (cells.coarse && is_clustered(sorted)) {
     cells = choose_tile_cells(grid, tiles.unit(), cells_of_cluster * records.size());
-    sorted.count(records, own, cells, input_.element_kernels, work);
+    sorted.count(records, own, cells, input_->element_kernels, work);
   }
   if (records.size() > never_crowded &&
       sorted.squared_occupancy() > crowded_mean_occupancy * records.size() &&
@@ -274,12 +192,12 @@ void SetSearch<Dim>::search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>&
   sorted.sort(
       records,
       {tiles.shape(), tiles.sizes(tile), static_cast<float>(bounds.largest_radius * tiles.unit())},
-      input_.element_kernels, work);
+      input_->element_kernels, work);
   if (all_pairs) search_pairs(tiles.unit(), at);
   if (coarse_elements.empty()) return;
   at.worker->test_coarse(
       {grid, grid.coordinates(tile), cells.size_in_unit(grid, tiles.unit()), tiles.unit(),
-       bounds.largest_radius * tiles.unit(), input_.margin * tiles.unit()},
+       bounds.largest_radius * tiles.unit(), input_->margin * tiles.unit()},
       coarse_elements);
 }
 
@@ -298,13 +216,13 @@ bool SetSearch<Dim>::search_crowded_tile(const SearchSet<Dim>& set, const TileGr
   // Tiles of a search set of all workers stand at depth 0 of the worker's own levels.
   const bool waits = at.depth == 0 && tiles.own_count(tile) >= large_set;
   Members& members = waits ? spare_members() : at.levels.at(at.depth).part;
-  CrowdedTile part{collect_tile(input_.elements, tiles, tile, grid.cell_size, input_.margin,
-                                input_.element_kernels, members, at.worker->work()),
+  CrowdedTile part{collect_tile(input_->elements, tiles, tile, grid.cell_size, input_->margin,
+                                input_->element_kernels, members, at.worker->work()),
                    cut};
   part.set.wanted = set.wanted;
   // Cells that are much smaller, because the box is, are progress enough.
   const grid::Bounds<Dim>& bounds = part.set.bounds;
-  const double volume = volume_in_cells(bounds, cell_size_for(bounds, input_));
+  const double volume = volume_in_cells(bounds, cell_size_for(bounds, *input_));
   part.set.least_tiles =
       volume * tiles_of_crowded <= tile_volume_in_cells(grid) ? 1.0 : tiles_of_crowded;
   if (!waits) {
@@ -328,16 +246,16 @@ std::optional<double> SetSearch<Dim>::size_cut_in(const SearchSet<Dim>& set,
   const auto records = tiles.records(tile);
   at.worker->work().in_pieces(0, records.size(), [&](std::size_t begin, std::size_t end) {
     for (const Record<Dim>& record : records.subspan(begin, end - begin)) {
-      at.histogram.add(input_.elements[record.number].radius);
-      sizes.include_radius(input_.elements[record.number].radius);
+      at.histogram.add(input_->elements[record.number].radius);
+      sizes.include_radius(input_->elements[record.number].radius);
     }
   });
-  if (input_.elements.are_boxes()) sizes.count_largest_twice();
+  if (input_->elements.are_boxes()) sizes.count_largest_twice();
   const SortedTile<Dim>& sorted = at.worker->scratch().tile;
   const auto count = static_cast<double>(sorted.size());
   const double crowded_cells = count * count / static_cast<double>(sorted.squared_occupancy());
-  const double volume = crowded_cells * cells.volume_in(grid, cell_size_for(sizes, input_));
-  const SizeDistribution distribution = sizes_of(sizes, input_.margin, volume);
+  const double volume = crowded_cells * cells.volume_in(grid, cell_size_for(sizes, *input_));
+  const SizeDistribution distribution = sizes_of(sizes, input_->margin, volume);
   return plan_sizes<Dim>({at.histogram, distribution}, distribution).cut;
 }
 

@@ -61,16 +61,23 @@ class SetSearch {
     return (at.worker != nullptr ? at.worker : workspace_.workers[0].get())->work();
   }
 
-  void finish();
-  [[nodiscard]] std::optional<LayerGrid<Dim>> layers_for(const SearchSet<Dim>& set);
-  [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
-  void search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);
-
   /// What came of a look at the sizes in a set.
   struct SizeChoice {
     std::optional<double> cut;
     bool is_searched = false;  ///< in layers, by size
   };
+
+  void start_workers(const SearchInput<Dim>& input);
+  void finish();
+  [[nodiscard]] SearchPlace place_of_all() {
+    return {nullptr, workspace_.levels, workspace_.histogram, 0};
+  }
+  [[nodiscard]] std::optional<LayerGrid<Dim>> layers_for(const SearchSet<Dim>& set);
+  [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
+  [[nodiscard]] bool take_layers(const SearchSet<Dim>& set, const SizeChoice& choice);
+  [[nodiscard]] bool take_clusters(const SearchSet<Dim>& set);
+  void search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);
+
   [[nodiscard]] SizeChoice choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at);
   [[nodiscard]] bool search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
                                     const SizeDistribution& sizes, double other_cost);
@@ -94,7 +101,9 @@ class SetSearch {
   void search_waiting(const SearchPlace& at);
   [[nodiscard]] Members& spare_members();
 
-  const SearchInput<Dim>& input_;
+  const SearchInput<Dim>& given_;
+  std::optional<SearchInput<Dim>> moved_;  ///< the same with its clusters moved
+  const SearchInput<Dim>* input_;          ///< the one that is searched
   Workspace<Dim>& workspace_;
   std::size_t worker_count_;
   base::DetectionContext& context_;

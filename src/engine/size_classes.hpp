@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/radius_histogram.hpp"
+#include "grid/bounds.hpp"
 
 #include <array>
 #include <cstddef>
@@ -17,6 +18,12 @@ struct SizeDistribution {
   /// The largest reach: the unit of length of estimates.
   [[nodiscard]] double reach() const noexcept { return 2.0 * largest_radius + margin; }
 };
+
+template <int Dim>
+[[nodiscard]] SizeDistribution sizes_of(const grid::Bounds<Dim>& sizes, double margin,
+                                        double volume) {
+  return {sizes.largest_radius, sizes.smallest_radius, margin, volume};
+}
 
 /// Elements of similar radii.
 struct SizeClass {

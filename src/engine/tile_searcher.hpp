@@ -4,11 +4,11 @@
 #include "base/progress_reporter.hpp"
 #include "engine/deciders/exact_decider.hpp"
 #include "engine/layers/layer_grid.hpp"
+#include "engine/layers/layer_spheres.hpp"
 #include "engine/worker_scratch.hpp"
 #include "exact/elements.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
-#include "kernels/sphere_parts.hpp"
 #include "kernels/tile_search.hpp"
 
 #include <cstdint>
@@ -29,8 +29,8 @@ struct GivenSteps {
 template <int Dim>
 struct SearchInput {
   exact::Elements<Dim>
-      elements;                  ///< as the engine maps them; none where they are in `spheres` only
-  kernels::SphereParts spheres;  ///< the same where their numbers lie; stand-ins of boxes
+      elements;               ///< as the engine maps them; none where they are in `spheres` only
+  LayerSpheres<Dim> spheres;  ///< the same where their numbers lie; stand-ins of boxes
   GivenSteps given;
   const ExactDecider& decider;  ///< of what single precision leaves open
   double margin;                ///< in the scale of `elements`

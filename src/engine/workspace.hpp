@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/memory_meter.hpp"
+#include "engine/clusters/clusters.hpp"
 #include "engine/layers/far_spheres.hpp"
 #include "engine/layers/layer_records.hpp"
 #include "engine/layers/occupancy_sample.hpp"
@@ -18,7 +19,12 @@ namespace abut::engine {
 template <int Dim>
 struct Workspace {
   explicit Workspace(base::MemoryMeter& meter)
-      : memory(meter), levels(meter), layer_records(meter), far_spheres(meter), occupancy(meter) {}
+      : memory(meter),
+        levels(meter),
+        layer_records(meter),
+        far_spheres(meter),
+        occupancy(meter),
+        clusters(meter) {}
 
   void expect_workers(std::size_t count) {
     while (workers.size() < count) {
@@ -31,9 +37,11 @@ struct Workspace {
   LayerRecords<Dim> layer_records;
   FarSpheres<Dim> far_spheres;
   OccupancySample occupancy;
+  Clusters<Dim> clusters;
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;
   std::size_t most_in_layers = 0;   ///< in the last search, elements of the largest set in layers
+  std::size_t clusters_moved = 0;   ///< in the last search; 0 where elements stayed in their places
   bool had_many_undecided = false;  ///< the last search in layers, as on lattices
   std::vector<std::unique_ptr<Members>>
       deferred;  ///< large search sets that wait until all are free

@@ -166,7 +166,8 @@ struct PeriodicSearch {
     const exact::Elements<Dim> moved{images.locals_and_ghosts(), own.moved_boxes};
     const engine::SearchInput<Dim> input{
         moved,
-        {images.locals(), kernels::strided_spheres(images.ghost_spheres())},
+        engine::LayerSpheres<Dim>(
+            {images.locals(), kernels::strided_spheres(images.ghost_spheres())}),
         steps,
         decider,
         settings.margin * images.unit(),

@@ -20,7 +20,7 @@ void FarSpheres<Dim>::start(std::size_t workers) {
 }
 
 template <int Dim>
-void FarSpheres<Dim>::note(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid,
+void FarSpheres<Dim>::note(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid,
                            std::size_t begin, std::size_t end, std::size_t worker) {
   List& list = noted_[worker];
   std::array<std::size_t, block_size> numbers;
@@ -32,7 +32,7 @@ void FarSpheres<Dim>::note(const kernels::SphereParts& spheres, const LayerGrid<
       count += grid.is_far(grid.units_of(spheres.radius(k))) ? 1 : 0;
     }
     for (const std::size_t k : std::span(numbers).first(count)) {
-      const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(spheres, k);
+      const exact::Sphere<Dim> sphere = spheres[k];
       const auto record = grid.record(sphere, static_cast<std::uint32_t>(k));
       list.push_back(grid.far_sphere(record, grid.units_of(sphere.radius)));
     }

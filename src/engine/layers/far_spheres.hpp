@@ -3,8 +3,8 @@
 #include "base/array.hpp"
 #include "engine/layers/layer_cursors.hpp"
 #include "engine/layers/layer_grid.hpp"
+#include "engine/layers/layer_spheres.hpp"
 #include "kernels/layers/layer_kernels.hpp"
-#include "kernels/sphere_parts.hpp"
 
 #include <cstddef>
 #include <span>
@@ -27,7 +27,7 @@ class FarSpheres {
   void start(std::size_t workers);
 
   /// Notes the far elements among some of a worker's share, share by share in ascending order.
-  void note(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid, std::size_t begin,
+  void note(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid, std::size_t begin,
             std::size_t end, std::size_t worker);
 
   /// Sorts those noted by all workers.

@@ -1,7 +1,7 @@
 #include "engine/layers/layer_grid.hpp"
 
+#include "engine/box_in_cells.hpp"
 #include "engine/layers/largest_square.hpp"
-#include "exact/numbers/cube_root.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,36 +28,15 @@ constexpr double least_strips = 24.0;
 /// many empty ones cost less than elements that share cells.
 constexpr double most_cells_of_element = 3.0;
 
-/// Cells along all axes of a box; an axis shorter than a cell counts as one.
-template <int Dim>
-struct BoxInCells {
-  BoxInCells(const grid::Bounds<Dim>& bounds, double cell) {
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      const double along = (bounds.upper[axis] - bounds.lower[axis]) / cell;
-      if (along <= 1.0) continue;
-      cells *= along;
-      ++long_axes;
-    }
-  }
-
-  double cells = 1.0;
-  int long_axes = 0;
-};
+/// The same where elements crowd in a part of them.
+constexpr double most_narrow_cells_of_element = 16.0;
 
 /// Returns the size of cells: `least`, or where most would be empty, such that the box has about as
-/// many as elements. The order of pairs follows from the cells: roots have the same bits
-/// everywhere.
+/// many as elements.
 template <int Dim>
 double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements) {
-  double cell = least;
-  if (BoxInCells<Dim>(bounds, cell).cells <= most_cells_of_element * elements) return cell;
-  // Axes may become shorter than a cell.
-  for (int round = 0; round < Dim; ++round) {
-    const BoxInCells<Dim> box(bounds, cell);
-    if (!(box.cells > elements)) break;
-    cell *= exact::side_of(box.cells / elements, box.long_axes);
-  }
-  return cell;
+  const bool has_few = BoxInCells<Dim>(bounds, least).cells <= most_cells_of_element * elements;
+  return has_few ? least : cell_for(bounds, least, elements);
 }
 
 /// Bits of an exact position below its cell: squares of distances between adjacent cells, and their
@@ -107,8 +86,22 @@ std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
 template <int Dim>
 std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& bounds, double margin,
                                                    double least_cell, std::size_t elements) {
-  LayerGrid grid;
   const double cell = cell_size(bounds, least_cell, static_cast<double>(elements));
+  return of_reach(bounds, margin, least_cell, cell, elements);
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> LayerGrid<Dim>::narrow(const grid::Bounds<Dim>& bounds, double margin,
+                                                     double least_cell, std::size_t elements) {
+  const double cells = most_narrow_cells_of_element * static_cast<double>(elements);
+  return of_reach(bounds, margin, least_cell, cell_for(bounds, least_cell, cells), elements);
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_reach(const grid::Bounds<Dim>& bounds,
+                                                       double margin, double least_cell,
+                                                       double cell, std::size_t elements) {
+  LayerGrid grid;
   const LayerUnits units = units_for(bounds, cell, least_cell);
   if (!grid.lay_out(bounds, std::ldexp(1.0, units.cell_shift) / cell, units)) return std::nullopt;
   grid.has_wide_cells_ = cell > least_cell;

@@ -20,6 +20,9 @@ struct LayerLimits {
   std::size_t least_elements_of_clusters = 4'000;
   /// The same where distances may be exact: ties would need other decisions in tiles.
   std::size_t least_elements_in_steps = 4'000;
+  /// Cells of the size of the reach, for each element, from which on clusters are looked for: the
+  /// box is mostly empty.
+  double least_cells_of_clusters = 64.0;
   /// Mean occupancy of wide cells from which so few elements count as clusters.
   double least_occupancy_of_clusters = 6.0;
   /// Beside the work for an element there is work for a row and for a layer.
@@ -31,9 +34,15 @@ struct LayerLimits {
   /// far apart, which then lie in no cache of one core.
   double most_joined_beyond_caches = 12.0;
   std::size_t least_elements_beyond_caches = 250'000;
+  /// The same of discs, which have two runs.
+  double most_joined_of_discs = 24.0;
   /// The same where cells are wider than the reach needs, so that elements share them in clusters,
   /// and tiles would be cut anew around each.
   double most_joined_of_clusters = 400.0;
+  /// The same of clusters that were moved side by side, which tiles would cut anew as well.
+  double most_joined_of_moved = 24.0;
+  /// So many times less crowded cells are better, though most are empty.
+  double least_gain_of_narrow = 2.0;
   /// Cost of layers in which elements look for smaller ones, to that of other searches, up to which
   /// they are taken: both are estimates.
   double most_by_size = 0.95;
@@ -66,6 +75,12 @@ class LayerGrid {
   /// along an axis. `least_cell` is the size of a cell that the reach needs.
   [[nodiscard]] static std::optional<LayerGrid> over(const grid::Bounds<Dim>& bounds, double margin,
                                                      double least_cell, std::size_t elements);
+
+  /// The same with cells as narrow as the reach allows while there are no more than sixteen for
+  /// each element.
+  [[nodiscard]] static std::optional<LayerGrid> narrow(const grid::Bounds<Dim>& bounds,
+                                                       double margin, double least_cell,
+                                                       std::size_t elements);
 
   /// Returns the grid for elements that each look for smaller ones, in cells of any size, or none
   /// where it would have too many cells along an axis.
@@ -194,6 +209,9 @@ class LayerGrid {
     return static_cast<std::uint32_t>(position) >> map_.layer_shift;
   }
 
+  [[nodiscard]] static std::optional<LayerGrid> of_reach(const grid::Bounds<Dim>& bounds,
+                                                         double margin, double least_cell,
+                                                         double cell, std::size_t elements);
   [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double units_of_one,
                              const LayerUnits& units);
   void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double slack);

@@ -13,7 +13,7 @@ LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
       cursors_(memory) {}
 
 template <int Dim>
-void LayerRecords<Dim>::sort(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid,
+void LayerRecords<Dim>::sort(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid,
                              LayerItems items, const kernels::LayerKernels& kernels,
                              std::size_t workers, base::WorkCounter& work, FarSpheres<Dim>& far) {
   if (grid.is_by_size()) far.start(workers);
@@ -27,14 +27,14 @@ void LayerRecords<Dim>::sort(const kernels::SphereParts& spheres, const LayerGri
     std::uint64_t* const counts = cursors_.of(worker);
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      count(spheres.some(begin, end), grid, counts);
+      count(spheres, grid, {begin, end, counts});
     });
   });
   cursors_.lay_out();
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      scatter(spheres.some(begin, end), grid, kernels, cursors_.of(worker));
+      scatter(spheres, grid, kernels, {begin, end, cursors_.of(worker)});
       // Their numbers are in a cache now.
       if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });
@@ -43,32 +43,43 @@ void LayerRecords<Dim>::sort(const kernels::SphereParts& spheres, const LayerGri
 }
 
 template <int Dim>
-void LayerRecords<Dim>::count(const kernels::SomeSpheres& some, const LayerGrid<Dim>& grid,
-                              std::uint64_t* counts) const {
-  for (const auto& [columns, begin, end, number_of_first] : some) {
-    for (std::size_t k = begin; k < end; ++k) {
-      ++counts[grid.layer_of_coordinate(*columns.place(grid.layer_axis(), k))];
+void LayerRecords<Dim>::count(const Spheres& spheres, const LayerGrid<Dim>& grid,
+                              const SpheresOfWorker& share) const {
+  const auto count_all = [&](const auto& coordinate_of) {
+    for (const auto& some : spheres.given().some(share.begin, share.end)) {
+      for (std::size_t k = some.begin; k < some.end; ++k) {
+        const double x = *some.columns.place(grid.layer_axis(), k);
+        ++share.by_layer[grid.layer_of_coordinate(coordinate_of(x, some.number_of_first + k))];
+      }
     }
-  }
+  };
+  if (!spheres.are_moved()) return count_all([](double x, std::size_t) { return x; });
+  const auto axis = static_cast<std::size_t>(grid.layer_axis());
+  count_all([&](double x, std::size_t number) { return spheres.moved(x, number, axis); });
 }
 
 template <int Dim>
-void LayerRecords<Dim>::scatter(const kernels::SomeSpheres& some, const LayerGrid<Dim>& grid,
-                                const kernels::LayerKernels& kernels, std::uint64_t* cursors) {
-  for (const auto& [columns, begin, end, number_of_first] : some) {
-    const kernels::RecordsByLayer to{cursors, records_.data(), has_radii_ ? radii_.data() : nullptr,
-                                     number_of_first};
+void LayerRecords<Dim>::scatter(const Spheres& spheres, const LayerGrid<Dim>& grid,
+                                const kernels::LayerKernels& kernels,
+                                const SpheresOfWorker& share) {
+  const bool in_vectors = !has_spheres_ && !spheres.are_moved();
+  for (const auto& [columns, begin, end, number_of_first] :
+       spheres.given().some(share.begin, share.end)) {
+    const kernels::RecordsByLayer to{share.by_layer, records_.data(),
+                                     has_radii_ ? radii_.data() : nullptr, number_of_first};
     std::size_t k = begin;
-    if (!has_spheres_) k += kernels.scatter(columns, begin, end - begin, Dim, grid.map(), to);
+    if (in_vectors) k += kernels.scatter(columns, begin, end - begin, Dim, grid.map(), to);
     for (; k < end; ++k) {
-      const exact::Sphere<Dim> sphere = kernels::sphere_at<Dim>(columns, k);
+      const auto number = number_of_first + static_cast<std::uint32_t>(k);
+      const exact::Sphere<Dim> given = kernels::sphere_at<Dim>(columns, k);
+      const exact::Sphere<Dim> sphere = spheres.moved(given, number);
       const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
       base::fetch_next_line(to.records + place);
-      to.records[place] = grid.record(sphere, number_of_first + static_cast<std::uint32_t>(k));
+      to.records[place] = grid.record(sphere, number);
       if (has_radii_) to.radii[place] = grid.units_of(sphere.radius);
       if (!has_spheres_) continue;
       base::fetch_next_line(spheres_.data() + place);
-      spheres_[place] = sphere;
+      spheres_[place] = given;
     }
   }
 }

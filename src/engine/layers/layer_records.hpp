@@ -5,8 +5,8 @@
 #include "engine/layers/far_spheres.hpp"
 #include "engine/layers/layer_cursors.hpp"
 #include "engine/layers/layer_grid.hpp"
+#include "engine/layers/layer_spheres.hpp"
 #include "kernels/layers/layer_kernels.hpp"
-#include "kernels/sphere_parts.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ class LayerRecords {
 
   /// Counts, then scatters what is to be sorted: two passes over the elements, each shared by the
   /// workers. Where elements look for smaller ones, the first pass notes the far ones.
-  void sort(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid, LayerItems items,
+  void sort(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid, LayerItems items,
             const kernels::LayerKernels& kernels, std::size_t workers, base::WorkCounter& work,
             FarSpheres<Dim>& far);
 
@@ -57,10 +57,19 @@ class LayerRecords {
   [[nodiscard]] std::size_t largest_layer() const noexcept { return cursors_.largest(); }
 
  private:
-  void count(const kernels::SomeSpheres& some, const LayerGrid<Dim>& grid,
-             std::uint64_t* counts) const;
-  void scatter(const kernels::SomeSpheres& some, const LayerGrid<Dim>& grid,
-               const kernels::LayerKernels& kernels, std::uint64_t* cursors);
+  using Spheres = LayerSpheres<Dim>;
+
+  /// Spheres [begin, end), and where layers count them and find their next places.
+  struct SpheresOfWorker {
+    std::size_t begin;
+    std::size_t end;
+    std::uint64_t* by_layer;
+  };
+
+  void count(const Spheres& spheres, const LayerGrid<Dim>& grid,
+             const SpheresOfWorker& share) const;
+  void scatter(const Spheres& spheres, const LayerGrid<Dim>& grid,
+               const kernels::LayerKernels& kernels, const SpheresOfWorker& share);
 
   base::Array<kernels::PositionRecord> records_;
   base::Array<float> radii_;

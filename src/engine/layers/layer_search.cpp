@@ -1,6 +1,7 @@
 #include "engine/layers/layer_search.hpp"
 
 #include "base/asking_workers.hpp"
+#include "engine/box_in_cells.hpp"
 #include "engine/layers/cell_by_size.hpp"
 #include "engine/layers/coordinate_step.hpp"
 
@@ -30,6 +31,9 @@ constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} <
 /// Cells are not so small that an axis would have more: positions have bits for 2,044.
 constexpr double most_cells_along_axis = 2040.0;
 
+/// Cells of two joined runs of nine columns, a quarter of a cell each.
+constexpr double cells_joined_at_reach = 2.0 * 9.0 / 4.0;
+
 template <int Dim>
 bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
   return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
@@ -48,10 +52,29 @@ bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std:
 }
 
 template <int Dim>
-double most_joined(const LayerGrid<Dim>& grid, const LayerLimits& limits, std::size_t elements) {
+double most_joined(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input,
+                   std::size_t elements) {
+  const LayerLimits& limits = input.layer_limits;
+  if (input.spheres.are_moved()) return limits.most_joined_of_moved;
   if (grid.has_wide_cells()) return limits.most_joined_of_clusters;
+  if (Dim == 2) return limits.most_joined_of_discs;
   return elements < limits.least_elements_beyond_caches ? limits.most_joined
                                                         : limits.most_joined_beyond_caches;
+}
+
+template <int Dim>
+bool is_nearly_empty(const SearchSet<Dim>& set, const LayerLimits& limits, double cell) {
+  const double cells = limits.least_cells_of_clusters * static_cast<double>(set.locals.size());
+  return BoxInCells<Dim>(set.bounds, cell).cells >= cells;
+}
+
+/// Tells whether cells that were widened may be narrower again: in cells of the size of the reach,
+/// not nearly all would be empty.
+template <int Dim>
+bool may_be_narrow(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
+                   const SearchInput<Dim>& input, double least_cell) {
+  if (input.spheres.are_moved()) return grid.has_wide_cells();
+  return grid.has_wide_cells() && !is_nearly_empty(set, input.layer_limits, least_cell);
 }
 
 std::size_t fewest_elements(const LayerLimits& limits) {
@@ -72,10 +95,10 @@ bool may_be_in_steps(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) 
 /// Tells whether most spheres lie in the layer of the next one: of some spread over all. A single
 /// sphere does.
 template <int Dim>
-bool are_along_space(const kernels::SphereParts& spheres, const LayerGrid<Dim>& grid) {
+bool are_along_space(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid) {
   constexpr std::size_t samples = 64;
   if (spheres.size() < 2) return true;
-  const auto layer = [&](std::size_t k) { return grid.layer(kernels::sphere_at<Dim>(spheres, k)); };
+  const auto layer = [&](std::size_t k) { return grid.layer(spheres[k]); };
   std::size_t in_one_layer = 0;
   for (std::size_t sample = 0; sample < samples; ++sample) {
     const std::size_t k = sample * (spheres.size() - 1) / samples;
@@ -131,14 +154,37 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
   const bool may_be_clusters =
       elements >= limits.least_elements_of_clusters && grid->has_wide_cells();
   if (are_few && !may_be_exact && !may_be_clusters) return std::nullopt;
-  const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements),
-                                                 are_few ? SampleSize::small : SampleSize::full);
+  const auto spheres = input.spheres.first(elements);
+  const auto size = are_few ? SampleSize::small : SampleSize::full;
+  const double occupancy = sample.mean_occupancy(*grid, spheres, size);
   if (are_few && !may_be_exact && occupancy < limits.least_occupancy_of_clusters) {
     return std::nullopt;
   }
-  const double joined = (occupancy - 1.0) * grid->cells_joined();
-  if (joined > most_joined(*grid, limits, elements)) return std::nullopt;
-  return grid;
+  const auto suits = [&](const LayerGrid<Dim>& cells, double its_occupancy) {
+    return (its_occupancy - 1.0) * cells.cells_joined() <= most_joined(cells, input, elements);
+  };
+  if (may_be_narrow(*grid, set, input, least_cell)) {
+    const auto narrow = LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements);
+    const double its = narrow ? sample.mean_occupancy(*narrow, spheres, size) : occupancy;
+    if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) return narrow;
+  }
+  return suits(*grid, occupancy) ? grid : std::nullopt;
+}
+
+template <int Dim>
+bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double reach,
+                       OccupancySample& sample) {
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (input.spheres.are_moved() || !may_be_in_layers(set, input) ||
+      elements < limits.least_elements || !is_nearly_empty(set, limits, reach)) {
+    return false;
+  }
+  // Those that differ much in size are not searched in such cells.
+  if (set.bounds.largest_radius > 2.0 * set.bounds.smallest_radius) return true;
+  const double occupancy = sample.mean_occupancy(ReachCells<Dim>(set.bounds, reach),
+                                                 input.spheres.first(elements), SampleSize::full);
+  return (occupancy - 1.0) * cells_joined_at_reach <= limits.most_joined_of_moved;
 }
 
 template <int Dim>
@@ -183,7 +229,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                                        std::uint64_t unit) {
   LayerRecords<Dim>& records = workspace_.layer_records;
   base::WorkCounter& work = workspace_.workers[0]->work();
-  const kernels::SphereParts spheres = input_.spheres.first(set.locals.size());
+  const LayerSpheres<Dim> spheres = input_.spheres.first(set.locals.size());
   records.sort(spheres, grid, what_to_sort(spheres, grid), input_.layer_kernels, worker_count_,
                work, workspace_.far_spheres);
   const std::size_t workers = workers_for(grid, set.locals.size());
@@ -213,7 +259,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
 /// when it is sorted. What a later call takes more than the first one is a small part of the memory
 /// that is left.
 template <int Dim>
-LayerItems LayerSearch<Dim>::what_to_sort(const kernels::SphereParts& spheres,
+LayerItems LayerSearch<Dim>::what_to_sort(const LayerSpheres<Dim>& spheres,
                                           const LayerGrid<Dim>& grid) const {
   const bool decides_on_spheres =
       input_.decider.spheres() != nullptr && !grid.is_by_size() && !grid.is_exact();
@@ -301,6 +347,10 @@ template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const Se
                                                    double, OccupancySample&);
 template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const SearchInput<3>&,
                                                    double, OccupancySample&);
+template bool may_have_clusters(const SearchSet<2>&, const SearchInput<2>&, double,
+                                OccupancySample&);
+template bool may_have_clusters(const SearchSet<3>&, const SearchInput<3>&, double,
+                                OccupancySample&);
 template std::optional<LayerGrid<2>> choose_layers_by_size(const SearchSet<2>&,
                                                            const SearchInput<2>&,
                                                            const SizeEstimate&, OccupancySample&);

@@ -23,6 +23,12 @@ template <int Dim>
                                                           double least_cell,
                                                           OccupancySample& sample);
 
+/// Tells whether a search set may be moved cluster by cluster: in cells of the size of the reach
+/// nearly all of its box is empty, and where it is not, elements do not crowd.
+template <int Dim>
+[[nodiscard]] bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
+                                     double reach, OccupancySample& sample);
+
 /// Returns the grid of such layers in which all distances are exact, if the elements as given have
 /// coordinates that allow it: no pair will be left undecided.
 template <int Dim>
@@ -62,7 +68,7 @@ class LayerSearch {
                                      std::uint64_t unit);
 
  private:
-  [[nodiscard]] LayerItems what_to_sort(const kernels::SphereParts& spheres,
+  [[nodiscard]] LayerItems what_to_sort(const LayerSpheres<Dim>& spheres,
                                         const LayerGrid<Dim>& grid) const;
   [[nodiscard]] std::size_t workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const;
   void search_stretch(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,

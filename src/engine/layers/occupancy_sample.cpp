@@ -1,5 +1,7 @@
 #include "engine/layers/occupancy_sample.hpp"
 
+#include "engine/layers/layer_grid.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,6 +15,9 @@ namespace {
 double draws_for_root(SampleSize size) {
   return size == SampleSize::full ? 8.0 : 2.0;
 }
+
+/// Those that are drawn lie anywhere in memory.
+constexpr std::size_t fetched_ahead = 16;
 
 /// A bijection of 64 bits that scatters neighbours (the finalizer of MurmurHash3, A. Appleby).
 std::uint64_t scattered(std::uint64_t k) {
@@ -28,14 +33,16 @@ OccupancySample::OccupancySample(base::MemoryMeter& memory)
       cells_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
       counts_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
 
-template <int Dim>
-double OccupancySample::mean_occupancy(const LayerGrid<Dim>& grid,
-                                       const kernels::SphereParts& spheres, SampleSize size) {
+template <int Dim, class Cells>
+double OccupancySample::mean_occupancy(const Cells& cells, const LayerSpheres<Dim>& spheres,
+                                       SampleSize size) {
   const auto count = static_cast<double>(spheres.size());
   const auto draws = static_cast<std::size_t>(draws_for_root(size) * std::sqrt(count));
   base::make_room(drawn_, draws);
+  const auto number = [&](std::size_t k) { return scattered(k) % spheres.size(); };
   for (std::size_t k = 0; k < draws; ++k) {
-    drawn_[k] = grid.cell(kernels::sphere_at<Dim>(spheres, scattered(k) % spheres.size()));
+    spheres.fetch(number(k + fetched_ahead));
+    drawn_[k] = cells.cell(spheres[number(k)]);
   }
   const auto drawn = static_cast<double>(draws);
   const auto meetings = static_cast<double>(pairs_in_a_cell(draws));
@@ -61,9 +68,13 @@ std::uint64_t OccupancySample::pairs_in_a_cell(std::size_t draws) {
   return pairs;
 }
 
-template double OccupancySample::mean_occupancy(const LayerGrid<2>&, const kernels::SphereParts&,
+template double OccupancySample::mean_occupancy(const LayerGrid<2>&, const LayerSpheres<2>&,
                                                 SampleSize);
-template double OccupancySample::mean_occupancy(const LayerGrid<3>&, const kernels::SphereParts&,
+template double OccupancySample::mean_occupancy(const LayerGrid<3>&, const LayerSpheres<3>&,
+                                                SampleSize);
+template double OccupancySample::mean_occupancy(const ReachCells<2>&, const LayerSpheres<2>&,
+                                                SampleSize);
+template double OccupancySample::mean_occupancy(const ReachCells<3>&, const LayerSpheres<3>&,
                                                 SampleSize);
 
 }  // namespace abut::engine

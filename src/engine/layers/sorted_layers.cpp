@@ -12,30 +12,6 @@ constexpr std::size_t tail = kernels::row_padding + kernels::widest_vector;
 /// begin on, where it is joined with another run.
 constexpr std::size_t lead = kernels::widest_vector;
 
-/// Turns counts into first places, the first of which is `place`, and returns the next one. Four at
-/// a time: sums do not wait for each other, and how the loop lies in the instruction cache matters
-/// less.
-std::uint32_t turn_into_places(std::uint32_t* counts, std::size_t size, std::uint32_t place) {
-  std::size_t k = 0;
-  for (; k + 4 <= size; k += 4) {
-    const std::uint32_t first = counts[k];
-    const std::uint32_t two = first + counts[k + 1];
-    const std::uint32_t three = two + counts[k + 2];
-    const std::uint32_t four = three + counts[k + 3];
-    counts[k] = place;
-    counts[k + 1] = place + first;
-    counts[k + 2] = place + two;
-    counts[k + 3] = place + three;
-    place += four;
-  }
-  for (; k < size; ++k) {
-    const std::uint32_t count = counts[k];
-    counts[k] = place;
-    place += count;
-  }
-  return place;
-}
-
 template <int Dim>
 kernels::PositionRecord no_element(const LayerGrid<Dim>& grid) {
   kernels::PositionRecord record{};
@@ -97,7 +73,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
   std::uint32_t* const table = this->table(k);
   count(grid, table, elements.records, work);
   const auto begin = static_cast<std::uint32_t>(lead + k % parts_ * part_);
-  const std::uint32_t end = lay_out_table(grid, table, begin);
+  const std::uint32_t end = lay_out_table(grid, table, begin, kernels);
   if (spheres != nullptr) base::make_room(copies_, lead + parts_ * part_);
   LayerElements<Dim> placed = elements;
   if (spheres == nullptr) placed.spheres = {};
@@ -139,11 +115,12 @@ void SortedLayers<Dim>::count(const LayerGrid<Dim>& grid, std::uint32_t* table,
 /// Turns counts into first places and returns the end of the layer. When its elements are placed,
 /// an entry is the end of its column, which is the begin of the next one.
 template <int Dim>
-std::uint32_t SortedLayers<Dim>::lay_out_table(const LayerGrid<Dim>& grid, std::uint32_t* table,
-                                               std::uint32_t begin) const noexcept {
+std::uint32_t SortedLayers<Dim>::lay_out_table(
+    const LayerGrid<Dim>& grid, std::uint32_t* table, std::uint32_t begin,
+    const kernels::LayerKernels& kernels) const noexcept {
   std::uint32_t place = begin;
   for (std::size_t row = 0; row < grid.row_count() + std::size_t{2}; ++row) {
-    place = turn_into_places(table, row_length_, place);
+    place = kernels.turn_into_places(table, row_length_, place);
     table += row_length_;
     if (row > 0 && row <= grid.row_count()) place += kernels::row_padding;
   }

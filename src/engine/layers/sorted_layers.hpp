@@ -52,7 +52,8 @@ class SortedLayers {
              std::span<const kernels::PositionRecord> records, base::WorkCounter& work);
   void lay_out(const LayerGrid<Dim>& grid, std::size_t largest_layer) noexcept;
   [[nodiscard]] std::uint32_t lay_out_table(const LayerGrid<Dim>& grid, std::uint32_t* table,
-                                            std::uint32_t begin) const noexcept;
+                                            std::uint32_t begin,
+                                            const kernels::LayerKernels& kernels) const noexcept;
   void place(const LayerElements<Dim>& elements, std::uint32_t* table, std::uint32_t begin,
              base::WorkCounter& work);
   void copy(const kernels::StridedSpheres& spheres, std::uint32_t begin, std::size_t size,

@@ -162,6 +162,10 @@ struct LayerKernels {
   std::size_t (*count_in_steps)(const kernels::StridedSpheres& spheres, std::size_t first,
                                 std::size_t count, int dimensions, double step);
 
+  /// Turns the counts of a table into first places, the first of which is `place`, and returns the
+  /// next one.
+  std::uint32_t (*turn_into_places)(std::uint32_t* counts, std::size_t size, std::uint32_t place);
+
   /// Splits records into columns. Records are readable, and columns writable, up to widest_vector
   /// beyond the last.
   void (*split)(const PositionRecord* records, std::size_t count, const LayerColumns& columns);

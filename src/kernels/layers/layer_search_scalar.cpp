@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace abut::kernels {
 namespace {
@@ -197,6 +198,11 @@ std::size_t count_in_steps(const kernels::StridedSpheres&, std::size_t, std::siz
   return 0;
 }
 
+std::uint32_t turn_into_places(std::uint32_t* counts, std::size_t size, std::uint32_t place) {
+  for (std::size_t k = 0; k < size; ++k) place += std::exchange(counts[k], place);
+  return place;
+}
+
 void split(const PositionRecord* records, std::size_t count, const LayerColumns& columns) {
   for (std::size_t k = 0; k < count; ++k) {
     for (int axis = 0; axis < 3; ++axis) columns.position[axis][k] = records[k].position[axis];
@@ -241,7 +247,7 @@ void search_far(const ThreeLayers& layers, const FarSphere* far, std::size_t cou
 }  // namespace
 
 LayerKernels scalar_layer_kernels() {
-  return {scatter, count_in_steps, split, search, search_near, search_far};
+  return {scatter, count_in_steps, turn_into_places, split, search, search_near, search_far};
 }
 
 }  // namespace abut::kernels

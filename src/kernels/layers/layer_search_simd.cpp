@@ -117,6 +117,27 @@ std::size_t count_in_steps(const kernels::StridedSpheres& spheres, std::size_t f
 }
 #endif
 
+/// Four at a time: the sums of the next ones do not wait for those of these.
+std::uint32_t turn_into_places(std::uint32_t* counts, std::size_t size, std::uint32_t place) {
+  using QuadTag = hn::CappedTag<std::uint32_t, 4>;
+  constexpr QuadTag four{};
+  constexpr std::size_t at_once = hn::MaxLanes(four);
+  std::size_t k = 0;
+  if constexpr (at_once == 4) {
+    auto first = hn::Set(four, place);
+    for (; k + at_once <= size; k += at_once) {
+      const auto count = hn::LoadU(four, counts + k);
+      const auto of_two = hn::Add(count, hn::ShiftLeftLanes<1>(four, count));
+      const auto of_four = hn::Add(of_two, hn::ShiftLeftLanes<2>(four, of_two));
+      hn::StoreU(hn::Add(first, hn::Sub(of_four, count)), four, counts + k);
+      first = hn::Add(first, hn::Broadcast<3>(of_four));
+    }
+    place = hn::GetLane(first);
+  }
+  for (; k < size; ++k) place += std::exchange(counts[k], place);
+  return place;
+}
+
 void split(const PositionRecord* records, std::size_t count, const LayerColumns& columns) {
   for (std::size_t k = 0; k < count; k += lanes) {
     Integers position[3];
@@ -183,6 +204,7 @@ namespace abut::kernels {
 
 HWY_EXPORT(scatter);
 HWY_EXPORT(count_in_steps);
+HWY_EXPORT(turn_into_places);
 HWY_EXPORT(split);
 HWY_EXPORT(search_layers);
 HWY_EXPORT(search_near);
@@ -193,6 +215,7 @@ LayerKernels simd_layer_kernels(std::int64_t target) {
   chosen.Update(target);
   return {HWY_DISPATCH_TABLE(scatter)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(count_in_steps)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(turn_into_places)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(split)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(search_layers)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(search_near)[chosen.GetIndex()],

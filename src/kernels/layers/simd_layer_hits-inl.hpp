@@ -1,5 +1,8 @@
 // The hits of a search in layers, included like simd_joined_runs-inl.hpp.
 
+/// Hits among the candidates of an element, of some vectors.
+using HitBits = std::uint64_t;
+
 class LayerHits {
  public:
   HWY_INLINE LayerHits(const LayerPair& layers, SearchJob& job)
@@ -35,12 +38,12 @@ class LayerHits {
   /// Writes those of `most` candidates that hit to that place of the buffer and returns how many
   /// there are. Whole vectors: the excess is overwritten.
   template <std::size_t most>
-  HWY_INLINE std::size_t write(std::uint32_t element, Bits hits, const std::uint32_t* number,
+  HWY_INLINE std::size_t write(std::uint32_t element, HitBits hits, const std::uint32_t* number,
                                std::size_t place) const {
     std::uint32_t* const begin = hits_.partner + place;
     std::uint32_t* end = begin;
     for (std::size_t k = 0; k < most; k += lanes) {
-      const Bits set = hits >> k & all_lanes;
+      const Bits set = static_cast<Bits>(hits >> k) & all_lanes;
       hn::StoreU(compress(hn::LoadU(numbers, number + k), set), numbers, end);
       end += std::popcount(set);
     }

@@ -91,45 +91,81 @@ class SimdLayerTester {
 
  private:
   using Probe = typename Search::Probe;
+  using Elements = typename Search::Batch;
 
   static constexpr std::uint32_t batch_size = 64;
-  static constexpr std::size_t vectors = (Search::runs + 1) / 2;
-  static constexpr std::size_t most_hits = vectors * candidates;
+
+  /// How the runs of an element fill vectors: two in each, or where many elements have too many
+  /// candidates for that, each run its own.
+  enum class Filling { joined, single };
+  template <Filling filling>
+  static constexpr std::size_t vectors_of = filling == Filling::joined ? (Search::runs + 1) / 2
+                                                                       : Search::runs;
+
+  /// One crowded element in so many costs more than vectors that are not joined.
+  static constexpr std::uint32_t crowded_share = 5;
 
   /// In place of hits: the runs are too long for their vectors, or the filter leaves some
   /// undecided.
-  static constexpr Bits with_care = Bits{1} << 31;
+  static constexpr HitBits with_care = HitBits{1} << 63;
+
+  static constexpr Bits all_bits = ~Bits{0};
 
   /// Candidates of a run, more than which are those of a crowd.
   static constexpr auto long_run = 2 * static_cast<std::uint32_t>(lanes);
 
-  using Elements = typename Search::Batch;
-
   /// The candidates of the elements of a batch, and which of them are hits: bit 8 v + k for lane k
   /// of vector v.
+  template <Filling filling>
   struct Batch {
+    static constexpr std::size_t most_hits = vectors_of<filling> * candidates;
+
     std::uint32_t number[batch_size][most_hits];
-    Bits hits[batch_size];
+    HitBits hits[batch_size];
     std::uint32_t with_hits[batch_size + 1];  ///< those that have some
     std::uint32_t count = 0;                  ///< of these
   };
 
-  /// How many elements of a batch needed care, and of these had an undecided pair.
-  struct BatchCounts {
-    std::uint32_t elements = 0;
-    std::uint32_t undecided = 0;
+  /// What an element that was tested with care is like.
+  struct ElementRuns {
+    bool is_crowded = false;     ///< two joined runs are too long for a vector
+    bool has_long_runs = false;  ///< one run is
+    bool has_undecided = false;
   };
+
+  /// The elements of a batch by what they are like.
+  struct BatchCounts {
+    std::uint32_t crowded = 0;
+    std::uint32_t with_care = 0;  ///< those that vectors of single runs do not settle
+    std::uint32_t undecided = 0;
+
+    HWY_INLINE void add(const ElementRuns& its) {
+      with_care += its.has_long_runs || its.has_undecided ? 1 : 0;
+      undecided += its.has_undecided ? 1 : 0;
+    }
+  };
+
+  HWY_INLINE void test_batch(const Elements& elements) {
+    if (HWY_UNLIKELY(expects_care_)) return test_batch_with_care(elements);
+    if (HWY_UNLIKELY(expects_crowd_)) return test_crowded_batch(elements);
+    test_batch_as<Filling::joined>(elements);
+  }
+
+  HWY_NOINLINE void test_crowded_batch(const Elements& elements) {
+    test_batch_as<Filling::single>(elements);
+  }
 
   /// First the distances of all, then the pairs: two loops that do not wait for each other, each
   /// short enough for the processor to have several elements under way. Neither branches on what
   /// is common.
-  HWY_INLINE void test_batch(const Elements& elements) {
-    if (HWY_UNLIKELY(expects_care_)) return test_batch_with_care(elements);
-    Batch batch;
+  template <Filling filling>
+  HWY_INLINE void test_batch_as(const Elements& elements) {
+    constexpr std::size_t most_hits = Batch<filling>::most_hits;
+    Batch<filling> batch;
     std::uint64_t tests = 0;
     BatchCounts counts;
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
-      batch.hits[k] = filter(elements, k, batch.number[k], tests);
+      batch.hits[k] = filter<filling>(elements, k, batch.number[k], tests, counts);
       if constexpr (Search::some_have_hits) {
         batch.with_hits[batch.count] = k;
         batch.count += batch.hits[k] != 0 ? 1 : 0;
@@ -140,11 +176,13 @@ class SimdLayerTester {
     const std::uint32_t count = Search::some_have_hits ? batch.count : elements.size();
     for (std::uint32_t n = 0; n < count; ++n) {
       const std::uint32_t k = Search::some_have_hits ? batch.with_hits[n] : n;
-      const Bits hits = batch.hits[k];
+      const HitBits hits = batch.hits[k];
       if (!Search::some_have_hits && hits == 0) continue;
       if (HWY_UNLIKELY(hits >= with_care)) {
         hits_.set_found(found);
-        test_with_care(elements, k, counts);
+        const ElementRuns its = test_with_care(elements, k);
+        counts.add(its);
+        if (filling == Filling::joined && its.is_crowded) ++counts.crowded;
         found = hits_.found();
         continue;
       }
@@ -156,97 +194,114 @@ class SimdLayerTester {
     expect(counts, elements);
   }
 
+  /// What the vectors of an element have come to.
+  struct VectorHits {
+    HitBits hits = 0;
+    std::uint32_t size = 0;
+    std::uint32_t excess = 0;         ///< 2 candidates or more where one of them has too many
+    std::uint32_t joined_excess = 0;  ///< the same if runs were joined
+    std::uint32_t size_of_last = 0;
+  };
+
   /// Returns the hits, or some number from `with_care` on; adds the tests that need no care.
-  HWY_INLINE Bits filter(const Elements& elements, std::uint32_t k, std::uint32_t* number,
-                         std::uint64_t& tests) const {
+  template <Filling filling>
+  HWY_INLINE HitBits filter(const Elements& elements, std::uint32_t k, std::uint32_t* number,
+                            std::uint64_t& tests, BatchCounts& counts) const {
     const auto runs = elements.runs_of(k);
     Probe probe = Probe::at(layers_, elements.place(k));
     VectorHits all;
-    filter_vector<0>(probe, runs, number, all);
-    if constexpr (vectors > 1) filter_vector<1>(probe, runs, number, all);
-    if constexpr (vectors > 2) filter_vector<2>(probe, runs, number, all);
+    filter_vectors<filling>(probe, runs, number, all,
+                            std::make_index_sequence<vectors_of<filling>>());
     const auto needs_care =
         static_cast<std::uint32_t>((all.excess >= 2 * candidates) | !probe.is_decided(band_));
     tests += all.size & (needs_care - 1);
-    return all.hits | needs_care * with_care;
+    if (filling == Filling::single) counts.crowded += all.joined_excess >= 2 * candidates ? 1 : 0;
+    return all.hits | HitBits{needs_care} * with_care;
   }
 
-  /// What the vectors of an element have come to.
-  struct VectorHits {
-    Bits hits = 0;
-    std::uint32_t size = 0;
-    std::uint32_t excess = 0;  ///< 2 candidates or more where one of them has too many
-  };
+  template <Filling filling, class Runs, std::size_t... v>
+  static HWY_INLINE void filter_vectors(Probe& probe, const Runs& runs, std::uint32_t* number,
+                                        VectorHits& all, std::index_sequence<v...>) {
+    (filter_vector<filling, v>(probe, runs, number, all), ...);
+  }
 
-  template <std::size_t v, class Runs>
+  template <Filling filling, std::size_t v, class Runs>
   static HWY_INLINE void filter_vector(Probe& probe, const Runs& runs, std::uint32_t* number,
                                        VectorHits& all) {
-    const auto lanes_of = [&](const auto& joined) {
-      all.hits |= probe.test(joined, number + v * candidates) << (v * candidates);
-      all.size += joined.size();
-      all.excess |= joined.size() + (candidates - 1);
+    const auto lanes_of = [&](const auto& its, Bits mask) {
+      const HitBits hits = probe.test(its, number + v * candidates) & mask;
+      all.hits |= hits << (v * candidates);
+      all.size += its.size();
+      all.excess |= its.size() + (candidates - 1);
     };
-    if constexpr (2 * v + 1 < Search::runs) {
-      lanes_of(JoinedRuns(runs.template run<2 * v>(), runs.template run<2 * v + 1>()));
+    if constexpr (filling == Filling::single) {
+      const SingleRun run(runs.template run<v>());
+      // Behind an empty run may be what the next one has. Runs of more are tested with care.
+      lanes_of(run, (Bits{1} << run.size() % 32) - 1);
+      if constexpr (v % 2 == 1) {
+        all.joined_excess |= all.size_of_last + run.size() + (candidates - 1);
+      }
+      all.size_of_last = run.size();
+    } else if constexpr (2 * v + 1 < Search::runs) {
+      lanes_of(JoinedRuns(runs.template run<2 * v>(), runs.template run<2 * v + 1>()), all_bits);
     } else {
-      lanes_of(SingleRun(runs.template run<2 * v>()));
+      lanes_of(SingleRun(runs.template run<2 * v>()), all_bits);
     }
   }
 
   /// The elements of a batch most of which need care, as on a lattice or in a crowd.
   HWY_NOINLINE void test_batch_with_care(const Elements& elements) {
     BatchCounts counts;
-    for (std::uint32_t k = 0; k < elements.size(); ++k) test_with_care(elements, k, counts);
+    for (std::uint32_t k = 0; k < elements.size(); ++k) {
+      const ElementRuns its = test_with_care(elements, k);
+      counts.add(its);
+      if (its.is_crowded) ++counts.crowded;
+    }
     expect(counts, elements);
   }
 
   /// From most of a batch to the next one.
   HWY_INLINE void expect(const BatchCounts& counts, const Elements& elements) {
-    expects_care_ = 2 * counts.elements > elements.size();
+    expects_care_ = 2 * counts.with_care > elements.size();
+    expects_crowd_ = crowded_share * counts.crowded > elements.size();
     has_many_undecided_ = 2 * counts.undecided > elements.size();
   }
 
-  HWY_INLINE void test_with_care(const Elements& elements, std::uint32_t k, BatchCounts& counts) {
+  /// An element with runs of any length, and notes of what the filter cannot decide.
+  HWY_NOINLINE ElementRuns test_with_care(const Elements& elements, std::uint32_t k) {
     const std::size_t undecided_before = hits_.undecided_count();
-    const bool has_long_runs = test_all_runs(elements, k);
-    const bool has_undecided = hits_.undecided_count() != undecided_before;
-    counts.elements += has_long_runs || has_undecided ? 1 : 0;
-    counts.undecided += has_undecided ? 1 : 0;
-    hits_.take_now_and_then();
-  }
-
-  /// An element with runs of any length, and notes of what the filter cannot decide. Returns
-  /// whether runs are too long for their vectors.
-  HWY_NOINLINE bool test_all_runs(const Elements& elements, std::uint32_t k) {
     const auto runs = elements.runs_of(k);
     const std::uint32_t p = elements.place(k);
     const Probe probe = Probe::at(layers_, p);
-    bool are_long = test_runs<0>(probe, p, runs);
-    if constexpr (vectors > 1) are_long |= test_runs<1>(probe, p, runs);
-    if constexpr (vectors > 2) are_long |= test_runs<2>(probe, p, runs);
-    return are_long;
+    ElementRuns its;
+    test_runs<0>(probe, p, runs, its);
+    if constexpr (Search::runs > 2) test_runs<2>(probe, p, runs, its);
+    if constexpr (Search::runs > 4) test_runs<4>(probe, p, runs, its);
+    its.has_undecided = hits_.undecided_count() != undecided_before;
+    hits_.take_now_and_then();
+    return its;
   }
 
-  template <std::size_t v, class Runs>
-  HWY_INLINE bool test_runs(const Probe& probe, std::uint32_t p, const Runs& runs) {
-    const Run first = runs.template run<2 * v>();
-    if constexpr (2 * v + 1 < Search::runs) {
-      const Run second = runs.template run<2 * v + 1>();
+  /// The run r and the next one, if there is one.
+  template <std::size_t r, class Runs>
+  HWY_INLINE void test_runs(const Probe& probe, std::uint32_t p, const Runs& runs,
+                            ElementRuns& its) {
+    const Run first = runs.template run<r>();
+    if constexpr (r + 1 < Search::runs) {
+      const Run second = runs.template run<r + 1>();
       const JoinedRuns joined(first, second);
-      if (HWY_LIKELY(joined.size() <= candidates)) {
-        test_lanes(probe, p, joined);
-        return false;
-      }
-      test_single_run(probe, p, SingleRun(first));
-      test_single_run(probe, p, SingleRun(second));
-      return true;
+      if (HWY_LIKELY(joined.size() <= candidates)) return test_lanes(probe, p, joined);
+      its.is_crowded = true;
+      test_single_run(probe, p, SingleRun(first), its);
+      test_single_run(probe, p, SingleRun(second), its);
     } else {
-      test_single_run(probe, p, SingleRun(first));
-      return first.end - first.begin > candidates;
+      test_single_run(probe, p, SingleRun(first), its);
     }
   }
 
-  HWY_INLINE void test_single_run(const Probe& probe, std::uint32_t p, const SingleRun& run) {
+  HWY_INLINE void test_single_run(const Probe& probe, std::uint32_t p, const SingleRun& run,
+                                  ElementRuns& its) {
+    if (run.size() > candidates) its.has_long_runs = true;
     if (HWY_UNLIKELY(run.size() > long_run)) return test_long_run(probe, p, run);
     test_lanes(probe, p, run);
   }
@@ -285,5 +340,6 @@ class SimdLayerTester {
   LayerHits hits_;
   Numbers band_;
   bool expects_care_ = false;
+  bool expects_crowd_ = false;
   bool has_many_undecided_ = false;
 };

@@ -37,7 +37,8 @@ class FarSpheresOf : public ::testing::Test {
 
   void sort(engine::FarSpheres<its_dim>& far, std::size_t workers) {
     const Grid layers = grid();
-    const kernels::SphereParts all(kernels::strided_spheres<its_dim>(spheres_));
+    const engine::LayerSpheres<its_dim> all(
+        kernels::SphereParts(kernels::strided_spheres<its_dim>(spheres_)));
     far.start(workers);
     for (std::size_t w = 0; w < workers; ++w) {
       const std::size_t begin = spheres_.size() * w / workers;

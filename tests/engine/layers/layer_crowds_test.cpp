@@ -6,6 +6,7 @@
 #include "kernels/tile_view.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -91,6 +92,42 @@ TEST(LayerCrowds, ManyHitsThatNeedNoCare) {
     }
   }
   expect_right_in_layers<3>(spheres);
+}
+
+/// Elements whose five runs get a vector each, since two of them hold too many, in the first row of
+/// a layer: there is no row before it in the next layer, and what stands in its place is the begin
+/// of a row that the same elements meet.
+TEST(LayerCrowds, CrowdedElementsInTheFirstRow) {
+  constexpr double cell = 1.0 + 0x1p-10;
+  Spheres<3> spheres{sphere_at<3>({0.0, 1.1, 0.0}), sphere_at<3>({40.0, 1.1, 60.0})};
+  const auto put_row = [&](std::size_t count, double first, double step, double y, double z) {
+    for (std::size_t k = 0; k < count; ++k) {
+      spheres.push_back(sphere_at<3>({first + step * static_cast<double>(k), y, z}));
+    }
+  };
+  for (std::size_t k = 0; k < 15; ++k) {
+    const double z = (0.5 + 4.0 * static_cast<double>(k)) * cell;
+    put_row(150, 0.0, 0.19, 0.0, z);
+    put_row(100, 0.0, 0.31, 1.1, z);
+    put_row(20, 26.0, 0.19, 0.0, z + 0.8);
+  }
+  expect_right_in_layers<3>(spheres);
+}
+
+/// From thinly spread to so crowded that each element needs care, along the rows of each layer: the
+/// ways in which vectors are filled follow each other.
+TYPED_TEST(LayerCrowdsOf, DensitiesThatChangeAlongRows) {
+  constexpr int dim = TypeParam::value;
+  for (const double power : {2.0, 4.0, 8.0}) {
+    auto spheres = uniform_spheres<dim>(this->random_, dim == 2 ? 9000 : 5000, {1.0, 1.0, 1.0});
+    for (auto& sphere : spheres) {
+      sphere.center[dim - 2] = 40.0 * std::pow(sphere.center[dim - 2], power);
+      sphere.center[dim - 1] *= 50.0;
+    }
+    expect_right_in_layers<dim>(spheres);
+    for (auto& sphere : spheres) sphere.radius = this->random_.uniform(0.35, half);
+    expect_right_in_layers<dim>(spheres);
+  }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Strays, very small and very large numbers, and numbers with few digits left: layers are right, or
-// refused where positions have too few bits.
+// clusters are moved where positions have too few bits.
 
 #include "engine/layers/layer_run.hpp"
 #include "engine/layers/layer_scenes.hpp"
@@ -52,13 +52,13 @@ TYPED_TEST(LayerExtremesOf, FarStraysOnEachAxis) {
   }
 }
 
-/// More elements, and so more cells than positions have bits for: tiles.
-TYPED_TEST(LayerExtremesOf, TooManyCellsAlongAnAxisAreRefused) {
+/// More elements, and so more cells than positions have bits for: clusters are moved.
+TYPED_TEST(LayerExtremesOf, TooManyCellsAlongAnAxisBecomeFewer) {
   constexpr int dim = TypeParam::value;
   for (const double distance : {1e9, 0x1p60}) {
     auto spheres = this->system(4000, 6.0);
     spheres[7].center[0] += distance;
-    expect_right_in_layers<dim>(spheres, 0.0, Way::tiles);
+    expect_right_in_layers<dim>(spheres, 0.0, Way::moved);
   }
 }
 

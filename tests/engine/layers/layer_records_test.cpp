@@ -59,8 +59,8 @@ class LayerRecordsOf : public ::testing::Test {
         NobodyAsked nobody;
         const auto items = random_.below(2) == 0 ? engine::LayerItems::records
                                                  : engine::LayerItems::records_and_spheres;
-        records_.sort({laid_out.columns(), ghosts.columns()}, grid, items,
-                      kernels::layer_kernels(level), workers, nobody.work, far_);
+        records_.sort(engine::LayerSpheres<its_dim>({laid_out.columns(), ghosts.columns()}), grid,
+                      items, kernels::layer_kernels(level), workers, nobody.work, far_);
         EXPECT_EQ(records_.has_spheres(), items == engine::LayerItems::records_and_spheres);
         std::size_t largest = 0;
         for (std::size_t layer = 0; layer < expected.size(); ++layer) {
@@ -129,9 +129,10 @@ TYPED_TEST(LayerRecordsOf, TheHookIsAskedInBothPasses) {
   };
   base::ProgressReporter progress(hook);
   base::WorkCounter work(progress, 0);
-  this->records_.sort(kernels::SphereParts(kernels::strided_spheres<dim>(spheres)),
-                      this->grid_over(spheres), engine::LayerItems::records,
-                      kernels::layer_kernels(Simd::scalar), 1, work, this->far_);
+  this->records_.sort(
+      engine::LayerSpheres<dim>(kernels::SphereParts(kernels::strided_spheres<dim>(spheres))),
+      this->grid_over(spheres), engine::LayerItems::records, kernels::layer_kernels(Simd::scalar),
+      1, work, this->far_);
   EXPECT_GE(asked, 2 * count / (base::ProgressReporter::steps_between_calls + 8192));
 }
 

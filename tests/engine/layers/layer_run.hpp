@@ -28,6 +28,7 @@ inline constexpr engine::LayerLimits always_in_layers{
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
     .most_joined_beyond_caches = std::numeric_limits<double>::infinity(),
+    .most_joined_of_discs = std::numeric_limits<double>::infinity(),
     .most_joined_of_clusters = std::numeric_limits<double>::infinity(),
     .most_by_size = 0.0};
 
@@ -37,9 +38,23 @@ inline constexpr engine::LayerLimits always_by_size{
     .least_elements_of_layer = 0.0,
     .most_joined = 0.0,
     .most_joined_beyond_caches = 0.0,
+    .most_joined_of_discs = 0.0,
     .most_joined_of_clusters = 0.0,
     .most_by_size = std::numeric_limits<double>::infinity(),
     .most_crowded_by_size = std::numeric_limits<double>::infinity()};
+
+/// Clusters are moved wherever their cells would be crowded otherwise.
+inline constexpr engine::LayerLimits always_moved{
+    .least_elements = 0,
+    .least_elements_of_clusters = 0,
+    .least_cells_of_clusters = 0.0,
+    .least_elements_of_layer = 0.0,
+    .most_joined = std::numeric_limits<double>::infinity(),
+    .most_joined_beyond_caches = std::numeric_limits<double>::infinity(),
+    .most_joined_of_discs = std::numeric_limits<double>::infinity(),
+    .most_joined_of_clusters = 0.0,
+    .most_joined_of_moved = std::numeric_limits<double>::infinity(),
+    .most_by_size = 0.0};
 
 /// Keeps all pairs in their `as_found` order.
 class KeptPairs final : public base::PairSink {
@@ -73,6 +88,7 @@ class KeptPairs final : public base::PairSink {
 struct LayerRun {
   PairVector pairs;  ///< as found
   bool in_layers = false;
+  bool are_moved = false;
   std::uint64_t candidate_tests = 0;
   std::uint64_t exact_decisions = 0;
 };
@@ -84,8 +100,8 @@ LayerRun run_rows(const Spheres<Dim>& spheres, const engine::RowsSettings& setti
   KeptPairs sink;
   engine::rows<Dim>({spheres, {}}, bounds_of<Dim>(spheres), settings, workspace, sink, context);
   // What was never sorted has no largest layer.
-  return {sink.pairs(), workspace.layer_records.largest_layer() > 0, context.candidate_tests,
-          context.exact_decisions};
+  return {sink.pairs(), workspace.layer_records.largest_layer() > 0, workspace.clusters_moved > 0,
+          context.candidate_tests, context.exact_decisions};
 }
 
 /// The same where the spheres lie, which is not done at all but in layers.
@@ -98,7 +114,8 @@ LayerRun run_in_place(const Spheres<Dim>& spheres, Layout layout,
   KeptPairs sink;
   const bool in_layers = engine::rows_in_place<Dim>(laid_out.columns(), bounds_of<Dim>(spheres),
                                                     settings, workspace, sink, context);
-  return {sink.pairs(), in_layers, context.candidate_tests, context.exact_decisions};
+  return {sink.pairs(), in_layers, workspace.clusters_moved > 0, context.candidate_tests,
+          context.exact_decisions};
 }
 
 inline void expect_same(const LayerRun& first, const LayerRun& other) {
@@ -140,7 +157,8 @@ PairVector directly_checked(const Spheres<Dim>& spheres, double margin) {
 }
 
 /// The way that a scene must have taken: without this a test of layers could pass in tiles.
-enum class Way { layers, tiles };
+/// `moved` is in layers, with clusters moved side by side.
+enum class Way { layers, moved, tiles };
 
 /// From every level and number of workers, and in layers from every layout, the pairs of
 /// `directly_checked`, in the same order as found after as many tests.
@@ -149,7 +167,8 @@ void expect_right_in_layers(const Spheres<Dim>& spheres, double margin = 0.0, Wa
                             const engine::LayerLimits& limits = always_in_layers) {
   engine::RowsSettings settings{margin, 1, Simd::scalar, limits};
   const LayerRun first = run_rows<Dim>(spheres, settings);
-  EXPECT_EQ(first.in_layers, way == Way::layers);
+  EXPECT_EQ(first.in_layers, way != Way::tiles);
+  EXPECT_EQ(first.are_moved, way == Way::moved);
   EXPECT_TRUE(same_pairs(directly_checked<Dim>(spheres, margin), first.pairs));
   std::size_t turn = spheres.size();
   for (const Simd level : simd_levels_here()) {

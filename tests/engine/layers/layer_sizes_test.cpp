@@ -262,9 +262,10 @@ TYPED_TEST(LayerSizesOf, TestsFollowTheSmallerOnes) {
 /// Radii from 1 to 100, for which tiles and layers cost nearly the same: layers are taken from so
 /// many elements on that the copies that tiles take cost more.
 TYPED_TEST(LayerSizesOf, CopiesOfTilesCostMoreThanTests) {
-  this->expect_layers_from(&engine::LayerLimits::least_elements_of_copies,
-                           {.most_joined = 0.0, .cost_of_copies = 1000.0},
-                           this->log_uniform(20000, 100.0, 0.3));
+  this->expect_layers_from(
+      &engine::LayerLimits::least_elements_of_copies,
+      {.most_joined = 0.0, .most_joined_of_discs = 0.0, .cost_of_copies = 1000.0},
+      this->log_uniform(20000, 100.0, 0.3));
 }
 
 /// Nearly equal radii go to layers of one reach, in which elements are tested against each other
@@ -279,11 +280,19 @@ TYPED_TEST(LayerSizesOf, CopiesOfTilesDoNotWeighAgainstLayers) {
   expect_same(run, run_rows<dim>(spheres, {0.0, 1, Simd::scalar, without}));
 }
 
-/// Where elements crowd more, layers of one reach are taken for many elements only.
+/// Where spheres crowd more, layers of one reach are taken for many of them only; discs, which have
+/// two runs instead of five, may crowd as much however few they are.
 TYPED_TEST(LayerSizesOf, ManyElementsMayCrowdMore) {
-  this->expect_layers_from(&engine::LayerLimits::least_elements_beyond_caches,
-                           {.most_joined = 0.0, .most_by_size = 0.0},
-                           this->log_uniform(20000, 1.1, 0.3));
+  constexpr int dim = TypeParam::value;
+  const auto spheres = this->log_uniform(20000, 1.1, 0.3);
+  engine::LayerLimits limits{.most_joined = 0.0, .most_by_size = 0.0};
+  if constexpr (dim == 3) {
+    this->expect_layers_from(&engine::LayerLimits::least_elements_beyond_caches, limits, spheres);
+  } else {
+    EXPECT_TRUE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+    limits.most_joined_of_discs = 0.0;
+    EXPECT_FALSE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
+  }
 }
 
 }  // namespace

@@ -24,8 +24,10 @@ class OccupancySampleOf : public ::testing::Test {
                         engine::SampleSize size = engine::SampleSize::full) {
     const auto grid =
         layer_grid_over<its_dim>(bounds_of<its_dim>(spheres), 1.0, 1.0, spheres.size());
-    return sample_.mean_occupancy(
-        grid.value(), kernels::SphereParts(kernels::strided_spheres<its_dim>(spheres)), size);
+    return sample_.mean_occupancy(grid.value(),
+                                  engine::LayerSpheres<its_dim>(kernels::SphereParts(
+                                      kernels::strided_spheres<its_dim>(spheres))),
+                                  size);
   }
 
   base::MemoryMeter memory_;
@@ -92,7 +94,8 @@ TYPED_TEST(OccupancySampleOf, IsTheSameEachTime) {
   engine::OccupancySample other(memory);
   const auto grid = layer_grid_over<dim>(bounds_of<dim>(spheres), 1.0, 1.0, spheres.size());
   EXPECT_EQ(other.mean_occupancy(grid.value(),
-                                 kernels::SphereParts(kernels::strided_spheres<dim>(spheres)),
+                                 engine::LayerSpheres<dim>(
+                                     kernels::SphereParts(kernels::strided_spheres<dim>(spheres))),
                                  engine::SampleSize::full),
             first);
 }

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "exact/sphere.hpp"
+#include "kernels/sphere_parts.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abut::engine {
+
+/// Moves a cluster: what is at `from` comes to `to`.
+template <int Dim>
+struct ClusterMove {
+  double from[Dim];
+  double to[Dim];
+
+  [[nodiscard]] double moved(double x, std::size_t axis) const noexcept {
+    return (x - from[axis]) + to[axis];
+  }
+};
+
+/// Spheres as layers see them: where they are given, or moved with their clusters.
+template <int Dim>
+class LayerSpheres {
+ public:
+  explicit LayerSpheres(const kernels::SphereParts& given) : given_(given) {}
+
+  /// `labels` tells the move of each sphere.
+  LayerSpheres(const kernels::SphereParts& given, const std::uint32_t* labels,
+               const ClusterMove<Dim>* moves)
+      : given_(given), labels_(labels), moves_(moves) {}
+
+  [[nodiscard]] const kernels::SphereParts& given() const noexcept { return given_; }
+  [[nodiscard]] std::size_t size() const noexcept { return given_.size(); }
+  [[nodiscard]] double radius(std::size_t k) const noexcept { return given_.radius(k); }
+  [[nodiscard]] bool are_moved() const noexcept { return moves_ != nullptr; }
+
+  [[nodiscard]] LayerSpheres first(std::size_t count) const noexcept {
+    LayerSpheres some = *this;
+    some.given_ = given_.first(count);
+    return some;
+  }
+
+  /// Brings sphere k, which will be read soon, into the nearest cache.
+  void fetch(std::size_t k) const noexcept {
+    const std::size_t elements = given_.parts[0].size;
+    if (k < elements) {
+      kernels::fetch<Dim>(given_.parts[0], k);
+    } else {
+      kernels::fetch<Dim>(given_.parts[1], k - elements);
+    }
+    if (are_moved()) __builtin_prefetch(labels_ + k);
+  }
+
+  [[nodiscard]] exact::Sphere<Dim> operator[](std::size_t k) const noexcept {
+    return moved(kernels::sphere_at<Dim>(given_, k), k);
+  }
+
+  /// Sphere k, which is given so.
+  [[nodiscard]] exact::Sphere<Dim> moved(exact::Sphere<Dim> sphere, std::size_t k) const noexcept {
+    if (!are_moved()) return sphere;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      sphere.center[axis] = moved(sphere.center[axis], k, axis);
+    }
+    return sphere;
+  }
+  [[nodiscard]] double moved(double x, std::size_t k, std::size_t axis) const noexcept {
+    return moves_[labels_[k]].moved(x, axis);
+  }
+
+ private:
+  kernels::SphereParts given_;
+  const std::uint32_t* labels_ = nullptr;
+  const ClusterMove<Dim>* moves_ = nullptr;
+};
+
+}  // namespace abut::engine

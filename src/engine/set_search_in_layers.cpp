@@ -1,0 +1,139 @@
+// The part of SetSearch that searches whole sets in layers: as they are, by size, or with their
+// clusters moved side by side.
+
+#include "engine/layers/layer_search.hpp"
+#include "engine/set_cells.hpp"
+#include "engine/set_search.hpp"
+#include "engine/size_cut.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+namespace abut::engine {
+namespace {
+
+template <int Dim>
+void count_radii(RadiusHistogram& histogram, const LayerSpheres<Dim>& spheres,
+                 const Numbers& numbers, base::WorkCounter& work) {
+  work.in_pieces(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) histogram.add(spheres.radius(numbers[k]));
+  });
+}
+
+}  // namespace
+
+template <int Dim>
+bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
+  const bool may_be_few = set.bounds.smallest_radius == set.bounds.largest_radius;
+  if (set.locals.empty()) return false;
+  if (!may_be_few && set.locals.size() < input_->layer_limits.least_elements) return false;
+  if (!take_layers(set, choose_by_size(set, place_of_all())) && !take_clusters(set)) return false;
+  finish();
+  return true;
+}
+
+/// The layers that suit a set, whatever its sizes.
+template <int Dim>
+std::optional<LayerGrid<Dim>> SetSearch<Dim>::layers_for(const SearchSet<Dim>& set) {
+  return choose_layers(set, *input_, cell_size_for(set.bounds, *input_), workspace_.occupancy);
+}
+
+template <int Dim>
+bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
+  const auto layers = layers_for(set);
+  if (!layers) return false;
+  const auto in_steps =
+      layers_in_steps(set, *input_, *layers, worker_count_, workspace_.workers[0]->work());
+  search_layers(set, in_steps ? *in_steps : *layers);
+  return true;
+}
+
+/// The same where a look at the sizes may already have led to layers, or to a cut.
+template <int Dim>
+bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set, const SizeChoice& choice) {
+  return choice.is_searched || (!choice.cut && take_layers(set));
+}
+
+/// Searches the set in layers if these suit it when its clusters are moved side by side.
+template <int Dim>
+bool SetSearch<Dim>::take_clusters(const SearchSet<Dim>& set) {
+  const double reach = cell_size_for(set.bounds, *input_);
+  if (!may_have_clusters(set, *input_, reach, workspace_.occupancy)) return false;
+  const auto moved =
+      workspace_.clusters.move(input_->spheres.given().first(set.locals.size()), set.bounds, reach,
+                               worker_count_, work_at(place_of_all()));
+  if (!moved) return false;
+  SearchSet<Dim> moved_set = set;
+  moved_set.bounds.lower.fill(0.0);
+  moved_set.bounds.upper = moved->upper;
+  moved_.emplace(given_);
+  moved_->spheres = moved->spheres;
+  moved_->given = {};
+  start_workers(*moved_);
+  const bool are_searched = take_layers(moved_set, choose_by_size(moved_set, place_of_all()));
+  if (are_searched) {
+    workspace_.clusters_moved = moved->clusters;
+  } else {
+    start_workers(given_);
+  }
+  return are_searched;
+}
+
+template <int Dim>
+void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers) {
+  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
+  LayerSearch<Dim> search(*input_, workspace_, worker_count_, context_);
+  next_unit_ = search.search(set, layers, next_unit_);
+}
+
+/// Searches the set in layers by size where that costs least; otherwise returns the radius at which
+/// it pays to divide it, if there is one.
+template <int Dim>
+auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at)
+    -> SizeChoice {
+  if (set.bounds.smallest_radius == set.bounds.largest_radius) return {};
+  at.histogram.clear();
+  count_radii(at.histogram, input_->spheres, set.locals, work_at(at));
+  count_radii(at.histogram, input_->spheres, set.halo, work_at(at));
+  const double volume = volume_in_cells(set.bounds, cell_size_for(set.bounds, *input_));
+  const SizeDistribution sizes = sizes_of(set.bounds, input_->margin, volume);
+  const SizeClasses classes(at.histogram, sizes);
+  const SizePlan plan = plan_sizes<Dim>(classes, sizes);
+  if (at.worker == nullptr && search_by_size(set, classes, sizes, plan.cost)) {
+    return {std::nullopt, true};
+  }
+  return {plan.cut};
+}
+
+/// Searches the set in layers by size if that is estimated to cost less than the other search. What
+/// tiles cost beside their tests has a say only where they are the other search.
+template <int Dim>
+bool SetSearch<Dim>::search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
+                                    const SizeDistribution& sizes, double other_cost) {
+  const auto choose = [&](double cost) {
+    const SizeEstimate estimate{classes, sizes, cost, least_cell_for(set.bounds, *input_)};
+    return choose_layers_by_size(set, *input_, estimate, workspace_.occupancy);
+  };
+  auto layers = choose(other_cost);
+  const LayerLimits& limits = input_->layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (!layers && elements >= limits.least_elements_of_copies) {
+    layers = choose(other_cost + limits.cost_of_copies * static_cast<double>(elements));
+    if (layers && layers_for(set)) return false;
+  }
+  if (!layers) return false;
+  search_layers(set, *layers);
+  return true;
+}
+
+template bool SetSearch<2>::search_in_layers(const SearchSet<2>&);
+template bool SetSearch<3>::search_in_layers(const SearchSet<3>&);
+template bool SetSearch<2>::take_layers(const SearchSet<2>&, const SizeChoice&);
+template bool SetSearch<3>::take_layers(const SearchSet<3>&, const SizeChoice&);
+template bool SetSearch<2>::take_clusters(const SearchSet<2>&);
+template bool SetSearch<3>::take_clusters(const SearchSet<3>&);
+template auto SetSearch<2>::choose_by_size(const SearchSet<2>&, const SearchPlace&) -> SizeChoice;
+template auto SetSearch<3>::choose_by_size(const SearchSet<3>&, const SearchPlace&) -> SizeChoice;
+
+}  // namespace abut::engine

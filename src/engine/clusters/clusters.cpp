@@ -35,12 +35,12 @@ bool are_within(const grid::Bounds<Dim>& a, const grid::Bounds<Dim>& b, double r
 
 template <int Dim>
 bool holds(const grid::Bounds<Dim>& box, const exact::Sphere<Dim>& sphere) {
-  bool is_inside = true;
+  std::uint32_t outside = 0;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
-    is_inside = is_inside & (box.lower[axis] <= sphere.center[axis]) &
-                (sphere.center[axis] <= box.upper[axis]);
+    outside |= static_cast<std::uint32_t>(sphere.center[axis] < box.lower[axis]);
+    outside |= static_cast<std::uint32_t>(sphere.center[axis] > box.upper[axis]);
   }
-  return is_inside;
+  return outside == 0;
 }
 
 }  // namespace
@@ -126,21 +126,26 @@ void Clusters<Dim>::label_cells(const kernels::SphereParts& spheres, std::size_t
 template <int Dim>
 void Clusters<Dim>::label(const kernels::SpheresOfPart& some, std::size_t level,
                           base::Array<LabelBox>& boxes) {
+  // Copies, which no label that is written could change, stay in registers.
+  const kernels::StridedSpheres columns = some.columns;
+  const ClusterGrid<Dim> first_grid = grids_.front();
   std::uint32_t* const labels = labels_.data() + some.number_of_first;
-  for (std::size_t k = some.begin; k < some.end; ++k) {
-    std::size_t grid = 0;
-    if (level > 0) {
-      const CellTarget target = targets_[labels[k]];
-      if (!target.is_grid) continue;
-      grid = target.number;
-    }
-    const auto sphere = kernels::sphere_at<Dim>(some.columns, k);
-    const std::uint32_t label = cells_.label(grids_[grid].cell(sphere));
+  const auto note = [&, its = boxes.data()](std::size_t k, const ClusterGrid<Dim>& grid) {
+    const auto sphere = kernels::sphere_at<Dim>(columns, k);
+    const std::uint32_t label = cells_.label(grid.cell(sphere));
     labels[k] = label;
-    LabelBox& box = boxes[label];
+    LabelBox& box = its[label];
     // Few make the box wider, and writing to it each time would make the next one wait.
     if (!holds(box.bounds, sphere)) box.bounds.include_center(sphere);
     ++box.elements;
+  };
+  if (level == 0) {
+    for (std::size_t k = some.begin; k < some.end; ++k) note(k, first_grid);
+    return;
+  }
+  for (std::size_t k = some.begin; k < some.end; ++k) {
+    const CellTarget target = targets_[labels[k]];
+    if (target.is_grid) note(k, grids_[target.number]);
   }
 }
 

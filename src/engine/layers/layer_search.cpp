@@ -165,8 +165,10 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
   };
   if (may_be_narrow(*grid, set, input, least_cell)) {
     const auto narrow = LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements);
-    const double its = narrow ? sample.mean_occupancy(*narrow, spheres, size) : occupancy;
-    if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) return narrow;
+    if (narrow && has_full_layers(*narrow, limits, elements)) {
+      const double its = sample.mean_occupancy(*narrow, spheres, size);
+      if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) return narrow;
+    }
   }
   return suits(*grid, occupancy) ? grid : std::nullopt;
 }

@@ -52,6 +52,22 @@ TYPED_TEST(LayerExtremesOf, FarStraysOnEachAxis) {
   }
 }
 
+/// One element to a cell, and more narrow cells than positions have bits for.
+TYPED_TEST(LayerExtremesOf, LinesThatAreThinlyFilled) {
+  constexpr int dim = TypeParam::value;
+  for (const double distance : {0.9, 2.5, 20.0, 60.0}) {
+    for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
+      SCOPED_TRACE(std::to_string(distance) + " from one to the next, axis " +
+                   std::to_string(axis));
+      Spheres<dim> spheres(700, sphere_at<dim>({0.0, 0.0, 0.0}));
+      for (std::size_t k = 0; k < spheres.size(); ++k) {
+        spheres[k].center[axis] = distance * static_cast<double>(k);
+      }
+      expect_right_in_layers<dim>(spheres);
+    }
+  }
+}
+
 /// More elements, and so more cells than positions have bits for: clusters are moved.
 TYPED_TEST(LayerExtremesOf, TooManyCellsAlongAnAxisBecomeFewer) {
   constexpr int dim = TypeParam::value;

@@ -41,6 +41,11 @@ struct SphereParts {
     return {parts[0].first(elements), parts[1].first(count - elements)};
   }
 
+  /// Every so manyth sphere of each part.
+  [[nodiscard]] SphereParts every(std::size_t step) const noexcept {
+    return {parts[0].every(step), parts[1].every(step)};
+  }
+
   [[nodiscard]] double radius(std::size_t k) const noexcept {
     return k < parts[0].size ? parts[0].radius(k) : parts[1].radius(k - parts[0].size);
   }

@@ -28,6 +28,14 @@ struct StridedSpheres {
     return columns;
   }
 
+  /// Every so manyth sphere, from the first on.
+  [[nodiscard]] StridedSpheres every(std::size_t step) const noexcept {
+    StridedSpheres columns = *this;
+    for (std::ptrdiff_t& along : columns.stride) along *= static_cast<std::ptrdiff_t>(step);
+    columns.size = (size + step - 1) / step;
+    return columns;
+  }
+
   /// The same spheres, all of one radius: an array of radii is read at its first place only.
   [[nodiscard]] StridedSpheres with_one_radius() const noexcept {
     StridedSpheres columns = *this;

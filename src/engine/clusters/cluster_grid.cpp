@@ -7,7 +7,10 @@ namespace abut::engine {
 template <int Dim>
 ClusterGrid<Dim>::ClusterGrid(const grid::Bounds<Dim>& box, double reach, double cells,
                               std::uint32_t begin)
-    : lower_(box.lower), cells_of_one_(1.0 / cell_for(box, reach, cells)), begin_(begin) {
+    : lower_(box.lower),
+      reaches_(BoxInCells<Dim>(box, reach).cells),
+      cells_of_one_(1.0 / cell_for(box, reach, cells)),
+      begin_(begin) {
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     const double along = (box.upper[axis] - box.lower[axis]) * cells_of_one_;
     count_[axis] = static_cast<std::uint32_t>(along) + 1;

@@ -23,6 +23,9 @@ class ClusterGrid {
   /// that does not make them narrower than `reach`; never more than 2^Dim times as many.
   ClusterGrid(const grid::Bounds<Dim>& box, double reach, double cells, std::uint32_t begin);
 
+  /// Cells of the size of the reach in the box.
+  [[nodiscard]] double reaches() const noexcept { return reaches_; }
+
   [[nodiscard]] std::uint32_t begin() const noexcept { return begin_; }
   [[nodiscard]] std::uint32_t end() const noexcept { return begin_ + size_; }
 
@@ -76,7 +79,8 @@ class ClusterGrid {
   }
 
   std::array<double, Dim> lower_;
-  double cells_of_one_ = 1.0;
+  double reaches_;
+  double cells_of_one_;
   Coordinates count_{};
   std::uint32_t begin_;
   std::uint32_t size_ = 1;

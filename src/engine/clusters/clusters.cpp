@@ -4,6 +4,7 @@
 #include "engine/box_in_cells.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace abut::engine {
 namespace {
@@ -15,8 +16,16 @@ constexpr std::size_t least_elements_of_label = 64;
 /// Labels of a few elements, at least: a small system may have strays.
 constexpr std::size_t least_labels = 64;
 
-/// A box with more cells of the size of the reach for each element is cut anew.
-constexpr double most_cells_of_element = 1000.0;
+/// Elements of a sample, to the root of the number of all, and for each label.
+constexpr double sampled_for_root = 8.0;
+constexpr std::size_t least_sampled_of_label = 4;
+
+/// Cells of the size of the reach in the boxes of all clusters, for each element, at most.
+constexpr double most_cells_of_element = 256.0;
+
+/// A cluster with more of them is cut anew, if its box is so many times smaller than before.
+constexpr double most_cells_of_cluster = 1000.0;
+constexpr double least_shrinking = 8.0;
 constexpr double least_cells_of_grid = 8.0;
 constexpr std::size_t most_levels = 4;
 
@@ -63,31 +72,59 @@ auto Clusters<Dim>::move(const kernels::SphereParts& spheres, const grid::Bounds
                          double reach, std::size_t workers, base::WorkCounter& work)
     -> std::optional<MovedSpheres> {
   reach_ = reach;
-  start(spheres.size(), workers);
-  add_grid({bounds, spheres.size()});
-  std::size_t first_grid = 0;
-  for (std::size_t level = 0; first_grid < grids_.size(); ++level) {
-    cells_.add_cells(grids_.back().end());
-    label_cells(spheres, level, workers, work);
-    if (cells_.are_too_few()) return std::nullopt;
-    const Labels labels = cells_.in_order_of_cells(work);
-    merge(labels, work);
-    join_adjacent(labels, first_grid, work);
-    first_grid = grids_.size();
-    settle(labels, level, work);
+  elements_ = spheres.size();
+  base::make_room(labels_, elements_);
+  const auto sampled =
+      static_cast<std::size_t>(sampled_for_root * std::sqrt(static_cast<double>(elements_)));
+  const std::size_t step = elements_ / std::max(sampled, std::size_t{1});
+  if (step > 1) {
+    const ClusterSample sample{step, sampled / least_sampled_of_label + least_labels, 1};
+    if (!find(spheres.every(step), bounds, sample, work) || !need_little_room()) {
+      return std::nullopt;
+    }
   }
+  const ClusterSample all{1, elements_ / least_elements_of_label + least_labels, workers};
+  if (!find(spheres, bounds, all, work) || !need_little_room()) return std::nullopt;
   const std::array<double, Dim> upper = lay_out(work);
   return MovedSpheres{LayerSpheres<Dim>(spheres, labels_.data(), moves_.data()), upper,
                       clusters_.size()};
 }
 
+/// Returns whether there are labels enough.
 template <int Dim>
-void Clusters<Dim>::start(std::size_t elements, std::size_t workers) {
-  elements_ = elements;
-  const std::size_t most_labels = elements / least_elements_of_label + least_labels;
+bool Clusters<Dim>::find(const kernels::SphereParts& spheres, const grid::Bounds<Dim>& bounds,
+                         const ClusterSample& sample, base::WorkCounter& work) {
+  start(sample);
+  add_grid({bounds, spheres.size()});
+  std::size_t first_grid = 0;
+  for (std::size_t level = 0; first_grid < grids_.size(); ++level) {
+    const std::size_t end = grids_.size();
+    cells_.add_cells(grids_.back().end());
+    label_cells(spheres, level, sample.workers, work);
+    if (cells_.are_too_few()) return false;
+    const Labels labels = cells_.in_order_of_cells(work);
+    merge(labels, work);
+    join_adjacent(labels, first_grid, work);
+    settle(labels, first_grid, level, work);
+    first_grid = end;
+  }
+  return true;
+}
+
+template <int Dim>
+bool Clusters<Dim>::need_little_room() const noexcept {
+  double cells = 0.0;
+  for (const grid::Bounds<Dim>& cluster : clusters_)
+    cells += BoxInCells<Dim>(cluster, reach_).cells;
+  return cells <= most_cells_of_element * static_cast<double>(elements_);
+}
+
+template <int Dim>
+void Clusters<Dim>::start(const ClusterSample& sample) {
+  elements_of_one_ = static_cast<double>(sample.step);
+  const std::size_t most_labels = sample.most_labels;
   cells_.start(most_labels);
-  base::make_room(labels_, elements);
-  while (boxes_.size() < workers) {
+  while (boxes_.size() < sample.workers) {
     boxes_.push_back(base::make_array_for_overwrite<LabelBox>(memory_, 0));
   }
   for (base::Array<LabelBox>& boxes : boxes_) {
@@ -104,8 +141,8 @@ void Clusters<Dim>::start(std::size_t elements, std::size_t workers) {
 
 template <int Dim>
 void Clusters<Dim>::add_grid(const LabelBox& box) {
-  const double cells =
-      std::max(static_cast<double>(box.elements) / elements_of_cell, least_cells_of_grid);
+  const double elements = elements_of_one_ * static_cast<double>(box.elements);
+  const double cells = std::max(elements / elements_of_cell, least_cells_of_grid);
   const std::uint32_t begin = grids_.empty() ? 0 : grids_.back().end();
   grids_.push_back(ClusterGrid<Dim>(box.bounds, reach_, cells, begin));
 }
@@ -197,25 +234,30 @@ std::uint32_t Clusters<Dim>::root(std::uint32_t label) noexcept {
   return label;
 }
 
-/// Tells whether what was joined is cut anew: its box is mostly empty, and all cells together are
-/// about as many as elements or less.
+/// Tells whether what was joined is cut anew: its box is mostly empty, and much smaller than that
+/// of its grid, and all cells together are about as many as elements or less.
 template <int Dim>
-bool Clusters<Dim>::needs_grid(const LabelBox& box, std::size_t level) const noexcept {
+bool Clusters<Dim>::needs_grid(const LabelBox& box, const ClusterGrid<Dim>& grid,
+                               std::size_t level) const noexcept {
+  const double reaches = BoxInCells<Dim>(box.bounds, reach_).cells;
+  const double elements = elements_of_one_ * static_cast<double>(box.elements);
   return level + 1 < most_levels && grids_.back().end() < elements_ &&
-         BoxInCells<Dim>(box.bounds, reach_).cells >
-             most_cells_of_element * static_cast<double>(box.elements);
+         reaches > most_cells_of_cluster * elements && least_shrinking * reaches < grid.reaches();
 }
 
 /// Makes clusters of the cells that were joined, in the order of their first cells, or grids.
 template <int Dim>
-void Clusters<Dim>::settle(const Labels& labels, std::size_t level, base::WorkCounter& work) {
+void Clusters<Dim>::settle(const Labels& labels, std::size_t first_grid, std::size_t level,
+                           base::WorkCounter& work) {
   for (const std::uint32_t label : labels) targets_[label] = {false, none};
+  std::size_t grid = first_grid;
   for (const std::uint32_t label : labels) {
+    while (cells_.cell_of(label) >= grids_[grid].end()) ++grid;
     const std::uint32_t first = root(label);
     CellTarget& target = targets_[first];
     if (target.number == none) {
       const LabelBox& box = boxes_[0][first];
-      const bool is_grid = needs_grid(box, level);
+      const bool is_grid = needs_grid(box, grids_[grid], level);
       target = {is_grid, static_cast<std::uint32_t>(is_grid ? grids_.size() : clusters_.size())};
       if (is_grid) {
         add_grid(box);

@@ -39,7 +39,8 @@ class Clusters {
     std::size_t clusters;
   };
 
-  /// Moves clusters, or returns nothing where there are too many.
+  /// Moves clusters, or returns nothing where there are too many, or boxes around them would be as
+  /// empty as the one that is given; a sample tells both in most cases.
   /// `reach` is a hair above the largest one.
   [[nodiscard]] std::optional<MovedSpheres> move(const kernels::SphereParts& spheres,
                                                  const grid::Bounds<Dim>& bounds, double reach,
@@ -65,7 +66,17 @@ class Clusters {
 
   using Labels = std::span<const std::uint32_t>;
 
-  void start(std::size_t elements, std::size_t workers);
+  /// The elements among which clusters are found: some, or all.
+  struct ClusterSample {
+    std::size_t step;  ///< from one element to the next
+    std::size_t most_labels;
+    std::size_t workers;
+  };
+
+  [[nodiscard]] bool find(const kernels::SphereParts& spheres, const grid::Bounds<Dim>& bounds,
+                          const ClusterSample& sample, base::WorkCounter& work);
+  [[nodiscard]] bool need_little_room() const noexcept;
+  void start(const ClusterSample& sample);
   void add_grid(const LabelBox& box);
   void label_cells(const kernels::SphereParts& spheres, std::size_t level, std::size_t workers,
                    base::WorkCounter& work);
@@ -73,8 +84,10 @@ class Clusters {
   void merge(const Labels& labels, base::WorkCounter& work);
   void join_adjacent(const Labels& labels, std::size_t first_grid, base::WorkCounter& work);
   void join_with_next(std::uint32_t label, const ClusterGrid<Dim>& grid);
-  void settle(const Labels& labels, std::size_t level, base::WorkCounter& work);
-  [[nodiscard]] bool needs_grid(const LabelBox& box, std::size_t level) const noexcept;
+  void settle(const Labels& labels, std::size_t first_grid, std::size_t level,
+              base::WorkCounter& work);
+  [[nodiscard]] bool needs_grid(const LabelBox& box, const ClusterGrid<Dim>& grid,
+                                std::size_t level) const noexcept;
   [[nodiscard]] std::uint32_t root(std::uint32_t label) noexcept;
   [[nodiscard]] std::array<double, Dim> lay_out(base::WorkCounter& work);
   void set_moves(base::WorkCounter& work);
@@ -92,6 +105,7 @@ class Clusters {
   ShelfLayout<Dim> layout_;
   double reach_ = 0.0;
   std::size_t elements_ = 0;
+  double elements_of_one_ = 1.0;  ///< that each one of a sample stands for
 };
 
 }  // namespace abut::engine

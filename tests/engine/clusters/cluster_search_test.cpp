@@ -155,10 +155,10 @@ TYPED_TEST(ClusterSearchOf, ChainsThroughManyCells) {
 /// The box of a ring holds what lies in its middle, out of its reach.
 TYPED_TEST(ClusterSearchOf, AClusterInARing) {
   constexpr int dim = TypeParam::value;
-  auto spheres = this->cluster_at({-5.0, -5.0, -5.0}, 800);
+  auto spheres = this->cluster_at({-5.0, -5.0, -5.0}, 300);
   for (std::size_t k = 0; k < 1000; ++k) {
     const double angle = 0.00628 * static_cast<double>(k);
-    spheres.push_back(sphere_at<dim>({150.0 * std::cos(angle), 150.0 * std::sin(angle), 0.0}));
+    spheres.push_back(sphere_at<dim>({16.0 * std::cos(angle), 16.0 * std::sin(angle), 0.0}));
   }
   append<dim>(spheres, this->cluster_at({1e8, 1e8, 1e8}, 300));
   this->expect_moved(shuffled<dim>(spheres, this->random_));
@@ -266,10 +266,17 @@ TYPED_TEST(ClusterSearchOf, ClustersOfAllSizes) {
   }
 }
 
-/// Clusters of few elements are not worth their moves.
+/// Clusters of few elements are not worth their moves, nor is a thread that winds through its box.
 TYPED_TEST(ClusterSearchOf, TooManyClustersAreLeftToTiles) {
   constexpr int dim = TypeParam::value;
   expect_right_in_layers<dim>(this->clusters(700, 4, 1e8), 0.0, Way::tiles, always_moved);
+  Spheres<dim> thread;
+  for (std::size_t k = 0; k < 3000; ++k) {
+    const double turn = 0.01 * static_cast<double>(k);
+    thread.push_back(sphere_at<dim>({90.0 * std::cos(turn), 90.0 * std::sin(turn), 6.0 * turn}));
+    if (dim == 2) thread.back().center[1] *= 1.0 + 3.0 * turn;
+  }
+  expect_right_in_layers<dim>(thread, 0.0, Way::tiles, always_moved);
 }
 
 /// Limits as they are: large systems with a stray go to layers, those without are not moved, small

@@ -15,6 +15,9 @@ class RadiusHistogram {
 
   void clear() noexcept { counts_.fill(0); }
   void add(double radius) noexcept { ++counts_[class_of(radius)]; }
+  void add(const RadiusHistogram& other) noexcept {
+    for (std::size_t k = 0; k < classes; ++k) counts_[k] += other.counts_[k];
+  }
 
   [[nodiscard]] std::uint32_t count(std::size_t k) const noexcept { return counts_[k]; }
 

@@ -78,6 +78,8 @@ class SetSearch {
   [[nodiscard]] bool take_clusters(const SearchSet<Dim>& set);
   void search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);
 
+  void count_radii_of(const SearchSet<Dim>& set, const SearchPlace& at);
+  void share_radii(std::size_t elements, const SearchPlace& at);
   [[nodiscard]] SizeChoice choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at);
   [[nodiscard]] bool search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
                                     const SizeDistribution& sizes, double other_cost);

@@ -1,6 +1,7 @@
 // The part of SetSearch that searches whole sets in layers: as they are, by size, or with their
 // clusters moved side by side.
 
+#include "base/asking_workers.hpp"
 #include "engine/layers/layer_search.hpp"
 #include "engine/set_cells.hpp"
 #include "engine/set_search.hpp"
@@ -13,9 +14,24 @@
 namespace abut::engine {
 namespace {
 
+/// Elements whose radii are worth the time to start all workers.
+constexpr std::size_t least_shared_radii = 1 << 15;
+
+void count_first_radii(RadiusHistogram& histogram, const kernels::SphereParts& spheres,
+                       std::size_t first, std::size_t last, base::WorkCounter& work) {
+  work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+    for (const auto& some : spheres.some(begin, end)) {
+      for (std::size_t k = some.begin; k < some.end; ++k) histogram.add(some.columns.radius(k));
+    }
+  });
+}
+
 template <int Dim>
 void count_radii(RadiusHistogram& histogram, const LayerSpheres<Dim>& spheres,
                  const Numbers& numbers, base::WorkCounter& work) {
+  if (numbers.are_the_first()) {
+    return count_first_radii(histogram, spheres.given(), 0, numbers.size(), work);
+  }
   work.in_pieces(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) histogram.add(spheres.radius(numbers[k]));
   });
@@ -87,15 +103,42 @@ void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Di
   next_unit_ = search.search(set, layers, next_unit_);
 }
 
+template <int Dim>
+void SetSearch<Dim>::count_radii_of(const SearchSet<Dim>& set, const SearchPlace& at) {
+  at.histogram.clear();
+  const bool is_shared = at.worker == nullptr && worker_count_ > 1 && set.locals.are_the_first() &&
+                         set.locals.size() >= least_shared_radii;
+  if (is_shared) {
+    share_radii(set.locals.size(), at);
+  } else {
+    count_radii(at.histogram, input_->spheres, set.locals, work_at(at));
+  }
+  count_radii(at.histogram, input_->spheres, set.halo, work_at(at));
+}
+
+/// Counts the radii of the first elements with all workers.
+template <int Dim>
+void SetSearch<Dim>::share_radii(std::size_t elements, const SearchPlace& at) {
+  const auto histogram_of = [&](std::size_t worker) -> RadiusHistogram& {
+    return workspace_.workers[worker]->scratch().histogram;
+  };
+  base::for_each_share(
+      worker_count_, work_at(at), [&](std::size_t worker, base::WorkCounter& work) {
+        const auto [first, last] = base::share_of(worker, worker_count_, elements);
+        histogram_of(worker).clear();
+        count_first_radii(histogram_of(worker), input_->spheres.given(), first, last, work);
+      });
+  for (std::size_t w = 0; w < worker_count_; ++w) at.histogram.add(histogram_of(w));
+}
+
 /// Searches the set in layers by size where that costs least; otherwise returns the radius at which
 /// it pays to divide it, if there is one.
 template <int Dim>
 auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at)
     -> SizeChoice {
-  if (set.bounds.smallest_radius == set.bounds.largest_radius) return {};
-  at.histogram.clear();
-  count_radii(at.histogram, input_->spheres, set.locals, work_at(at));
-  count_radii(at.histogram, input_->spheres, set.halo, work_at(at));
+  const double alike = input_->layer_limits.radii_alike * set.bounds.smallest_radius;
+  if (set.bounds.largest_radius <= alike) return {};
+  count_radii_of(set, at);
   const double volume = volume_in_cells(set.bounds, cell_size_for(set.bounds, *input_));
   const SizeDistribution sizes = sizes_of(set.bounds, input_->margin, volume);
   const SizeClasses classes(at.histogram, sizes);

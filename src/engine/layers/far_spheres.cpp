@@ -22,20 +22,31 @@ void FarSpheres<Dim>::start(std::size_t workers) {
 template <int Dim>
 void FarSpheres<Dim>::note(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid,
                            std::size_t begin, std::size_t end, std::size_t worker) {
-  List& list = noted_[worker];
-  std::array<std::size_t, block_size> numbers;
-  for (; begin < end; begin += block_size) {
-    // Without a branch, for who is far cannot be foreseen.
-    std::size_t count = 0;
-    for (std::size_t k = begin; k < std::min(begin + block_size, end); ++k) {
-      numbers[count] = k;
-      count += grid.is_far(grid.units_of(spheres.radius(k))) ? 1 : 0;
+  const double least = grid.least_far_radius();
+  std::array<std::size_t, block_size> large;
+  for (const auto& some : spheres.given().some(begin, end)) {
+    for (std::size_t k = some.begin; k < some.end; k += block_size) {
+      // Without a branch, for who is large cannot be foreseen.
+      std::size_t count = 0;
+      for (std::size_t j = k; j < std::min(k + block_size, some.end); ++j) {
+        large[count] = some.number_of_first + j;
+        count += some.columns.radius(j) >= least ? 1 : 0;
+      }
+      note_far(std::span(large).first(count), spheres, grid, noted_[worker]);
     }
-    for (const std::size_t k : std::span(numbers).first(count)) {
-      const exact::Sphere<Dim> sphere = spheres[k];
-      const auto record = grid.record(sphere, static_cast<std::uint32_t>(k));
-      list.push_back(grid.far_sphere(record, grid.units_of(sphere.radius)));
-    }
+  }
+}
+
+/// Adds to a list those of some spheres that are far.
+template <int Dim>
+void FarSpheres<Dim>::note_far(std::span<const std::size_t> numbers,
+                               const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid,
+                               List& list) {
+  for (const std::size_t k : numbers) {
+    const exact::Sphere<Dim> sphere = spheres[k];
+    const float radius = grid.units_of(sphere.radius);
+    if (!grid.is_far(radius)) continue;
+    list.push_back(grid.far_sphere(grid.record(sphere, static_cast<std::uint32_t>(k)), radius));
   }
 }
 

@@ -46,9 +46,12 @@ class FarSpheres {
   }
 
  private:
+  using List = base::Array<kernels::FarSphere>;
+
+  static void note_far(std::span<const std::size_t> numbers, const LayerSpheres<Dim>& spheres,
+                       const LayerGrid<Dim>& grid, List& list);
   void count_in_reach(std::size_t layers);
 
-  using List = base::Array<kernels::FarSphere>;
   [[nodiscard]] static List empty(base::MemoryMeter& memory) {
     return base::make_array_for_overwrite<kernels::FarSphere>(memory, 0);
   }

@@ -43,6 +43,9 @@ struct LayerLimits {
   double most_joined_of_moved = 24.0;
   /// So many times less crowded cells are better, though most are empty.
   double least_gain_of_narrow = 2.0;
+  /// The largest radius in smallest ones up to which radii count as equal: cells for the smaller
+  /// ones would be hardly narrower.
+  double radii_alike = 1.125;
   /// Cost of layers in which elements look for smaller ones, to that of other searches, up to which
   /// they are taken: both are estimates.
   double most_by_size = 0.95;
@@ -176,6 +179,12 @@ class LayerGrid {
 
   [[nodiscard]] bool is_far(float radius) const noexcept {
     return !(kernels::own_reach(radius, margin_) < kernels::middle_reach);
+  }
+
+  /// Elements whose radii are below this are not far. Four units are more than all roundings.
+  [[nodiscard]] double least_far_radius() const noexcept {
+    const double twice = kernels::middle_reach - kernels::own_reach(0.0f, margin_);
+    return (0.5 * twice - 4.0) / map_.units_of_one;
   }
 
   [[nodiscard]] kernels::FarSphere far_sphere(const kernels::PositionRecord& record,

@@ -301,6 +301,27 @@ TYPED_TEST(LayerGridOf, FlatBoxesAndPoints) {
   }
 }
 
+/// Radii below the least are not far, and those that are lie hardly above it.
+TYPED_TEST(LayerGridOf, FarRadiiHaveALeast) {
+  for (const double margin : {0.0, 0.01, 0.7, 2.0}) {
+    for (const double cell : {0.37, 1.0, 3.0, 1e3}) {
+      SCOPED_TRACE("margin " + std::to_string(margin) + ", cell " + std::to_string(cell));
+      auto bounds = this->box({20.0 * cell, 31.0 * cell, 15.0 * cell});
+      bounds.smallest_radius = 0.1 * cell;
+      bounds.largest_radius = 5.0 * cell;
+      const auto grid = TestFixture::Grid::of_cells(bounds, margin * cell, cell, 3000);
+      ASSERT_TRUE(grid);
+      const double least = grid->least_far_radius();
+      const auto is_far = [&](double radius) { return grid->is_far(grid->units_of(radius)); };
+      for (int k = 0; k < 1000; ++k) {
+        const double below = std::exp2(-this->random_.uniform(0.0, 30.0));
+        EXPECT_FALSE(is_far(least - below * std::abs(least)));
+      }
+      EXPECT_TRUE(is_far(std::max(least, 0.0) + 1e-4 * cell));
+    }
+  }
+}
+
 TYPED_TEST(LayerGridOf, EachCellHasANumberOfItsOwn) {
   const std::array<double, 3> extent{12.5, 10.5, 11.5};
   const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 3000);

@@ -40,6 +40,7 @@ inline constexpr engine::LayerLimits always_by_size{
     .most_joined_beyond_caches = 0.0,
     .most_joined_of_discs = 0.0,
     .most_joined_of_clusters = 0.0,
+    .radii_alike = 1.0,
     .most_by_size = std::numeric_limits<double>::infinity(),
     .most_crowded_by_size = std::numeric_limits<double>::infinity()};
 

@@ -272,12 +272,43 @@ TYPED_TEST(LayerSizesOf, CopiesOfTilesCostMoreThanTests) {
 /// once, whatever copies cost.
 TYPED_TEST(LayerSizesOf, CopiesOfTilesDoNotWeighAgainstLayers) {
   constexpr int dim = TypeParam::value;
-  const auto spheres = this->log_uniform(20000, 1.1, 0.3);
+  const auto spheres = this->log_uniform(20000, 1.2, 0.3);
   const engine::LayerLimits limits{.cost_of_copies = 1000.0, .least_elements_of_copies = 0};
   const engine::LayerLimits without{.cost_of_copies = 0.0, .least_elements_of_copies = 0};
   const LayerRun run = run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits});
   EXPECT_TRUE(run.in_layers);
   expect_same(run, run_rows<dim>(spheres, {0.0, 1, Simd::scalar, without}));
+}
+
+/// Nobody asks how many there are of each radius where all are nearly equal.
+TYPED_TEST(LayerSizesOf, RadiiAlikeAreNotSearchedBySize) {
+  constexpr int dim = TypeParam::value;
+  engine::LayerLimits limits = always_by_size;
+  limits.radii_alike = engine::LayerLimits{}.radii_alike;
+  const auto is_by_size = [&](double ratio) {
+    auto spheres = this->log_uniform(2000, ratio, 0.3);
+    // The extremes themselves.
+    const auto [smallest, largest] =
+        std::ranges::minmax_element(spheres, {}, [](const auto& sphere) { return sphere.radius; });
+    smallest->radius = 1.0;
+    largest->radius = ratio;
+    return run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers;
+  };
+  EXPECT_FALSE(is_by_size(1.125));
+  EXPECT_TRUE(is_by_size(std::nextafter(1.125, 2.0)));
+}
+
+/// All workers count radii, from some number of elements on; what is chosen does not depend on how
+/// many of them there are.
+TYPED_TEST(LayerSizesOf, RadiiOfManyAreCountedByAllWorkers) {
+  constexpr int dim = TypeParam::value;
+  const auto spheres = this->log_uniform(40000, 1000.0, 0.3);
+  const LayerRun first = run_rows<dim>(spheres, {0.0, 1, Simd::scalar});
+  EXPECT_TRUE(first.in_layers);
+  for (const std::size_t workers : {2U, 3U, 7U}) {
+    SCOPED_TRACE(std::to_string(workers) + " workers");
+    expect_same(first, run_rows<dim>(spheres, {0.0, workers, Simd::scalar}));
+  }
 }
 
 /// Where spheres crowd more, layers of one reach are taken for many of them only; discs, which have

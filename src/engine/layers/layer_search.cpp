@@ -160,10 +160,14 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
   if (are_few && !may_be_exact && occupancy < limits.least_occupancy_of_clusters) {
     return std::nullopt;
   }
-  const auto suits = [&](const LayerGrid<Dim>& cells, double its_occupancy) {
-    return (its_occupancy - 1.0) * cells.cells_joined() <= most_joined(cells, input, elements);
+  const auto joined = [](const LayerGrid<Dim>& cells, double its_occupancy) {
+    return (its_occupancy - 1.0) * cells.cells_joined();
   };
-  if (may_be_narrow(*grid, set, input, least_cell)) {
+  const auto suits = [&](const LayerGrid<Dim>& cells, double its_occupancy) {
+    return joined(cells, its_occupancy) <= most_joined(cells, input, elements);
+  };
+  const bool are_crowded = joined(*grid, occupancy) > limits.most_joined;
+  if (are_crowded && may_be_narrow(*grid, set, input, least_cell)) {
     const auto narrow = LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements);
     if (narrow && has_full_layers(*narrow, limits, elements)) {
       const double its = sample.mean_occupancy(*narrow, spheres, size);

@@ -255,5 +255,20 @@ TYPED_TEST(LayerSearchOf, FewElementsOnLattices) {
   expect_way(dim == 2 ? 150 : 28, Way::layers, Way::layers);
 }
 
+/// Cells of the reach, most of them empty, are about half as crowded as wide ones with an element
+/// each. That is no reason to take them, whatever a sample happens to say.
+TYPED_TEST(LayerSearchOf, CellsOfAGasAreWide) {
+  constexpr int dim = TypeParam::value;
+  constexpr double neighbors = 0.4;
+  for (std::size_t count = 20000; count <= 30000; count += 500) {
+    SCOPED_TRACE(std::to_string(count) + " elements");
+    const auto gas = uniform_spheres<dim>(this->random_, count, box_for<dim>(count, neighbors));
+    const LayerRun run = run_rows<dim>(gas, {0.0, 1, Simd::scalar});
+    EXPECT_TRUE(run.in_layers);
+    const double tests = static_cast<double>(run.candidate_tests) / static_cast<double>(count);
+    EXPECT_GT(tests, dim == 2 ? 2.1 : 5.5);
+  }
+}
+
 }  // namespace
 }  // namespace abut::testing

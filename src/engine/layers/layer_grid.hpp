@@ -29,10 +29,10 @@ struct LayerLimits {
   double least_elements_of_layer = 256.0;
   /// Mean number of elements in two runs that are joined in a vector of eight, up to which layers
   /// are faster than blocks in tiles.
-  double most_joined = 9.0;
+  double most_joined = 12.0;
   /// The same from so many elements on: those in tiles are brought into several arrays, at places
   /// far apart, which then lie in no cache of one core.
-  double most_joined_beyond_caches = 12.0;
+  double most_joined_beyond_caches = 32.0;
   std::size_t least_elements_beyond_caches = 250'000;
   /// The same of discs, which have two runs.
   double most_joined_of_discs = 24.0;

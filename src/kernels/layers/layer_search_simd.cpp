@@ -62,6 +62,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/simd_near_batch-inl.hpp"
 
+#include "kernels/layers/simd_run_pieces-inl.hpp"
+
 #include "kernels/layers/simd_layer_tester-inl.hpp"
 
 #include "kernels/layers/simd_run_jobs-inl.hpp"

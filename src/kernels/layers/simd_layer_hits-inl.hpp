@@ -40,6 +40,15 @@ class LayerHits {
   template <std::size_t most>
   HWY_INLINE std::size_t write(std::uint32_t element, HitBits hits, const std::uint32_t* number,
                                std::size_t place) const {
+    const std::size_t count = write_partners<most>(hits, number, place);
+    write_element(element, place, count);
+    return count;
+  }
+
+  /// The same of the partners alone.
+  template <std::size_t most>
+  HWY_INLINE std::size_t write_partners(HitBits hits, const std::uint32_t* number,
+                                        std::size_t place) const {
     std::uint32_t* const begin = hits_.partner + place;
     std::uint32_t* end = begin;
     for (std::size_t k = 0; k < most; k += lanes) {
@@ -47,12 +56,15 @@ class LayerHits {
       hn::StoreU(compress(hn::LoadU(numbers, number + k), set), numbers, end);
       end += std::popcount(set);
     }
-    const auto count = static_cast<std::size_t>(end - begin);
+    return static_cast<std::size_t>(end - begin);
+  }
+
+  /// The same of the element alone, which has so many partners.
+  HWY_INLINE void write_element(std::uint32_t element, std::size_t place, std::size_t count) const {
     const Numbers own = hn::Set(numbers, element);
     for (std::size_t k = 0; k < count; k += lanes) {
       hn::StoreU(own, numbers, hits_.element + place + k);
     }
-    return count;
   }
 
   /// Adds the hits among the candidates in the lanes from k on, with notes of those that are not

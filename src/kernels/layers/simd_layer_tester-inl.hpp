@@ -180,7 +180,7 @@ class SimdLayerTester {
       if (!Search::some_have_hits && hits == 0) continue;
       if (HWY_UNLIKELY(hits >= with_care)) {
         hits_.set_found(found);
-        const ElementRuns its = test_with_care(elements, k);
+        const ElementRuns its = test_runs_of(elements, k);
         counts.add(its);
         if (filling == Filling::joined && its.is_crowded) ++counts.crowded;
         found = hits_.found();
@@ -249,11 +249,42 @@ class SimdLayerTester {
     }
   }
 
+  /// An element with more candidates than its vectors hold, if none is undecided and there are not
+  /// very many. Otherwise this has no effect.
+  HWY_NOINLINE bool test_crowded(const Elements& elements, std::uint32_t k, ElementRuns& its) {
+    const auto runs = elements.runs_of(k);
+    const std::uint32_t p = elements.place(k);
+    RunPieces<Search::runs> pieces;
+    add_all(pieces, runs, std::make_index_sequence<Search::runs>());
+    if (pieces.is_large()) return false;
+    Probe probe = Probe::at(layers_, p);
+    const std::size_t found = hits_.make_room(hits_.found(), pieces.most * candidates);
+    std::size_t end = found;
+    for (std::uint32_t n = 0; n < pieces.size(); ++n) {
+      std::uint32_t number[candidates];
+      // What stands behind a run that is not empty is out of reach, or padding.
+      const HitBits hits = probe.test(pieces[n], number);
+      end += hits_.template write_partners<candidates>(hits, number, end);
+    }
+    if (!probe.is_decided(band_)) return false;
+    hits_.write_element(layers_.number[p], found, end - found);
+    hits_.set_found(end);
+    hits_.count_tests(pieces.tests());
+    its = {true, pieces.has_long_runs(), false};
+    return true;
+  }
+
+  template <class Runs, std::size_t... r>
+  static HWY_INLINE void add_all(RunPieces<Search::runs>& pieces, const Runs& runs,
+                                 std::index_sequence<r...>) {
+    (pieces.add(runs.template run<r>()), ...);
+  }
+
   /// The elements of a batch most of which need care, as on a lattice or in a crowd.
   HWY_NOINLINE void test_batch_with_care(const Elements& elements) {
     BatchCounts counts;
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
-      const ElementRuns its = test_with_care(elements, k);
+      const ElementRuns its = test_runs_of(elements, k);
       counts.add(its);
       if (its.is_crowded) ++counts.crowded;
     }
@@ -265,6 +296,13 @@ class SimdLayerTester {
     expects_care_ = 2 * counts.with_care > elements.size();
     expects_crowd_ = crowded_share * counts.crowded > elements.size();
     has_many_undecided_ = 2 * counts.undecided > elements.size();
+  }
+
+  /// An element that the vectors of its batch do not settle.
+  HWY_INLINE ElementRuns test_runs_of(const Elements& elements, std::uint32_t k) {
+    ElementRuns its;
+    if (!has_many_undecided_ && test_crowded(elements, k, its)) return its;
+    return test_with_care(elements, k);
   }
 
   /// An element with runs of any length, and notes of what the filter cannot decide.

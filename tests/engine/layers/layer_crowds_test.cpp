@@ -42,6 +42,26 @@ TYPED_TEST(LayerCrowdsOf, AllInOnePlace) {
   }
 }
 
+/// All runs of an element in the middle have so many elements, whose vectors are tested one after
+/// the other up to 128 of them; beside them stand runs of any number.
+TYPED_TEST(LayerCrowdsOf, RunsOfAsManyAsSomeVectorsHold) {
+  constexpr int dim = TypeParam::value;
+  for (const std::size_t count : {7U, 8U, 9U, 15U, 16U, 17U, 24U, 25U, 127U, 128U, 129U}) {
+    SCOPED_TRACE("runs of " + std::to_string(count));
+    Spheres<dim> spheres;
+    for (const auto& place : cubic_lattice<dim>(3)) {
+      for (std::size_t k = 0; k < count; ++k) {
+        spheres.push_back(place);
+        for (double& x : spheres.back().center) x += this->random_.uniform(0.0, 0.05);
+      }
+    }
+    append<dim>(spheres, uniform_spheres<dim>(this->random_, 300, {6.0, 5.0, 7.0}));
+    expect_right_in_layers<dim>(spheres);
+    for (auto& sphere : spheres) sphere.radius = this->random_.uniform(0.4, half);
+    expect_right_in_layers<dim>(spheres);
+  }
+}
+
 TYPED_TEST(LayerCrowdsOf, MoreHitsOfAnElementThanABufferHolds) {
   constexpr int dim = TypeParam::value;
   Spheres<dim> spheres(kernels::HitBuffer::size + 70, sphere_at<dim>({3.0, 3.0, 3.0}));

@@ -97,7 +97,8 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
 template <int Dim>
 bool ElementSearch<Dim>::may_be_in_place(const ElementView& elements,
                                          const SearchTask& task) const {
-  return next_may_be_in_place_ && elements.size() >= task.settings.layers.least_elements &&
+  const bool are_many = elements.size() >= task.settings.layers.least_elements;
+  return next_may_be_in_place_.value_or(are_many) &&
          choose(task.options, elements.size()).row->info.algorithm == Algorithm::rows;
 }
 
@@ -127,7 +128,7 @@ bool ElementSearch<Dim>::search_in_place(const ElementView& spheres, const Searc
     next_may_be_in_place_ = engine::rows_in_place<Dim>(*columns, room.bounds, task.settings,
                                                        *workspace_, sink, context);
   }
-  return next_may_be_in_place_;
+  return *next_may_be_in_place_;
 }
 
 template <int Dim>

@@ -53,8 +53,9 @@ class ElementSearch {
   base::MemoryMeter& memory_;
   std::optional<engine::Workspace<Dim>> workspace_;
   std::optional<periodic::PeriodicWorkspace<Dim>> periodic_;
-  /// The last search was in layers, or done in place. The first one is tried.
-  bool next_may_be_in_place_ = true;
+  /// What the last search says of the next one: it was in layers, or done in place. The first one
+  /// is tried where there are many elements.
+  std::optional<bool> next_may_be_in_place_;
 };
 
 }  // namespace abut::detect

@@ -2,7 +2,7 @@
 
 #include "base/detection_context.hpp"
 #include "base/pair_sink.hpp"
-#include "engine/layers/layer_grid.hpp"
+#include "engine/layers/layer_limits.hpp"
 #include "engine/workspace.hpp"
 #include "exact/elements.hpp"
 #include "grid/bounds.hpp"

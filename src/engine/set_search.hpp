@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/detection_context.hpp"
+#include "engine/layers/layer_grid.hpp"
 #include "engine/size_classes.hpp"
 #include "engine/tile_searcher.hpp"
 #include "engine/workspace.hpp"

@@ -2,6 +2,7 @@
 // clusters moved side by side.
 
 #include "base/asking_workers.hpp"
+#include "engine/layers/layer_choice.hpp"
 #include "engine/layers/layer_search.hpp"
 #include "engine/set_cells.hpp"
 #include "engine/set_search.hpp"
@@ -41,9 +42,8 @@ void count_radii(RadiusHistogram& histogram, const LayerSpheres<Dim>& spheres,
 
 template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
-  const bool may_be_few = set.bounds.smallest_radius == set.bounds.largest_radius;
-  if (set.locals.empty()) return false;
-  if (!may_be_few && set.locals.size() < input_->layer_limits.least_elements) return false;
+  if (set.locals.empty() || !may_be_in_layers(set.locals.size(), input_->layer_limits))
+    return false;
   if (!take_layers(set, choose_by_size(set, place_of_all())) && !take_clusters(set)) return false;
   finish();
   return true;

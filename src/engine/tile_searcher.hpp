@@ -3,7 +3,7 @@
 #include "base/pair_sink.hpp"
 #include "base/progress_reporter.hpp"
 #include "engine/deciders/exact_decider.hpp"
-#include "engine/layers/layer_grid.hpp"
+#include "engine/layers/layer_limits.hpp"
 #include "engine/layers/layer_spheres.hpp"
 #include "engine/worker_scratch.hpp"
 #include "exact/elements.hpp"

@@ -111,8 +111,8 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_reach(const grid::Bounds<Dim>& 
 }
 
 template <int Dim>
-double LayerGrid<Dim>::least_step() const noexcept {
-  return std::ldexp(fewest_units_of_step * cell(), -bits_of_exact_cell);
+double LayerGrid<Dim>::least_step_of(double cell) noexcept {
+  return std::ldexp(fewest_units_of_step * cell, -bits_of_exact_cell);
 }
 
 template <int Dim>

@@ -12,53 +12,6 @@
 
 namespace abut::engine {
 
-/// What layers are worth.
-struct LayerLimits {
-  /// Fewer elements are searched as fast in one tile,
-  std::size_t least_elements = 20'000;
-  /// but for those in clusters: tiles would be cut anew around each. Fewer have no full layers.
-  std::size_t least_elements_of_clusters = 4'000;
-  /// The same where distances may be exact: ties would need other decisions in tiles.
-  std::size_t least_elements_in_steps = 4'000;
-  /// Cells of the size of the reach, for each element, from which on clusters are looked for: the
-  /// box is mostly empty.
-  double least_cells_of_clusters = 64.0;
-  /// Mean occupancy of wide cells from which so few elements count as clusters.
-  double least_occupancy_of_clusters = 6.0;
-  /// Beside the work for an element there is work for a row and for a layer.
-  double least_elements_of_layer = 256.0;
-  /// Mean number of elements in two runs that are joined in a vector of eight, up to which layers
-  /// are faster than blocks in tiles.
-  double most_joined = 12.0;
-  /// The same from so many elements on: those in tiles are brought into several arrays, at places
-  /// far apart, which then lie in no cache of one core.
-  double most_joined_beyond_caches = 32.0;
-  std::size_t least_elements_beyond_caches = 250'000;
-  /// The same of discs, which have two runs.
-  double most_joined_of_discs = 24.0;
-  /// The same where cells are wider than the reach needs, so that elements share them in clusters,
-  /// and tiles would be cut anew around each.
-  double most_joined_of_clusters = 400.0;
-  /// The same of clusters that were moved side by side, which tiles would cut anew as well.
-  double most_joined_of_moved = 24.0;
-  /// So many times less crowded cells are better, though most are empty.
-  double least_gain_of_narrow = 2.0;
-  /// The largest radius in smallest ones up to which radii count as equal: cells for the smaller
-  /// ones would be hardly narrower.
-  double radii_alike = 1.125;
-  /// Cost of layers in which elements look for smaller ones, to that of other searches, up to which
-  /// they are taken: both are estimates.
-  double most_by_size = 0.95;
-  /// The candidate tests that these arrays cost an element of tiles, and from how many elements on.
-  double cost_of_copies = 40.0;
-  std::size_t least_elements_of_copies = 50'000;
-  /// Other elements in an element's cell there, up to which they are: crowds are cut anew in tiles.
-  double most_crowded_by_size = 12.0;
-  /// Elements from which on spheres are sorted by layer along with their records, where most pairs
-  /// must be decided: fewer are in the caches wherever they lie.
-  std::size_t least_elements_with_spheres = 400000;
-};
-
 /// A cell has 2^cell_shift units, and the largest reach less than 2^reach_bits, where this bounds
 /// errors.
 struct LayerUnits {
@@ -94,10 +47,10 @@ class LayerGrid {
   /// Returns a grid over the same elements, of one radius, whose coordinates are all multiples of a
   /// power of two, `step`: a unit is a part of it, so that positions are exact, and all distances
   /// (docs/derivations/layer_steps.md). None where it would have too many cells along an axis, or
-  /// the step is shorter than `least_step`: cells would be much wider.
+  /// the step is shorter than `least_step_of` its cells, which would be much wider.
   [[nodiscard]] std::optional<LayerGrid> in_steps(const grid::Bounds<Dim>& bounds, double margin,
                                                   std::size_t elements, double step) const;
-  [[nodiscard]] double least_step() const noexcept;
+  [[nodiscard]] static double least_step_of(double cell) noexcept;
 
   [[nodiscard]] const kernels::PositionMap& map() const noexcept { return map_; }
 
@@ -201,15 +154,14 @@ class LayerGrid {
   [[nodiscard]] bool has_wide_cells() const noexcept { return has_wide_cells_; }
   /// Cells of two runs that are joined in a vector.
   [[nodiscard]] double cells_joined() const noexcept;
-
- private:
-  /// Of the number of a cell along an axis, at most.
-  static constexpr int bits_of_cells = 32 - kernels::cell_bits;
-
   /// Width of a cell as the elements are given.
   [[nodiscard]] double cell() const noexcept {
     return std::ldexp(1.0, cell_shift_) / map_.units_of_one;
   }
+
+ private:
+  /// Of the number of a cell along an axis, at most.
+  static constexpr int bits_of_cells = 32 - kernels::cell_bits;
 
   [[nodiscard]] std::int32_t position(double x, std::size_t axis) const noexcept {
     return static_cast<std::int32_t>((x - map_.lower[axis]) * map_.units_of_one);

@@ -16,8 +16,15 @@ double draws_for_root(SampleSize size) {
   return size == SampleSize::full ? 8.0 : 2.0;
 }
 
-/// Those that are drawn lie anywhere in memory.
+/// Those that are drawn lie anywhere in memory: where they lie in no near cache, they are fetched.
 constexpr std::size_t fetched_ahead = 16;
+constexpr std::size_t most_in_near_cache = 4096;
+
+/// Elements are drawn by the upper bits of scattered numbers, since a remainder takes longer than
+/// the rest of a draw. So the draws are much the same for all systems. From this number on they
+/// draw one element twice as often as chance has it, to a fifth, among 1,400 elements and more:
+/// the best of 3,000 that were tried.
+constexpr std::uint64_t first_draw = std::uint64_t{469} << 32;
 
 /// A bijection of 64 bits that scatters neighbours (the finalizer of MurmurHash3, A. Appleby).
 std::uint64_t scattered(std::uint64_t k) {
@@ -39,9 +46,12 @@ double OccupancySample::mean_occupancy(const Cells& cells, const LayerSpheres<Di
   const auto count = static_cast<double>(spheres.size());
   const auto draws = static_cast<std::size_t>(draws_for_root(size) * std::sqrt(count));
   base::make_room(drawn_, draws);
-  const auto number = [&](std::size_t k) { return scattered(k) % spheres.size(); };
+  const auto number = [&](std::size_t k) {
+    return (scattered(first_draw + k) >> 32) * spheres.size() >> 32;
+  };
+  const bool are_near = spheres.size() <= most_in_near_cache;
   for (std::size_t k = 0; k < draws; ++k) {
-    spheres.fetch(number(k + fetched_ahead));
+    if (!are_near) spheres.fetch(number(k + fetched_ahead));
     drawn_[k] = cells.cell(spheres[number(k)]);
   }
   const auto drawn = static_cast<double>(draws);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace abut::exact {
@@ -7,10 +8,16 @@ namespace abut::exact {
 /// The cube root by Newton's iteration from above: + - x / only, so that it has the same bits on
 /// every machine, unlike std::cbrt. For finite x > 0.
 [[nodiscard]] inline double cube_root(double x) noexcept {
-  // 2^(ceil(e / 3) + 1) >= the root.
-  double root = std::ldexp(1.0, std::ilogb(x) / 3 + 2);
+  // x = m 8^k with 1 <= m < 8. The root of m is concave: it lies below its tangents, here at 1 and
+  // at 4, and not more than a seventeenth.
+  const int exponent = std::ilogb(x);
+  const int k = (exponent < 0 ? exponent - 2 : exponent) / 3;
+  const double m = std::ldexp(x, -3 * k);
+  constexpr double root_of_4 = 1.5874010519682;  // rounded up
+  const double tangent = std::min(1.0 + (m - 1.0) / 3.0, root_of_4 * (1.0 + (m - 4.0) / 12.0));
+  double root = std::ldexp(tangent * (1.0 + 0x1p-50), k);
   while (true) {
-    const double next = root - (root - x / root / root) / 3.0;
+    const double next = root - (root - x / (root * root)) * (1.0 / 3.0);
     if (!(next < root)) return root;
     root = next;
   }

@@ -25,6 +25,8 @@ namespace abut::testing {
 /// Whatever the layers are worth.
 inline constexpr engine::LayerLimits always_in_layers{
     .least_elements = 0,
+    .least_sparse_elements = 0,
+    .least_moved_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
     .most_joined_beyond_caches = std::numeric_limits<double>::infinity(),
@@ -35,6 +37,9 @@ inline constexpr engine::LayerLimits always_in_layers{
 /// Elements look for smaller ones, whatever that costs. Elements of one radius are not asked.
 inline constexpr engine::LayerLimits always_by_size{
     .least_elements = 0,
+    .least_sparse_elements = 0,
+    .least_elements_by_size = 0,
+    .least_moved_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = 0.0,
     .most_joined_beyond_caches = 0.0,
@@ -48,6 +53,9 @@ inline constexpr engine::LayerLimits always_by_size{
 inline constexpr engine::LayerLimits always_moved{
     .least_elements = 0,
     .least_elements_of_clusters = 0,
+    .least_sparse_elements = 0,
+    .least_elements_by_size = 0,
+    .least_moved_elements = 0,
     .least_cells_of_clusters = 0.0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -236,10 +237,40 @@ TYPED_TEST(LayerSearchOf, FewElementsInClusters) {
   const std::array extent{300.0, 300.0, 300.0};
   expect_right_in_layers<dim>(clumps<dim>(this->random_, 10'000, 40, extent, 0.5), 0.0, Way::layers,
                               {});
-  expect_right_in_layers<dim>(clumps<dim>(this->random_, 3'000, 40, extent, 0.5), 0.0, Way::tiles,
+  expect_right_in_layers<dim>(clumps<dim>(this->random_, 1'499, 40, extent, 0.5), 0.0, Way::tiles,
                               {});
-  expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, 10'000, extent), 0.0, Way::tiles,
-                              {});
+}
+
+/// In a box that is nearly empty an element of a tile looks in few of the rows around it, so that
+/// many more are needed to make layers faster.
+TYPED_TEST(LayerSearchOf, SparseElements) {
+  constexpr int dim = TypeParam::value;
+  engine::LayerLimits limits;
+  const auto expect_way = [&](double width, Way way) {
+    const auto spheres = uniform_spheres<dim>(this->random_, 10'000, {width, width, width});
+    expect_right_in_layers<dim>(spheres, 0.0, way, limits);
+  };
+  const double cell = dim == 2 ? 100.0 : std::cbrt(10'000.0);
+  expect_way(3.8 * cell, Way::layers);
+  expect_way(4.2 * cell, Way::tiles);
+  limits.least_sparse_elements = 10'000;
+  expect_way(4.2 * cell, Way::layers);
+}
+
+/// Few elements are searched in one tile, and in layers where they would need several.
+TYPED_TEST(LayerSearchOf, FewElementsOfOneTileOrMore) {
+  constexpr int dim = TypeParam::value;
+  const auto expect_way = [&](std::size_t count, const std::array<double, 3>& ratios, Way way) {
+    SCOPED_TRACE(std::to_string(count) + " elements");
+    const auto extent = box_for<dim>(count, 3.0, ratios);
+    expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, count, extent), 0.0, way, {});
+  };
+  const std::array<double, 3> cube{1.0, 1.0, 1.0};
+  const std::array<double, 3> rod{1.0, 0.1, 0.05};
+  expect_way(1'499, rod, Way::tiles);
+  expect_way(1'500, rod, Way::layers);
+  expect_way(dim == 2 ? 900 : 9'999, cube, Way::tiles);
+  expect_way(10'000, cube, Way::layers);
 }
 
 /// The same of lattices whose distances are exact, and of those whose are not.
@@ -250,9 +281,9 @@ TYPED_TEST(LayerSearchOf, FewElementsOnLattices) {
     expect_right_in_layers<dim>(lattice, 0.0, way, {});
     expect_right_in_layers<dim>(in_tenths<dim>(lattice), 0.0, way_in_tenths, {});
   };
-  expect_way(dim == 2 ? 60 : 15, Way::tiles, Way::tiles);
-  expect_way(dim == 2 ? 115 : 17, Way::layers, Way::tiles);
-  expect_way(dim == 2 ? 150 : 28, Way::layers, Way::layers);
+  expect_way(dim == 2 ? 15 : 6, Way::tiles, Way::tiles);
+  expect_way(dim == 2 ? 16 : 7, Way::layers, Way::tiles);
+  expect_way(dim == 2 ? 100 : 22, Way::layers, Way::layers);
 }
 
 /// Cells of the reach, most of them empty, are about half as crowded as wide ones with an element

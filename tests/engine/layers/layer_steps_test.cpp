@@ -106,7 +106,7 @@ TYPED_TEST(LayerStepsOf, StepsOfAllLengths) {
     expect_right_in_layers<dim>(spheres);
     const auto grid = engine::LayerGrid<dim>::over(bounds_of<dim>(spheres), 0.0, 1.001, 1200);
     ASSERT_TRUE(grid);
-    EXPECT_EQ(grid->least_step() <= 1.0 / static_cast<double>(steps), bits <= 9);
+    EXPECT_EQ(grid->least_step_of(grid->cell()) <= 1.0 / static_cast<double>(steps), bits <= 9);
   }
 }
 

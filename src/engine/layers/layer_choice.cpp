@@ -1,0 +1,232 @@
+#include "engine/layers/layer_choice.hpp"
+
+#include "engine/box_in_cells.hpp"
+#include "engine/layers/cell_by_size.hpp"
+#include "engine/layers/coordinate_step.hpp"
+#include "engine/set_cells.hpp"
+
+#include <algorithm>
+
+namespace abut::engine {
+namespace {
+
+/// Two sorted layers have places of 32 bits, and all elements might lie in them.
+constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} << 16);
+
+/// Cells are not so small that an axis would have more: positions have bits for 2,044.
+constexpr double most_cells_along_axis = 2040.0;
+
+/// Cells of two joined runs of nine columns, a quarter of a cell each.
+constexpr double cells_joined_at_reach = 2.0 * 9.0 / 4.0;
+
+template <int Dim>
+bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
+  return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
+}
+
+template <int Dim>
+bool are_all_spheres(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
+  return !input.elements.are_boxes() && pair_with_none_but_each_other(set) &&
+         set.locals.are_the_first() && set.locals.size() <= most_elements;
+}
+
+template <int Dim>
+bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std::size_t elements) {
+  return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
+}
+
+template <int Dim>
+double most_joined(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input,
+                   std::size_t elements) {
+  const LayerLimits& limits = input.layer_limits;
+  if (input.spheres.are_moved()) return limits.most_joined_of_moved;
+  if (grid.has_wide_cells()) return limits.most_joined_of_clusters;
+  if (Dim == 2) return limits.most_joined_of_discs;
+  return elements < limits.least_elements_beyond_caches ? limits.most_joined
+                                                        : limits.most_joined_beyond_caches;
+}
+
+template <int Dim>
+bool is_nearly_empty(const SearchSet<Dim>& set, const LayerLimits& limits, double cell) {
+  const double cells = limits.least_cells_of_clusters * static_cast<double>(set.locals.size());
+  return BoxInCells<Dim>(set.bounds, cell).cells >= cells;
+}
+
+/// Tells whether cells that were widened may be narrower again: in cells of the size of the reach,
+/// not nearly all would be empty.
+template <int Dim>
+bool may_be_narrow(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
+                   const SearchInput<Dim>& input, double least_cell) {
+  if (input.spheres.are_moved()) return grid.has_wide_cells();
+  return grid.has_wide_cells() && !is_nearly_empty(set, input.layer_limits, least_cell);
+}
+
+/// The fewest whose distances are not exact.
+std::size_t fewest_elements(const LayerLimits& limits) {
+  return std::min(
+      {limits.least_elements, limits.least_elements_of_tiles, limits.least_elements_of_clusters});
+}
+
+template <int Dim>
+StepRange steps_for(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
+  return {std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(grid.cell())),
+          input.given.largest_step};
+}
+
+/// The same for cells of that size or wider, from what the numbers of some spheres say.
+template <int Dim>
+bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double least_cell) {
+  const StepRange range{std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(least_cell)),
+                        input.given.largest_step};
+  return set.bounds.smallest_radius == set.bounds.largest_radius &&
+         may_have_step<Dim>(input.given.spheres, range);
+}
+
+/// Tells whether so many elements are searched in less time than in tiles, whatever is special
+/// about them.
+template <int Dim>
+bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const LayerGrid<Dim>& grid,
+              double least_cell) {
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (input.spheres.are_moved() || elements >= limits.least_sparse_elements) return true;
+  if (grid.cell() >= limits.least_sparse_cell * least_cell) return false;
+  if (elements >= limits.least_elements) return true;
+  return elements >= limits.least_elements_of_tiles &&
+         cut_into_tiles(set, least_cell).tiles_in_box() > 1.0;
+}
+
+/// How crowded the cells of a grid are.
+template <int Dim>
+double elements_joined(const LayerGrid<Dim>& grid, double occupancy) {
+  return (occupancy - 1.0) * grid.cells_joined();
+}
+
+/// Returns the grid, or a narrower one, whose joined runs have few enough elements, if there is
+/// one.
+template <int Dim>
+std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occupancy,
+                                        const SearchSet<Dim>& set, const SearchInput<Dim>& input,
+                                        double least_cell, OccupancySample& sample) {
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  const auto suits = [&](const LayerGrid<Dim>& cells, double its_occupancy) {
+    return elements_joined(cells, its_occupancy) <= most_joined(cells, input, elements);
+  };
+  const bool are_crowded = elements_joined(grid, occupancy) > limits.most_joined;
+  if (are_crowded && may_be_narrow(grid, set, input, least_cell)) {
+    const auto narrow = LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements);
+    if (narrow && has_full_layers(*narrow, limits, elements)) {
+      const double its =
+          sample.mean_occupancy(*narrow, input.spheres.first(elements), SampleSize::full);
+      if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) return narrow;
+    }
+  }
+  return suits(grid, occupancy) ? std::optional(grid) : std::nullopt;
+}
+
+}  // namespace
+
+bool may_be_in_layers(std::size_t elements, const LayerLimits& limits) noexcept {
+  return elements >= std::min({fewest_elements(limits), limits.least_elements_in_steps,
+                               limits.least_elements_by_size});
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
+                                            const SearchInput<Dim>& input, double least_cell,
+                                            OccupancySample& sample) {
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (!are_all_spheres(set, input) || !may_be_in_layers(elements, limits)) return std::nullopt;
+  const bool may_be_exact = elements >= limits.least_elements_in_steps &&
+                            elements < limits.least_elements &&
+                            may_be_in_steps(set, input, least_cell);
+  if (!may_be_exact && elements < fewest_elements(limits)) return std::nullopt;
+  const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);
+  if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
+  const bool are_enough = may_be_exact || are_many(set, input, *grid, least_cell);
+  const bool may_be_clusters =
+      elements >= limits.least_elements_of_clusters && grid->has_wide_cells();
+  if (!are_enough && !may_be_clusters) return std::nullopt;
+  const auto size = are_enough ? SampleSize::full : SampleSize::small;
+  const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements), size);
+  if (!are_enough && occupancy < limits.least_occupancy_of_clusters) return std::nullopt;
+  return uncrowded(*grid, occupancy, set, input, least_cell, sample);
+}
+
+template <int Dim>
+bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double reach,
+                       OccupancySample& sample) {
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (input.spheres.are_moved() || !are_all_spheres(set, input) ||
+      elements < limits.least_moved_elements || !is_nearly_empty(set, limits, reach)) {
+    return false;
+  }
+  // Those that differ much in size are not searched in such cells.
+  if (set.bounds.largest_radius > 2.0 * set.bounds.smallest_radius) return true;
+  const double occupancy = sample.mean_occupancy(ReachCells<Dim>(set.bounds, reach),
+                                                 input.spheres.first(elements), SampleSize::full);
+  return (occupancy - 1.0) * cells_joined_at_reach <= limits.most_joined_of_moved;
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
+                                              const SearchInput<Dim>& input,
+                                              const LayerGrid<Dim>& grid, std::size_t workers,
+                                              base::WorkCounter& work) {
+  if (!grid.has_equal_radii()) return std::nullopt;
+  const auto step = coordinate_step<Dim>(input.given.spheres, steps_for(grid, input),
+                                         input.layer_kernels, workers, work);
+  if (!step) return std::nullopt;
+  return grid.in_steps(set.bounds, input.margin, set.locals.size(), *step);
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
+                                                    const SearchInput<Dim>& input,
+                                                    const SizeEstimate& estimate,
+                                                    OccupancySample& sample) {
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (!are_all_spheres(set, input) || elements < limits.least_elements_by_size) return std::nullopt;
+  const CellBySize best = choose_cell_by_size<Dim>(estimate.classes, estimate.sizes, set.bounds);
+  if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * estimate.other_cost)) {
+    return std::nullopt;
+  }
+  double cell = std::max(best.cell, estimate.least_cell);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const double extent = set.bounds.upper[axis] - set.bounds.lower[axis];
+    cell = std::max(cell, extent / most_cells_along_axis);
+  }
+  const auto grid = LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements);
+  if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
+  const double occupancy =
+      sample.mean_occupancy(*grid, input.spheres.first(elements), SampleSize::full);
+  if (occupancy - 1.0 > limits.most_crowded_by_size) return std::nullopt;
+  return grid;
+}
+
+template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const SearchInput<2>&,
+                                                   double, OccupancySample&);
+template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const SearchInput<3>&,
+                                                   double, OccupancySample&);
+template bool may_have_clusters(const SearchSet<2>&, const SearchInput<2>&, double,
+                                OccupancySample&);
+template bool may_have_clusters(const SearchSet<3>&, const SearchInput<3>&, double,
+                                OccupancySample&);
+template std::optional<LayerGrid<2>> choose_layers_by_size(const SearchSet<2>&,
+                                                           const SearchInput<2>&,
+                                                           const SizeEstimate&, OccupancySample&);
+template std::optional<LayerGrid<3>> choose_layers_by_size(const SearchSet<3>&,
+                                                           const SearchInput<3>&,
+                                                           const SizeEstimate&, OccupancySample&);
+template std::optional<LayerGrid<2>> layers_in_steps(const SearchSet<2>&, const SearchInput<2>&,
+                                                     const LayerGrid<2>&, std::size_t,
+                                                     base::WorkCounter&);
+template std::optional<LayerGrid<3>> layers_in_steps(const SearchSet<3>&, const SearchInput<3>&,
+                                                     const LayerGrid<3>&, std::size_t,
+                                                     base::WorkCounter&);
+
+}  // namespace abut::engine

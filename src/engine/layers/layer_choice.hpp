@@ -1,0 +1,57 @@
+#pragma once
+
+#include "engine/layers/layer_grid.hpp"
+#include "engine/layers/layer_limits.hpp"
+#include "engine/layers/occupancy_sample.hpp"
+#include "engine/search_set.hpp"
+#include "engine/size_classes.hpp"
+#include "engine/tile_searcher.hpp"
+
+#include <cstddef>
+#include <optional>
+
+namespace abut::engine {
+
+/// Tells whether so many elements may be searched in layers, whatever they are like.
+[[nodiscard]] bool may_be_in_layers(std::size_t elements, const LayerLimits& limits) noexcept;
+
+/// Returns the grid of layers for a search set if they suit it: spheres of one radius, spread
+/// evenly enough, that meet none but each other.
+template <int Dim>
+[[nodiscard]] std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
+                                                          const SearchInput<Dim>& input,
+                                                          double least_cell,
+                                                          OccupancySample& sample);
+
+/// Tells whether a search set may be moved cluster by cluster: in cells of the size of the reach
+/// nearly all of its box is empty, and where it is not, elements do not crowd.
+template <int Dim>
+[[nodiscard]] bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
+                                     double reach, OccupancySample& sample);
+
+/// Returns the grid of such layers in which all distances are exact, if the elements as given have
+/// coordinates that allow it: no pair will be left undecided.
+template <int Dim>
+[[nodiscard]] std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
+                                                            const SearchInput<Dim>& input,
+                                                            const LayerGrid<Dim>& grid,
+                                                            std::size_t workers,
+                                                            base::WorkCounter& work);
+
+/// What is known of the sizes in a search set.
+struct SizeEstimate {
+  const SizeClasses& classes;
+  const SizeDistribution& sizes;
+  double other_cost;  ///< of the best search without layers by size, in candidate tests
+  double least_cell;
+};
+
+/// Returns the grid of layers for a search set whose spheres differ in size, each of which looks
+/// for smaller ones, if they suit it and cost less than other searches.
+template <int Dim>
+[[nodiscard]] std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
+                                                                  const SearchInput<Dim>& input,
+                                                                  const SizeEstimate& estimate,
+                                                                  OccupancySample& sample);
+
+}  // namespace abut::engine

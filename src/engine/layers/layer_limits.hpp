@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+
+namespace abut::engine {
+
+/// What layers are worth.
+struct LayerLimits {
+  /// Fewer elements are searched as fast in one tile, or where they need several, which hold copies
+  /// of each other's elements, than the second number.
+  std::size_t least_elements = 10'000;
+  std::size_t least_elements_of_tiles = 1'500;
+  /// The same in clusters, around each of which tiles would be cut anew, and where distances may be
+  /// exact: ties would need other decisions in tiles.
+  std::size_t least_elements_of_clusters = 1'500;
+  std::size_t least_elements_in_steps = 250;
+  /// Mean occupancy of wide cells from which so few elements count as clusters.
+  double least_occupancy_of_clusters = 6.0;
+  /// The same where cells for an element each are so many times as wide as the reach: in tiles an
+  /// element looks in few of the rows around it then.
+  double least_sparse_cell = 4.0;
+  std::size_t least_sparse_elements = 20'000;
+  /// Elements that look for smaller ones, from which on that is faster than a division by size.
+  std::size_t least_elements_by_size = 5'000;
+  /// Elements whose clusters are worth a move, and cells of the size of the reach, for each
+  /// element, from which on clusters are looked for: the box is mostly empty.
+  std::size_t least_moved_elements = 20'000;
+  double least_cells_of_clusters = 64.0;
+  /// Beside the work for an element there is work for a row and for a layer.
+  double least_elements_of_layer = 8.0;
+  /// Mean number of elements in two runs that are joined in a vector of eight, up to which layers
+  /// are faster than blocks in tiles.
+  double most_joined = 14.0;
+  /// The same from so many elements on: those in tiles are brought into several arrays, at places
+  /// far apart, which then lie in no cache of one core.
+  double most_joined_beyond_caches = 32.0;
+  std::size_t least_elements_beyond_caches = 100'000;
+  /// The same of discs, which have two runs.
+  double most_joined_of_discs = 24.0;
+  /// The same where cells are wider than the reach needs, so that elements share them in clusters,
+  /// and tiles would be cut anew around each.
+  double most_joined_of_clusters = 400.0;
+  /// The same of clusters that were moved side by side, which tiles would cut anew as well.
+  double most_joined_of_moved = 24.0;
+  /// So many times less crowded cells are better, though most are empty.
+  double least_gain_of_narrow = 2.0;
+  /// The largest radius in smallest ones up to which radii count as equal: cells for the smaller
+  /// ones would be hardly narrower.
+  double radii_alike = 1.125;
+  /// Cost of layers in which elements look for smaller ones, to that of other searches, up to which
+  /// they are taken: both are estimates.
+  double most_by_size = 0.95;
+  /// The candidate tests that these arrays cost an element of tiles, and from how many elements on.
+  double cost_of_copies = 40.0;
+  std::size_t least_elements_of_copies = 50'000;
+  /// Other elements in an element's cell there, up to which they are: crowds are cut anew in tiles.
+  double most_crowded_by_size = 12.0;
+  /// Elements from which on spheres are sorted by layer along with their records, where most pairs
+  /// must be decided: fewer are in the caches wherever they lie.
+  std::size_t least_elements_with_spheres = 400000;
+};
+
+}  // namespace abut::engine

@@ -24,17 +24,20 @@ bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
   return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
 }
 
+/// Tells whether all are spheres that pair with none but each other, and have places.
 template <int Dim>
 bool are_all_spheres(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
   return !input.elements.are_boxes() && pair_with_none_but_each_other(set) &&
          set.locals.are_the_first() && set.locals.size() <= most_elements;
 }
 
+/// Tells whether layers hold enough elements to be worth their tables.
 template <int Dim>
 bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std::size_t elements) {
   return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
 }
 
+/// Returns how many elements two joined runs may have.
 template <int Dim>
 double most_joined(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input,
                    std::size_t elements) {
@@ -46,6 +49,7 @@ double most_joined(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input,
                                                         : limits.most_joined_beyond_caches;
 }
 
+/// Tells whether the box of a set has so many cells that clusters might fill a few of them.
 template <int Dim>
 bool is_nearly_empty(const SearchSet<Dim>& set, const LayerLimits& limits, double cell) {
   const double cells = limits.least_cells_of_clusters * static_cast<double>(set.locals.size());
@@ -61,19 +65,20 @@ bool may_be_narrow(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
   return grid.has_wide_cells() && !is_nearly_empty(set, input.layer_limits, least_cell);
 }
 
-/// The fewest whose distances are not exact.
+/// The fewest elements, but for those whose distances are exact.
 std::size_t fewest_elements(const LayerLimits& limits) {
   return std::min(
       {limits.least_elements, limits.least_elements_of_tiles, limits.least_elements_of_clusters});
 }
 
+/// The steps of coordinates with which distances are exact in the cells of a grid.
 template <int Dim>
 StepRange steps_for(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
   return {std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(grid.cell())),
           input.given.largest_step};
 }
 
-/// The same for cells of that size or wider, from what the numbers of some spheres say.
+/// Tells whether some spheres have such steps, in cells of that size or wider.
 template <int Dim>
 bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double least_cell) {
   const StepRange range{std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(least_cell)),
@@ -82,8 +87,7 @@ bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, d
          may_have_step<Dim>(input.given.spheres, range);
 }
 
-/// Tells whether so many elements are searched in less time than in tiles, whatever is special
-/// about them.
+/// Tells whether so many elements take less time than in tiles, whatever is special about them.
 template <int Dim>
 bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const LayerGrid<Dim>& grid,
               double least_cell) {
@@ -96,7 +100,7 @@ bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const La
          cut_into_tiles(set, least_cell).tiles_in_box() > 1.0;
 }
 
-/// How crowded the cells of a grid are.
+/// Elements in two joined runs of another one, on average.
 template <int Dim>
 double elements_joined(const LayerGrid<Dim>& grid, double occupancy) {
   return (occupancy - 1.0) * grid.cells_joined();

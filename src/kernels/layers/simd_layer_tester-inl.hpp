@@ -106,8 +106,9 @@ class SimdLayerTester {
   static constexpr std::uint32_t crowded_share = 5;
 
   /// In place of hits: the runs are too long for their vectors, or the filter leaves some
-  /// undecided.
-  static constexpr HitBits with_care = HitBits{1} << 63;
+  /// undecided. An element of a crowd has the first bit alone.
+  static constexpr HitBits with_care = HitBits{1} << 62;
+  static constexpr HitBits with_undecided = HitBits{1} << 63;
 
   static constexpr Bits all_bits = ~Bits{0};
 
@@ -180,7 +181,8 @@ class SimdLayerTester {
       if (!Search::some_have_hits && hits == 0) continue;
       if (HWY_UNLIKELY(hits >= with_care)) {
         hits_.set_found(found);
-        const ElementRuns its = test_runs_of(elements, k);
+        const ElementRuns its =
+            hits >= with_undecided ? test_with_care(elements, k) : test_runs_of(elements, k);
         counts.add(its);
         if (filling == Filling::joined && its.is_crowded) ++counts.crowded;
         found = hits_.found();
@@ -212,11 +214,12 @@ class SimdLayerTester {
     VectorHits all;
     filter_vectors<filling>(probe, runs, number, all,
                             std::make_index_sequence<vectors_of<filling>>());
-    const auto needs_care =
-        static_cast<std::uint32_t>((all.excess >= 2 * candidates) | !probe.is_decided(band_));
+    const auto is_crowded = static_cast<std::uint32_t>(all.excess >= 2 * candidates);
+    const auto has_undecided = static_cast<std::uint32_t>(!probe.is_decided(band_));
+    const std::uint32_t needs_care = is_crowded | has_undecided;
     tests += all.size & (needs_care - 1);
     if (filling == Filling::single) counts.crowded += all.joined_excess >= 2 * candidates ? 1 : 0;
-    return all.hits | HitBits{needs_care} * with_care;
+    return all.hits | HitBits{is_crowded} * with_care | HitBits{has_undecided} * with_undecided;
   }
 
   template <Filling filling, class Runs, std::size_t... v>

@@ -6,8 +6,9 @@
 namespace abut::exact {
 
 /// The cube root by Newton's iteration from above: + - x / only, so that it has the same bits on
-/// every machine, unlike std::cbrt. For finite x > 0.
+/// every machine, unlike std::cbrt. For x >= 0: that of 0 is 0, that of infinity is infinity.
 [[nodiscard]] inline double cube_root(double x) noexcept {
+  if (!(x > 0.0)) return x;  // no power of 8 is a scale for 0
   // x = m 8^k with 1 <= m < 8. The root of m is concave: it lies below its tangents, here at 1 and
   // at 4, and not more than a seventeenth.
   const int exponent = std::ilogb(x);

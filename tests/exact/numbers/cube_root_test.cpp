@@ -25,6 +25,13 @@ TEST(CubeRoot, AtEveryScale) {
   EXPECT_GT(exact::cube_root(std::numeric_limits<double>::max()), 5e102);
 }
 
+/// A layout of one box without a volume asks for the first, a volume that overflows for the second.
+TEST(CubeRoot, OfZeroAndInfinity) {
+  EXPECT_EQ(exact::cube_root(0.0), 0.0);
+  EXPECT_EQ(exact::cube_root(std::numeric_limits<double>::infinity()),
+            std::numeric_limits<double>::infinity());
+}
+
 TEST(Root, IsSquareOrCubeRoot) {
   EXPECT_EQ(exact::root<2>(9.0), 3.0);
   EXPECT_NEAR(exact::root<3>(27.0), 3.0, 0x1p-50);

@@ -67,7 +67,7 @@ SearchInput<Dim> input_of(const exact::Elements<Dim>& elements,
                           const RowsCall& call) {
   const Simd simd = call.settings.simd;
   return {elements,
-          LayerSpheres<Dim>(kernels::SphereParts(spheres)),
+          LayerSpheres<Dim>(kernels::SphereParts(spheres)).standing_for(elements.boxes),
           steps,
           decider,
           margin,

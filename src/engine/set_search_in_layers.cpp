@@ -84,7 +84,7 @@ bool SetSearch<Dim>::take_clusters(const SearchSet<Dim>& set) {
   moved_set.bounds.lower.fill(0.0);
   moved_set.bounds.upper = moved->upper;
   moved_.emplace(given_);
-  moved_->spheres = moved->spheres;
+  moved_->spheres = moved->spheres.standing_for(input_->spheres.boxes());
   moved_->given = {};
   start_workers(*moved_);
   const bool are_searched = take_layers(moved_set, choose_by_size(moved_set, place_of_all()));

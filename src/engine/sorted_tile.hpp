@@ -15,7 +15,7 @@ namespace abut::engine {
 
 /// Sizes of the records of a tile.
 struct RecordSizes {
-  kernels::TileShape shape = kernels::TileShape::equal_spheres;
+  kernels::ElementShape shape = kernels::ElementShape::equal_spheres;
   std::span<const float> sizes;  ///< record by record
   float common_radius = 0.0f;    ///< of equal spheres; of others the largest
 };

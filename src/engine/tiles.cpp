@@ -51,10 +51,11 @@ void record_locals(const Recorder<Dim>& recorder, const kernels::ElementKernels&
 }
 
 template <int Dim>
-kernels::TileShape shape_of(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds) {
-  if (elements.are_boxes()) return kernels::TileShape::boxes;
-  return bounds.smallest_radius == bounds.largest_radius ? kernels::TileShape::equal_spheres
-                                                         : kernels::TileShape::spheres;
+kernels::ElementShape shape_of(const exact::Elements<Dim>& elements,
+                               const grid::Bounds<Dim>& bounds) {
+  if (elements.are_boxes()) return kernels::ElementShape::boxes;
+  return bounds.smallest_radius == bounds.largest_radius ? kernels::ElementShape::equal_spheres
+                                                         : kernels::ElementShape::spheres;
 }
 
 }  // namespace

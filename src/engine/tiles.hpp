@@ -36,7 +36,7 @@ class Tiles {
   [[nodiscard]] std::span<const Record<Dim>> records(std::size_t tile) const noexcept {
     return std::span(records_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
   }
-  [[nodiscard]] kernels::TileShape shape() const noexcept { return shape_; }
+  [[nodiscard]] kernels::ElementShape shape() const noexcept { return shape_; }
   /// Sizes of the records of a tile in its unit, record by record; the shape says which these are.
   [[nodiscard]] std::span<const float> sizes(std::size_t tile) const noexcept {
     return std::span(sizes_).subspan(begin_[tile] * size_columns_,
@@ -114,7 +114,7 @@ class Tiles {
   base::Array<std::uint32_t> coarse_;
   bool has_coarse_ = false;
   bool one_tile_ = false;
-  kernels::TileShape shape_ = kernels::TileShape::equal_spheres;
+  kernels::ElementShape shape_ = kernels::ElementShape::equal_spheres;
   std::size_t size_columns_ = 0;
   double unit_ = 1.0;
 };

@@ -1,7 +1,7 @@
 // The runs of a block of cells, gathered into one, included like simd_pair_tester-inl.hpp.
 
 /// Candidates of all elements of a block, one behind the other.
-template <int Dim, TileShape Shape>
+template <int Dim, ElementShape Shape>
 class SimdBlock {
  public:
   /// Vectors of candidates, each of one element, in which the filter leaves some.

@@ -4,7 +4,7 @@
 ///
 ///   run   0          1      2             3      4
 ///   near  (always)   y + 1  z + 1, y - 1  z + 1  z + 1, y + 1
-template <int Dim, TileShape Shape, std::size_t Runs>
+template <int Dim, ElementShape Shape, std::size_t Runs>
 class SimdNearby {
  public:
   static constexpr std::uint32_t batch_size = 64;
@@ -32,7 +32,7 @@ class SimdNearby {
     const hn::RebindToSigned<NumberTag> integers;
     const Bits within = last - p < lanes ? (1u << (last - p)) - 1 : all_lanes;
     Floats reach = hn::Set(floats, largest_);
-    if constexpr (Shape == TileShape::equal_spheres) {
+    if constexpr (Shape == ElementShape::equal_spheres) {
       reach = hn::Add(reach, hn::Set(floats, tile_.common_radius));
     } else {
       reach = hn::Add(reach, hn::LoadU(floats, tile_.size[0] + p));

@@ -2,7 +2,7 @@
 // namespace of tile_search_simd.cpp, whose names it uses: no include guard, and no includes.
 
 /// Tests an element against runs of candidates.
-template <int Dim, TileShape Shape>
+template <int Dim, ElementShape Shape>
 class SimdPairTester {
  public:
   HWY_INLINE SimdPairTester(const TileView& tile, SearchJob& job)
@@ -36,7 +36,7 @@ class SimdPairTester {
   template <std::size_t Runs>
   HWY_INLINE void test_nearby(std::uint32_t first, std::uint32_t last,
                               const RowOfCells<Runs>& row) {
-    if constexpr (Shape != TileShape::boxes) {
+    if constexpr (Shape != ElementShape::boxes) {
       SimdNearby<Dim, Shape, Runs> nearby(tile_, job_);
       const Probe any = probe_of(first);
       const Columns columns = sorted_;

@@ -17,7 +17,7 @@ struct FilteredLanes {
 using Filtered = FilteredLanes<FloatTag>;
 
 /// Spheres, or equal spheres.
-template <int Dim, TileShape Shape, class Tag = FloatTag>
+template <int Dim, ElementShape Shape, class Tag = FloatTag>
 class SimdProbe {
   using Floats = hn::Vec<Tag>;
   using NumberTag = hn::RebindToUnsigned<Tag>;
@@ -28,7 +28,7 @@ class SimdProbe {
 
  public:
   /// Columns that say how large a candidate is.
-  static constexpr int size_columns = Shape == TileShape::equal_spheres ? 0 : 1;
+  static constexpr int size_columns = Shape == ElementShape::equal_spheres ? 0 : 1;
 
   HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, std::uint32_t p) {
     for (int axis = 0; axis < Dim; ++axis) center_[axis] = hn::Set(floats, tile.center[axis][p]);
@@ -75,7 +75,7 @@ class SimdProbe {
   }
 
  private:
-  static constexpr bool equal = Shape == TileShape::equal_spheres;
+  static constexpr bool equal = Shape == ElementShape::equal_spheres;
 
   HWY_INLINE void set_reach(const TileView& tile, const SearchJob& job, float radius, float slack) {
     const float reach = radius + job.margin + (equal ? tile.common_radius : 0.0f);
@@ -96,7 +96,7 @@ class SimdProbe {
 
 /// Boxes: on each axis neither may lie behind the other's end.
 template <int Dim, class Tag>
-class SimdProbe<Dim, TileShape::boxes, Tag> {
+class SimdProbe<Dim, ElementShape::boxes, Tag> {
   using Floats = hn::Vec<Tag>;
   using NumberTag = hn::RebindToUnsigned<Tag>;
   using Numbers = hn::Vec<NumberTag>;

@@ -53,7 +53,7 @@ class TileSearch {
 
   /// Tells whether elements lie near few of the rows around their own, on average.
   static bool has_wide_cells(const TileView& tile, const SearchJob& job) {
-    if (tile.shape == TileShape::boxes) return false;
+    if (tile.shape == ElementShape::boxes) return false;
     float near[3];
     for (int axis = 0; axis < Dim; ++axis) {
       const float reach = 2.0f * tile.common_radius + job.margin + job.slack;

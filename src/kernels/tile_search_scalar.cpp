@@ -15,7 +15,7 @@ namespace {
 enum class Hit { none, undecided, sure };
 
 /// An element beside its candidates: equal spheres, or spheres.
-template <int Dim, TileShape Shape>
+template <int Dim, ElementShape Shape>
 class Probe {
  public:
   Probe(const TileView& tile, const SearchJob& job, std::uint32_t p)
@@ -47,7 +47,7 @@ class Probe {
   }
 
  private:
-  static constexpr bool equal = Shape == TileShape::equal_spheres;
+  static constexpr bool equal = Shape == ElementShape::equal_spheres;
 
   void set_reach(const SearchJob& job, float radius, float slack) {
     const float reach = radius + job.margin + (equal ? tile_.common_radius : 0.0f);
@@ -64,7 +64,7 @@ class Probe {
 
 /// Tests two boxes: on each axis neither may begin behind the other's end.
 template <int Dim>
-class Probe<Dim, TileShape::boxes> {
+class Probe<Dim, ElementShape::boxes> {
  public:
   Probe(const TileView& tile, const SearchJob& job, std::uint32_t p)
       : tile_(tile),
@@ -109,7 +109,7 @@ class Probe<Dim, TileShape::boxes> {
 };
 
 /// Tests an element against runs of candidates.
-template <int Dim, TileShape Shape>
+template <int Dim, ElementShape Shape>
 class ScalarPairTester {
  public:
   ScalarPairTester(const TileView& tile, SearchJob& job) : tile_(tile), job_(job) {}
@@ -182,7 +182,8 @@ class ScalarPairTester {
   };
 
   [[nodiscard]] Sides sides(std::uint32_t p, int axis, float index) const {
-    const float radius = Shape == TileShape::equal_spheres ? tile_.common_radius : tile_.size[0][p];
+    const float radius =
+        Shape == ElementShape::equal_spheres ? tile_.common_radius : tile_.size[0][p];
     const float reach = tile_.common_radius + job_.margin + job_.slack + radius;
     const float within = tile_.center[axis][p] * tile_.per_unit[axis] + 1.0f - index;
     const float near = reach * tile_.per_unit[axis] + nearby_slack;

@@ -6,12 +6,12 @@ template <class Body>
 void with_variant(const TileView& tile, int dimensions, Body body) {
   const auto with_shape = [&](auto dimension) {
     switch (tile.shape) {
-      case TileShape::equal_spheres:
-        return body(dimension, std::integral_constant<TileShape, TileShape::equal_spheres>());
-      case TileShape::spheres:
-        return body(dimension, std::integral_constant<TileShape, TileShape::spheres>());
-      case TileShape::boxes:
-        return body(dimension, std::integral_constant<TileShape, TileShape::boxes>());
+      case ElementShape::equal_spheres:
+        return body(dimension, std::integral_constant<ElementShape, ElementShape::equal_spheres>());
+      case ElementShape::spheres:
+        return body(dimension, std::integral_constant<ElementShape, ElementShape::spheres>());
+      case ElementShape::boxes:
+        return body(dimension, std::integral_constant<ElementShape, ElementShape::boxes>());
     }
   };
   if (dimensions == 2) {
@@ -21,14 +21,14 @@ void with_variant(const TileView& tile, int dimensions, Body body) {
   }
 }
 
-template <template <int, TileShape> class PairTester>
+template <template <int, ElementShape> class PairTester>
 void search_with(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
   with_variant(tile, dimensions, [&](auto dimension, auto shape) {
     TileSearch<dimension(), PairTester<dimension(), shape()>>(tile, job).search(layers);
   });
 }
 
-template <template <int, TileShape> class PairTester>
+template <template <int, ElementShape> class PairTester>
 void test_coarse_with(const TileView& tile, SearchJob& job, int dimensions,
                       const CoarseElement& coarse, std::span<const Run> runs) {
   with_variant(tile, dimensions, [&](auto dimension, auto shape) {

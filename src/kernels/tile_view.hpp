@@ -19,16 +19,16 @@ inline constexpr std::uint32_t row_padding = 8;
 /// within reach of nothing.
 inline constexpr float far_away = 1e18f;
 
-/// Shape of the elements of a tile, which says how many columns of sizes there are.
-enum class TileShape {
+/// Shape of the elements of a tile or a layer, which says how many columns of sizes there are.
+enum class ElementShape {
   equal_spheres,  ///< none
   spheres,        ///< one: radii
   boxes,          ///< one for each axis: widths; centers are lower corners
 };
 
-[[nodiscard]] constexpr std::size_t size_columns(TileShape shape, int dimensions) {
-  if (shape == TileShape::boxes) return static_cast<std::size_t>(dimensions);
-  return shape == TileShape::spheres ? 1 : 0;
+[[nodiscard]] constexpr std::size_t size_columns(ElementShape shape, int dimensions) {
+  if (shape == ElementShape::boxes) return static_cast<std::size_t>(dimensions);
+  return shape == ElementShape::spheres ? 1 : 0;
 }
 
 /// The elements of a tile sorted by cell. Along each axis the tile's own cells are framed by one
@@ -41,7 +41,7 @@ enum class TileShape {
 ///
 /// A cell holds either own elements or copies, never both.
 struct TileView {
-  TileShape shape;
+  ElementShape shape;
   const float* center[3];           ///< by axis
   const float* size[3];             ///< as the shape says
   float common_radius;              ///< of equal spheres; of others the largest

@@ -167,7 +167,8 @@ struct PeriodicSearch {
     const engine::SearchInput<Dim> input{
         moved,
         engine::LayerSpheres<Dim>(
-            {images.locals(), kernels::strided_spheres(images.ghost_spheres())}),
+            {images.locals(), kernels::strided_spheres(images.ghost_spheres())})
+            .standing_for(own.moved_boxes),
         steps,
         decider,
         settings.margin * images.unit(),

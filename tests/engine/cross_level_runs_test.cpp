@@ -63,7 +63,7 @@ class CrossLevelRunsOf : public ::testing::Test {
     const auto kernels = kernels::element_kernels(Simd::scalar);
     abut::testing::NobodyAsked nobody;
     tile.count(records, 3000, cells, kernels, nobody.work);
-    tile.sort(records, {kernels::TileShape::spheres, radii, 0.0f}, kernels, nobody.work);
+    tile.sort(records, {kernels::ElementShape::spheres, radii, 0.0f}, kernels, nobody.work);
     frame.largest_radius = largest_radius;
     frame.margin = margin;
   }

@@ -99,7 +99,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
   engine::SortedTile<TypeParam::value> tile(this->memory);
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
     this->make(seed, 700 * seed, 300);
-    this->sort(tile, {kernels::TileShape::spheres, this->radii, 0.0f}, Simd::scalar);
+    this->sort(tile, {kernels::ElementShape::spheres, this->radii, 0.0f}, Simd::scalar);
     const kernels::TileView& view = tile.view();
     const std::int32_t total = cells_in<TypeParam::value>(view);
     const std::int32_t rows = total / view.row_length();
@@ -140,7 +140,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
     EXPECT_EQ(tile.squared_occupancy(), crowding);
     EXPECT_EQ(tile.size(), this->records.size());
-    EXPECT_EQ(view.shape, kernels::TileShape::spheres);
+    EXPECT_EQ(view.shape, kernels::ElementShape::spheres);
   }
 }
 
@@ -148,7 +148,7 @@ TYPED_TEST(SortedTileOf, CellsHoldOwnElementsAndTheFrameCopies) {
 TYPED_TEST(SortedTileOf, TheSortIsStable) {
   engine::SortedTile<TypeParam::value> tile(this->memory);
   this->make(9, 2000, 200);
-  this->sort(tile, {kernels::TileShape::equal_spheres, {}, 0.25f}, Simd::scalar);
+  this->sort(tile, {kernels::ElementShape::equal_spheres, {}, 0.25f}, Simd::scalar);
   const kernels::TileView& view = tile.view();
   for (std::int32_t cell = 0; cell < cells_in<TypeParam::value>(view); ++cell) {
     if (cell % view.row_length() == view.cells[0] + 2) continue;
@@ -161,13 +161,13 @@ TYPED_TEST(SortedTileOf, TheSortIsStable) {
 TYPED_TEST(SortedTileOf, VectorsSortAlike) {
   engine::SortedTile<TypeParam::value> plain(this->memory);
   this->make(10, 3001, 203);
-  this->sort(plain, {kernels::TileShape::spheres, this->radii, 0.0f}, Simd::scalar);
+  this->sort(plain, {kernels::ElementShape::spheres, this->radii, 0.0f}, Simd::scalar);
   const kernels::TileView& expected = plain.view();
   const std::int32_t total = cells_in<TypeParam::value>(expected);
   for (const Simd level : testing::simd_levels_here()) {
     SCOPED_TRACE(std::string(name_of(level)));
     engine::SortedTile<TypeParam::value> tile(this->memory);
-    this->sort(tile, {kernels::TileShape::spheres, this->radii, 0.0f}, level);
+    this->sort(tile, {kernels::ElementShape::spheres, this->radii, 0.0f}, level);
     const kernels::TileView& view = tile.view();
     ASSERT_TRUE(std::equal(view.cell_begin, view.cell_begin + total + 1, expected.cell_begin));
     for (std::int32_t cell = 0; cell < total; ++cell) {

@@ -50,7 +50,7 @@ struct MadeTile {
   }
 };
 
-MadeTile made_tile(int dimensions, Random& random, double per_cell, kernels::TileShape shape) {
+MadeTile made_tile(int dimensions, Random& random, double per_cell, kernels::ElementShape shape) {
   MadeTile tile;
   if (random.below(2) == 0) tile.margin = 0.01f;  // else many pairs touch
   const std::int32_t k[3] = {1 + static_cast<std::int32_t>(random.below(8)),
@@ -77,7 +77,7 @@ MadeTile made_tile(int dimensions, Random& random, double per_cell, kernels::Til
           }
           std::array<float, 3> size{};
           for (float& length : size) {
-            length = shape == kernels::TileShape::equal_spheres
+            length = shape == kernels::ElementShape::equal_spheres
                          ? largest
                          : static_cast<float>(random.below(5)) * 0.25f * largest;
           }
@@ -162,7 +162,7 @@ constexpr float slack = 0x1p-20f;
 bool reach(const MadeTile& tile, int dimensions, std::size_t i, std::size_t j, float extra,
            bool or_touch) {
   const float margin = tile.margin;
-  if (tile.view.shape == kernels::TileShape::boxes) {
+  if (tile.view.shape == kernels::ElementShape::boxes) {
     bool result = true;
     for (int axis = 0; axis < dimensions; ++axis) {
       const float behind = tile.center[axis][i] - tile.center[axis][j];
@@ -202,7 +202,7 @@ std::vector<ContactPair> by_all_pairs(const MadeTile& tile, int dimensions) {
 
 struct Case {
   int dimensions;
-  kernels::TileShape shape;
+  kernels::ElementShape shape;
 };
 
 class TileKernelsTest : public ::testing::TestWithParam<Case> {};
@@ -316,12 +316,12 @@ std::string name_of_case(const ::testing::TestParamInfo<Case>& parameter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, TileKernelsTest,
-                         ::testing::Values(Case{2, kernels::TileShape::equal_spheres},
-                                           Case{2, kernels::TileShape::spheres},
-                                           Case{2, kernels::TileShape::boxes},
-                                           Case{3, kernels::TileShape::equal_spheres},
-                                           Case{3, kernels::TileShape::spheres},
-                                           Case{3, kernels::TileShape::boxes}),
+                         ::testing::Values(Case{2, kernels::ElementShape::equal_spheres},
+                                           Case{2, kernels::ElementShape::spheres},
+                                           Case{2, kernels::ElementShape::boxes},
+                                           Case{3, kernels::ElementShape::equal_spheres},
+                                           Case{3, kernels::ElementShape::spheres},
+                                           Case{3, kernels::ElementShape::boxes}),
                          name_of_case);
 
 }  // namespace

@@ -24,11 +24,24 @@ bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
   return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
 }
 
-/// Tells whether all are spheres that pair with none but each other, and have places.
 template <int Dim>
-bool are_all_spheres(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
-  return !input.elements.are_boxes() && pair_with_none_but_each_other(set) &&
-         set.locals.are_the_first() && set.locals.size() <= most_elements;
+bool are_boxes(const SearchInput<Dim>& input) {
+  return !input.spheres.boxes().empty();
+}
+
+/// Tells whether elements pair with none but each other, and have places.
+template <int Dim>
+bool may_have_places(const SearchSet<Dim>& set) {
+  return pair_with_none_but_each_other(set) && set.locals.are_the_first() &&
+         set.locals.size() <= most_elements;
+}
+
+/// Returns a grid of cells, if there is one, for the elements in it.
+template <int Dim>
+std::optional<LayerGrid<Dim>> for_elements(std::optional<LayerGrid<Dim>> grid,
+                                           const SearchInput<Dim>& input) {
+  if (grid && are_boxes(input)) grid->hold_boxes();
+  return grid;
 }
 
 /// Tells whether layers hold enough elements to be worth their tables.
@@ -65,10 +78,18 @@ bool may_be_narrow(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
   return grid.has_wide_cells() && !is_nearly_empty(set, input.layer_limits, least_cell);
 }
 
-/// The fewest elements, but for those whose distances are exact.
-std::size_t fewest_elements(const LayerLimits& limits) {
+/// The fewest spheres, but for those whose distances are exact.
+std::size_t fewest_spheres(const LayerLimits& limits) {
   return std::min(
       {limits.least_elements, limits.least_elements_of_tiles, limits.least_elements_of_clusters});
+}
+
+/// The fewest elements of the shape that a search is given.
+template <int Dim>
+std::size_t fewest_elements(const SearchInput<Dim>& input) {
+  const LayerLimits& limits = input.layer_limits;
+  if (!are_boxes(input)) return fewest_spheres(limits);
+  return Dim == 2 ? limits.least_rectangles : limits.least_boxes;
 }
 
 /// The steps of coordinates with which distances are exact in the cells of a grid.
@@ -83,7 +104,7 @@ template <int Dim>
 bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double least_cell) {
   const StepRange range{std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(least_cell)),
                         input.given.largest_step};
-  return set.bounds.smallest_radius == set.bounds.largest_radius &&
+  return !are_boxes(input) && set.bounds.smallest_radius == set.bounds.largest_radius &&
          may_have_step<Dim>(input.given.spheres, range);
 }
 
@@ -94,6 +115,7 @@ bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const La
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
   if (input.spheres.are_moved() || elements >= limits.least_sparse_elements) return true;
+  if (are_boxes(input)) return elements >= fewest_elements(input);
   if (grid.cell() >= limits.least_sparse_cell * least_cell) return false;
   if (elements >= limits.least_elements) return true;
   return elements >= limits.least_elements_of_tiles &&
@@ -119,7 +141,8 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
   };
   const bool are_crowded = elements_joined(grid, occupancy) > limits.most_joined;
   if (are_crowded && may_be_narrow(grid, set, input, least_cell)) {
-    const auto narrow = LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements);
+    const auto narrow =
+        for_elements(LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements), input);
     if (narrow && has_full_layers(*narrow, limits, elements)) {
       const double its =
           sample.mean_occupancy(*narrow, input.spheres.first(elements), SampleSize::full);
@@ -132,8 +155,9 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
 }  // namespace
 
 bool may_be_in_layers(std::size_t elements, const LayerLimits& limits) noexcept {
-  return elements >= std::min({fewest_elements(limits), limits.least_elements_in_steps,
-                               limits.least_elements_by_size});
+  return elements >=
+         std::min({fewest_spheres(limits), limits.least_elements_in_steps,
+                   limits.least_elements_by_size, limits.least_boxes, limits.least_rectangles});
 }
 
 template <int Dim>
@@ -142,12 +166,13 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
                                             OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  if (!are_all_spheres(set, input) || !may_be_in_layers(elements, limits)) return std::nullopt;
+  if (!may_have_places(set) || !may_be_in_layers(elements, limits)) return std::nullopt;
   const bool may_be_exact = elements >= limits.least_elements_in_steps &&
                             elements < limits.least_elements &&
                             may_be_in_steps(set, input, least_cell);
-  if (!may_be_exact && elements < fewest_elements(limits)) return std::nullopt;
-  const auto grid = LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements);
+  if (!may_be_exact && elements < fewest_elements(input)) return std::nullopt;
+  const auto grid =
+      for_elements(LayerGrid<Dim>::over(set.bounds, input.margin, least_cell, elements), input);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
   const bool are_enough = may_be_exact || are_many(set, input, *grid, least_cell);
   const bool may_be_clusters =
@@ -164,7 +189,7 @@ bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
                        OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  if (input.spheres.are_moved() || !are_all_spheres(set, input) ||
+  if (input.spheres.are_moved() || !may_have_places(set) ||
       elements < limits.least_moved_elements || !is_nearly_empty(set, limits, reach)) {
     return false;
   }
@@ -180,7 +205,7 @@ std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
                                               const SearchInput<Dim>& input,
                                               const LayerGrid<Dim>& grid, std::size_t workers,
                                               base::WorkCounter& work) {
-  if (!grid.has_equal_radii()) return std::nullopt;
+  if (grid.shape() != kernels::ElementShape::equal_spheres) return std::nullopt;
   const auto step = coordinate_step<Dim>(input.given.spheres, steps_for(grid, input),
                                          input.layer_kernels, workers, work);
   if (!step) return std::nullopt;
@@ -194,7 +219,9 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
                                                     OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  if (!are_all_spheres(set, input) || elements < limits.least_elements_by_size) return std::nullopt;
+  if (are_boxes(input) || !may_have_places(set) || elements < limits.least_elements_by_size) {
+    return std::nullopt;
+  }
   const CellBySize best = choose_cell_by_size<Dim>(estimate.classes, estimate.sizes, set.bounds);
   if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * estimate.other_cost)) {
     return std::nullopt;

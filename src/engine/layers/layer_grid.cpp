@@ -42,6 +42,9 @@ double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements)
 /// Bits of an exact position below its cell: squares of distances between adjacent cells, and their
 /// sums, have less than 31.
 constexpr int bits_of_exact_cell = 13;
+/// Twice the slack, and more than what rounds the bounds of the separation of boxes.
+constexpr float band_of_boxes = 4.0f * kernels::layer_slack;
+
 /// Units of a step, at least: with n of them cells are wider than needed by 1 / n at most; and at
 /// most, which no axis is longer than.
 constexpr double fewest_units_of_step = 8.0;
@@ -191,7 +194,8 @@ void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, do
   columns_in_reach_ = static_cast<std::uint32_t>((units + slack) / column) + 1;
   reach_ = static_cast<float>(units);
   margin_ = units_of(margin);
-  has_equal_radii_ = bounds.smallest_radius == bounds.largest_radius;
+  shape_ = bounds.smallest_radius == bounds.largest_radius ? kernels::ElementShape::equal_spheres
+                                                           : kernels::ElementShape::spheres;
 }
 
 template <int Dim>
@@ -201,7 +205,7 @@ void LayerGrid<Dim>::cut_rows_by_size(double margin) {
   columns_in_reach_ = kernels::near_columns;
   reach_ = kernels::near_reach;
   margin_ = units_of(margin);
-  has_equal_radii_ = false;
+  shape_ = kernels::ElementShape::spheres;
   is_by_size_ = true;
 }
 
@@ -236,12 +240,19 @@ void LayerGrid<Dim>::set_reach(kernels::LayerPair& layers) const noexcept {
   layers.nearest_margin = margin_ - slack;
   layers.farthest_margin = margin_ + slack;
   layers.largest_square = largest_square_;
+  layers.shape = shape_;
+  if (has_widths()) {
+    layers.inner = layers.nearest_margin;
+    layers.outer = layers.farthest_margin;
+    layers.band = band_of_boxes;
+    return;
+  }
   const float nearest = std::max(reach_ - slack, 0.0f);
   const float farthest = reach_ + slack;
   layers.inner = nearest * nearest;
   layers.outer = farthest * farthest;
   // (s + 4)^2 - (s - 4)^2 = 16 s; roundings add less than 4 s, and s below the slack 64.
-  layers.band = has_equal_radii_ ? layers.outer - layers.inner : 20.0f * reach_ + 64.0f;
+  layers.band = !has_radii() ? layers.outer - layers.inner : 20.0f * reach_ + 64.0f;
 }
 
 /// Joins rows to strips of 2^k rows each.

@@ -19,7 +19,8 @@ struct LayerUnits {
   int reach_bits;
 };
 
-/// Positions, columns, rows and layers of elements of one reach.
+/// Positions, columns, rows and layers of elements of one reach. A box is where its stand-in is
+/// (exact::Elements).
 ///
 /// The axis with the most cells goes from layer to layer (in 2D from row to row), the next one
 /// along the rows. Cells are cubes, of a power of two of units, and along a row they are cut into
@@ -54,9 +55,9 @@ class LayerGrid {
 
   [[nodiscard]] const kernels::PositionMap& map() const noexcept { return map_; }
 
-  /// A radius in units.
-  [[nodiscard]] float units_of(double radius) const noexcept {
-    return kernels::radius_in_units(radius, map_);
+  /// A length in units.
+  [[nodiscard]] float units_of(double length) const noexcept {
+    return kernels::length_in_units(length, map_);
   }
 
   [[nodiscard]] kernels::PositionRecord record(const exact::Sphere<Dim>& sphere,
@@ -115,7 +116,13 @@ class LayerGrid {
   /// The axis along which rows go.
   [[nodiscard]] std::size_t row_axis() const noexcept { return row_axis_; }
 
-  [[nodiscard]] bool has_equal_radii() const noexcept { return has_equal_radii_; }
+  /// Shape of the elements: spheres, unless they are said to be boxes.
+  [[nodiscard]] kernels::ElementShape shape() const noexcept { return shape_; }
+  void hold_boxes() noexcept { shape_ = kernels::ElementShape::boxes; }
+
+  /// Tells whether elements have sizes of their own: radii, or widths along each axis.
+  [[nodiscard]] bool has_radii() const noexcept { return shape_ == kernels::ElementShape::spheres; }
+  [[nodiscard]] bool has_widths() const noexcept { return shape_ == kernels::ElementShape::boxes; }
 
   /// Tells whether positions are exact, and all distances.
   [[nodiscard]] bool is_exact() const noexcept { return largest_square_ >= 0; }
@@ -193,7 +200,7 @@ class LayerGrid {
   float reach_ = 0.0f;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units
   std::int32_t largest_square_ = -1;
-  bool has_equal_radii_ = true;
+  kernels::ElementShape shape_ = kernels::ElementShape::equal_spheres;
   bool is_by_size_ = false;
   bool has_wide_cells_ = false;
 };

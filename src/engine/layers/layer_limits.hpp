@@ -20,6 +20,9 @@ struct LayerLimits {
   /// element looks in few of the rows around it then.
   double least_sparse_cell = 4.0;
   std::size_t least_sparse_elements = 20'000;
+  /// The same of boxes in all of these cases, in 3D and in 2D: tiles have more columns of them.
+  std::size_t least_boxes = 200;
+  std::size_t least_rectangles = 1'600;
   /// Elements that look for smaller ones, from which on that is faster than a division by size.
   std::size_t least_elements_by_size = 5'000;
   /// Elements whose clusters are worth a move, and cells of the size of the reach, for each

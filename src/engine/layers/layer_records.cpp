@@ -9,6 +9,7 @@ template <int Dim>
 LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
     : records_(base::make_array_for_overwrite<kernels::PositionRecord>(memory, 0)),
       radii_(base::make_array_for_overwrite<float>(memory, 0)),
+      widths_(base::make_array_for_overwrite<std::array<float, Dim>>(memory, 0)),
       spheres_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)),
       cursors_(memory) {}
 
@@ -19,8 +20,10 @@ void LayerRecords<Dim>::sort(const LayerSpheres<Dim>& spheres, const LayerGrid<D
   if (grid.is_by_size()) far.start(workers);
   cursors_.start(grid.layer_count(), workers);
   base::make_room(records_, spheres.size());
-  has_radii_ = !grid.has_equal_radii();
+  has_radii_ = grid.has_radii();
   if (has_radii_) base::make_room(radii_, spheres.size());
+  has_widths_ = grid.has_widths();
+  if (has_widths_) base::make_room(widths_, spheres.size());
   has_spheres_ = items == LayerItems::records_and_spheres;
   if (has_spheres_) base::make_room(spheres_, spheres.size());
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
@@ -65,8 +68,12 @@ void LayerRecords<Dim>::scatter(const Spheres& spheres, const LayerGrid<Dim>& gr
   const bool in_vectors = !has_spheres_ && !spheres.are_moved();
   for (const auto& [columns, begin, end, number_of_first] :
        spheres.given().some(share.begin, share.end)) {
-    const kernels::RecordsByLayer to{share.by_layer, records_.data(),
-                                     has_radii_ ? radii_.data() : nullptr, number_of_first};
+    const kernels::RecordsByLayer to{share.by_layer,
+                                     records_.data(),
+                                     has_radii_ ? radii_.data() : nullptr,
+                                     has_widths_ ? widths_.data()->data() : nullptr,
+                                     has_widths_ ? spheres.boxes().data()->lower : nullptr,
+                                     number_of_first};
     std::size_t k = begin;
     if (in_vectors) k += kernels.scatter(columns, begin, end - begin, Dim, grid.map(), to);
     for (; k < end; ++k) {
@@ -77,6 +84,7 @@ void LayerRecords<Dim>::scatter(const Spheres& spheres, const LayerGrid<Dim>& gr
       base::fetch_next_line(to.records + place);
       to.records[place] = grid.record(sphere, number);
       if (has_radii_) to.radii[place] = grid.units_of(sphere.radius);
+      if (has_widths_) kernels::write_widths<Dim>(to, place, number, grid.map());
       if (!has_spheres_) continue;
       base::fetch_next_line(spheres_.data() + place);
       spheres_[place] = given;

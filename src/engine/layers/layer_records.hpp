@@ -8,6 +8,7 @@
 #include "engine/layers/layer_spheres.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,8 +19,9 @@ namespace abut::engine {
 template <int Dim>
 struct LayerElements {
   std::span<const kernels::PositionRecord> records;
-  std::span<const float> radii;                 ///< in units; none where all are equal
-  std::span<const exact::Sphere<Dim>> spheres;  ///< none unless they were asked for
+  std::span<const float> radii;                    ///< in units; of equal spheres and of boxes none
+  std::span<const std::array<float, Dim>> widths;  ///< of boxes, in units, by axis
+  std::span<const exact::Sphere<Dim>> spheres;     ///< none unless they were asked for
 };
 
 /// What is sorted by layer: records alone, or spheres besides, which decide on candidates.
@@ -43,8 +45,9 @@ class LayerRecords {
   [[nodiscard]] LayerElements<Dim> layer(std::size_t k) const noexcept {
     const std::size_t begin = cursors_.begin(k);
     const std::size_t size = cursors_.size(k);
-    LayerElements<Dim> layer{std::span(records_).subspan(begin, size), {}, {}};
+    LayerElements<Dim> layer{std::span(records_).subspan(begin, size), {}, {}, {}};
     if (has_radii_) layer.radii = std::span(radii_).subspan(begin, size);
+    if (has_widths_) layer.widths = std::span(widths_).subspan(begin, size);
     if (has_spheres_) layer.spheres = std::span(spheres_).subspan(begin, size);
     return layer;
   }
@@ -73,9 +76,11 @@ class LayerRecords {
 
   base::Array<kernels::PositionRecord> records_;
   base::Array<float> radii_;
+  base::Array<std::array<float, Dim>> widths_;
   base::Array<exact::Sphere<Dim>> spheres_;
   LayerCursors cursors_;
   bool has_radii_ = false;
+  bool has_widths_ = false;
   bool has_spheres_ = false;
 };
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "exact/box.hpp"
 #include "exact/sphere.hpp"
 #include "kernels/sphere_parts.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace abut::engine {
 
@@ -19,7 +21,8 @@ struct ClusterMove {
   }
 };
 
-/// Spheres as layers see them: where they are given, or moved with their clusters.
+/// Spheres, or the stand-ins of boxes (exact::Elements), as layers see them: where they are given,
+/// or moved with their clusters.
 template <int Dim>
 class LayerSpheres {
  public:
@@ -33,6 +36,15 @@ class LayerSpheres {
   [[nodiscard]] const kernels::SphereParts& given() const noexcept { return given_; }
   [[nodiscard]] std::size_t size() const noexcept { return given_.size(); }
   [[nodiscard]] double radius(std::size_t k) const noexcept { return given_.radius(k); }
+  /// The same spheres, which stand for these boxes unless there are none.
+  [[nodiscard]] LayerSpheres standing_for(std::span<const exact::Box<Dim>> boxes) const noexcept {
+    LayerSpheres stand_ins = *this;
+    stand_ins.boxes_ = boxes;
+    return stand_ins;
+  }
+
+  /// Boxes for which the spheres stand, by their numbers; none where they are the elements.
+  [[nodiscard]] std::span<const exact::Box<Dim>> boxes() const noexcept { return boxes_; }
   [[nodiscard]] bool are_moved() const noexcept { return moves_ != nullptr; }
 
   [[nodiscard]] LayerSpheres first(std::size_t count) const noexcept {
@@ -70,6 +82,7 @@ class LayerSpheres {
 
  private:
   kernels::SphereParts given_;
+  std::span<const exact::Box<Dim>> boxes_;
   const std::uint32_t* labels_ = nullptr;
   const ClusterMove<Dim>* moves_ = nullptr;
 };

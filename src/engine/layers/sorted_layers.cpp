@@ -30,6 +30,7 @@ SortedLayers<Dim>::SortedLayers(base::MemoryMeter& memory)
       numbers_(tables_),
       columns_(tables_),
       radii_(base::make_array_for_overwrite<float>(memory, 0)),
+      widths_(base::make_array_for_overwrite<float>(memory, 0)),
       copies_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)) {}
 
 template <int Dim>
@@ -46,7 +47,8 @@ std::size_t SortedLayers<Dim>::integers_for(const LayerGrid<Dim>& grid,
                                             std::size_t largest_layer) noexcept {
   lay_out(grid, largest_layer);
   constexpr std::size_t integers_of_place = sizeof(kernels::PositionRecord) / sizeof(std::uint32_t);
-  constexpr std::size_t integers_of_sorted = 6 + sizeof(exact::Sphere<Dim>) / sizeof(std::uint32_t);
+  constexpr std::size_t integers_of_copy = sizeof(exact::Sphere<Dim>) / sizeof(std::uint32_t);
+  const std::size_t integers_of_sorted = 6 + (grid.has_widths() ? Dim : integers_of_copy);
   return parts_ * (table_size_ + part_ * integers_of_sorted) + largest_layer +
          part_ * integers_of_place;
 }
@@ -60,9 +62,10 @@ void SortedLayers<Dim>::start(const LayerGrid<Dim>& grid, std::size_t largest_la
   base::make_room(placed_, part_);
   base::make_room(numbers_, lead + parts_ * part_);
   base::make_room(columns_, numbers_.size());
-  if (!grid.has_equal_radii()) base::make_room(radii_, numbers_.size());
+  if (grid.has_radii()) base::make_room(radii_, numbers_.size());
   base::make_room(positions_, 3 * numbers_.size());
   length_ = positions_.size() / 3;
+  if (grid.has_widths()) base::make_room(widths_, Dim * length_);
 }
 
 template <int Dim>
@@ -127,8 +130,8 @@ std::uint32_t SortedLayers<Dim>::lay_out_table(
   return place;
 }
 
-/// Brings the records into the order of their columns; radii and spheres at once to where they
-/// stay.
+/// Brings the records into the order of their columns; radii or widths and spheres at once to where
+/// they stay.
 template <int Dim>
 void SortedLayers<Dim>::place(const LayerElements<Dim>& elements, std::uint32_t* table,
                               std::uint32_t begin, base::WorkCounter& work) {
@@ -148,6 +151,10 @@ void SortedLayers<Dim>::place(const LayerElements<Dim>& elements, std::uint32_t*
   const auto sphere = [&, copies = copies_.data()](std::uint32_t place, std::size_t r) {
     copies[place] = elements.spheres[r];
   };
+  const auto width = [&](std::uint32_t place, std::size_t r) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) widths(axis)[place] = elements.widths[r][axis];
+  };
+  if (!elements.widths.empty()) return place_all(width);
   const bool has_radii = !elements.radii.empty();
   if (elements.spheres.empty()) return has_radii ? place_all(radius) : place_all();
   return has_radii ? place_all(radius, sphere) : place_all(sphere);
@@ -172,7 +179,10 @@ void SortedLayers<Dim>::pad(const LayerGrid<Dim>& grid, const std::uint32_t* tab
   const kernels::PositionRecord none = no_element(grid);
   const auto put = [&](std::uint32_t place, std::size_t count) {
     std::fill_n(placed + place, count, none);
-    if (!grid.has_equal_radii()) std::fill_n(radii_.data() + place, count, 0.0f);
+    if (grid.has_radii()) std::fill_n(radii_.data() + place, count, 0.0f);
+    for (std::size_t axis = 0; grid.has_widths() && axis < Dim; ++axis) {
+      std::fill_n(widths(axis) + place, count, 0.0f);
+    }
   };
   for (std::size_t row = 1; row <= grid.row_count(); ++row) {
     put(table[(row + 1) * row_length_ - 1], kernels::row_padding);
@@ -189,7 +199,10 @@ kernels::LayerPair SortedLayers<Dim>::pair(const LayerGrid<Dim>& grid,
   }
   layers.number = numbers_.data();
   layers.column = columns_.data();
-  layers.radius = grid.has_equal_radii() ? nullptr : radii_.data();
+  if (grid.has_radii()) layers.radius = radii_.data();
+  for (std::size_t axis = 0; grid.has_widths() && axis < Dim; ++axis) {
+    layers.width[axis] = widths_.data() + axis * length_;
+  }
   layers.copies = has_copies_[0] && has_copies_[1] ? copies_.data()->center : nullptr;
   layers.own = table(k);
   layers.next = table(k + 1);

@@ -68,6 +68,8 @@ class SortedLayers {
     return tables_.data() + k % parts_ * table_size_;
   }
 
+  [[nodiscard]] float* widths(std::size_t axis) noexcept { return widths_.data() + axis * length_; }
+
   base::Array<std::uint32_t> tables_;
   base::Array<std::uint32_t> entry_of_;  ///< of the records being sorted, in the table
   base::Array<kernels::PositionRecord> placed_;
@@ -75,6 +77,7 @@ class SortedLayers {
   base::Array<std::uint32_t> numbers_;
   base::Array<std::uint32_t> columns_;
   base::Array<float> radii_;
+  base::Array<float> widths_;  ///< of boxes, by axis
   base::Array<exact::Sphere<Dim>> copies_;
   std::array<bool, 2> has_copies_{};  ///< of two layers
   std::size_t parts_ = 2;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/fetch_next_line.hpp"
 #include "kernels/strided_spheres.hpp"
 #include "kernels/tile_view.hpp"
 
@@ -47,8 +48,8 @@ inline constexpr float middle_reach = 0x1p20f;
 /// Columns on one side of an element that is near, where a column is 2^18 units.
 inline constexpr std::uint32_t near_columns = 2;
 
-/// An element as its layer sees it: in whole numbers from the lower corner of the box. In 2D the
-/// third is 0.
+/// An element as its layer sees it: the center of a sphere, or the lower corner of a box, in whole
+/// numbers from the lower corner of all. In 2D the third is 0.
 struct PositionRecord {
   std::int32_t position[3];
   std::uint32_t number;  ///< in the caller's arrays
@@ -63,18 +64,32 @@ struct PositionMap {
   int layer_shift;
 };
 
-/// A radius in units; never -0, so that radii are ordered as their bits are.
-[[nodiscard]] inline float radius_in_units(double radius, const PositionMap& map) noexcept {
-  return static_cast<float>(radius * map.units_of_one) + 0.0f;
+/// A radius or width in units; never -0, so that radii are ordered as their bits are.
+[[nodiscard]] inline float length_in_units(double length, const PositionMap& map) noexcept {
+  return static_cast<float>(length * map.units_of_one) + 0.0f;
 }
 
 /// Records sorted by layer while they are written.
 struct RecordsByLayer {
   std::uint64_t* cursors;  ///< next place, by layer
   PositionRecord* records;
-  float* radii;                   ///< in units; null where all are equal
+  float* radii;                   ///< in units; of equal spheres and of boxes null
+  float* widths;                  ///< of boxes, in units, box by box; else null
+  const double* boxes;            ///< lower and upper corners by number; null for spheres
   std::uint32_t number_of_first;  ///< of the first sphere of the columns that are read
 };
+
+/// Writes the widths of a box to its place.
+template <int Dim>
+inline void write_widths(const RecordsByLayer& to, std::uint64_t place, std::uint32_t number,
+                         const PositionMap& map) noexcept {
+  const double* const lower = to.boxes + std::size_t{number} * (2 * Dim);
+  float* const widths = to.widths + place * Dim;
+  base::fetch_next_line(widths);
+  for (int axis = 0; axis < Dim; ++axis) {
+    widths[axis] = length_in_units(lower[Dim + axis] - lower[axis], map);
+  }
+}
 
 /// Columns that hold sorted records, field by field.
 struct LayerColumns {
@@ -95,7 +110,9 @@ struct LayerPair {
   const std::int32_t* position[3];
   const std::uint32_t* number;
   const std::uint32_t* column;
-  const float* radius;        ///< in units; null where all are equal
+  ElementShape shape;
+  const float* radius;        ///< in units; of equal spheres and of boxes null
+  const float* width[3];      ///< of boxes, in units, by axis; else null
   const double* copies;       ///< of the spheres, place by place; null where there are none
   const std::uint32_t* own;   ///< table of the layer whose elements are tested
   const std::uint32_t* next;  ///< table of the layer above
@@ -103,11 +120,12 @@ struct LayerPair {
   std::uint32_t row_length;
   std::uint32_t end_of_run;     ///< 2 K + 1
   float inner;                  ///< squared distances below are certainly within reach,
-  float outer;                  ///< those above are certainly apart: of equal spheres,
-  float nearest_margin;         ///< of others the margin less
+  float outer;                  ///< those above are certainly apart: of equal spheres; of boxes
+                                ///< the same bounds of their gap
+  float nearest_margin;         ///< of other spheres the margin less
   float farthest_margin;        ///< and plus the slack, which a radius each comes to
   std::int32_t largest_square;  ///< of a distance within reach, where positions are exact, or -1
-  float band;                   ///< not less than any difference of the two squares
+  float band;                   ///< not less than any difference of the two bounds
 };
 
 /// Three adjacent layers, sorted as two are, of elements that each look for smaller ones. A run has

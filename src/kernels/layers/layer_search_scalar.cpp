@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace abut::kernels {
@@ -18,8 +19,8 @@ namespace {
 
 #include "kernels/layers/far_runs-inl.hpp"
 
-/// Squares of a reach less and plus the slack.
-struct ReachSquares {
+/// A reach less and plus the slack; of spheres the squares.
+struct ReachBounds {
   float inner;
   float outer;
 };
@@ -39,11 +40,10 @@ class ScalarTester {
     return sum;
   }
 
-  void test(std::uint32_t element, std::uint32_t q, float distance_squared,
-            const ReachSquares& reach) {
-    if (distance_squared > reach.outer) return;
+  void test(std::uint32_t element, std::uint32_t q, float distance, const ReachBounds& reach) {
+    if (distance > reach.outer) return;
     add(element, q);
-    if (distance_squared < reach.inner) return;
+    if (distance < reach.inner) return;
     HitBuffer& to = *job_.hits;
     to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found - 1);
   }
@@ -55,8 +55,8 @@ class ScalarTester {
     to.partner[to.found++] = layers_.number[q];
   }
 
-  [[nodiscard]] static ReachSquares squares_of(float nearest_radius, float farthest_radius,
-                                               float other) {
+  [[nodiscard]] static ReachBounds squares_of(float nearest_radius, float farthest_radius,
+                                              float other) {
     const float nearest = std::max(nearest_radius + other, 0.0f);
     const float farthest = farthest_radius + other;
     return {nearest * nearest, farthest * farthest};
@@ -101,6 +101,7 @@ class ScalarLayerTester : ScalarTester {
     const std::int32_t from[3] = {layers_.position[0][p], layers_.position[1][p],
                                   layers_.position[2][p]};
     if (layers_.largest_square >= 0) return test_exactly(p, from, run);
+    if (layers_.shape == ElementShape::boxes) return test_boxes(p, run);
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
       test(layers_.number[p], q, distance_squared<Dim>(from, q), squares(p, q));
     }
@@ -117,7 +118,25 @@ class ScalarLayerTester : ScalarTester {
     }
   }
 
-  [[nodiscard]] ReachSquares squares(std::uint32_t p, std::uint32_t q) const {
+  void test_boxes(std::uint32_t p, const Run& run) {
+    for (std::uint32_t q = run.begin; q < run.end; ++q) {
+      test(layers_.number[p], q, box_gap(p, q), {layers_.inner, layers_.outer});
+    }
+  }
+
+  /// The largest gap over the axes; a zero is +0.
+  [[nodiscard]] float box_gap(std::uint32_t p, std::uint32_t q) const {
+    float largest = -std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < Dim; ++axis) {
+      const std::int32_t* const position = layers_.position[axis];
+      const auto difference = static_cast<float>(position[q] - position[p]);
+      largest = std::max({largest, difference - layers_.width[axis][p],
+                          (0.0f - difference) - layers_.width[axis][q]});
+    }
+    return largest;
+  }
+
+  [[nodiscard]] ReachBounds squares(std::uint32_t p, std::uint32_t q) const {
     if (layers_.radius == nullptr) return {layers_.inner, layers_.outer};
     return squares_of(layers_.radius[p] + layers_.nearest_margin,
                       layers_.radius[p] + layers_.farthest_margin, layers_.radius[q]);

@@ -54,6 +54,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/simd_layer_reach-inl.hpp"
 
+#include "kernels/layers/simd_layer_distance-inl.hpp"
+
 #include "kernels/layers/simd_layer_probe-inl.hpp"
 
 #include "kernels/layers/simd_exact_probe-inl.hpp"
@@ -156,14 +158,21 @@ void split(const PositionRecord* records, std::size_t count, const LayerColumns&
   }
 }
 
+template <int Dim, class Probe>
+void search_as(const LayerPair& layers, SearchJob& job) {
+  SimdLayerTester<AheadSearch<Dim, Probe>>(layers, job).search();
+}
+
 template <int Dim>
 void search_in(const LayerPair& layers, SearchJob& job) {
-  if (layers.largest_square >= 0) {
-    SimdLayerTester<AheadSearch<Dim, ExactProbe<Dim>>>(layers, job).search();
-  } else if (layers.radius == nullptr) {
-    SimdLayerTester<AheadSearch<Dim, LayerProbe<Dim, CommonReach>>>(layers, job).search();
-  } else {
-    SimdLayerTester<AheadSearch<Dim, LayerProbe<Dim, SummedReach>>>(layers, job).search();
+  if (layers.largest_square >= 0) return search_as<Dim, ExactProbe<Dim>>(layers, job);
+  switch (layers.shape) {
+    case ElementShape::equal_spheres:
+      return search_as<Dim, LayerProbe<CommonReach, DistanceSquares<Dim>>>(layers, job);
+    case ElementShape::spheres:
+      return search_as<Dim, LayerProbe<SummedReach, DistanceSquares<Dim>>>(layers, job);
+    case ElementShape::boxes:
+      return search_as<Dim, LayerProbe<CommonReach, BoxGaps<Dim>>>(layers, job);
   }
 }
 

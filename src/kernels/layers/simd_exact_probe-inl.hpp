@@ -24,7 +24,7 @@ class ExactProbe {
   HWY_INLINE Bits test(const Runs& runs, std::uint32_t* number) const {
     Bits within = 0;
     for (std::size_t k = 0; k < candidates; k += lanes) {
-      within |= hits(runs, k, distance_squared(runs, k)) << k;
+      within |= hits(runs, k, distance(runs, k)) << k;
       hn::StoreU(runs.load(numbers, layers_.number, k), numbers, number + k);
     }
     return within & ((Bits{1} << std::min(runs.size(), candidates)) - 1);
@@ -42,8 +42,9 @@ class ExactProbe {
     return hn::RebindMask(floats, hn::Eq(squares, squares));
   }
 
+  /// The squares of distances.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Integers distance_squared(const Runs& runs, std::size_t k) const {
+  [[nodiscard]] HWY_INLINE Integers distance(const Runs& runs, std::size_t k) const {
     Integers sum = hn::Zero(integers);
     for (int axis = 0; axis < Dim; ++axis) {
       const Integers difference =

@@ -1,21 +1,18 @@
-// One element in all lanes, and the distances of its candidates, included like
-// simd_joined_runs-inl.hpp.
+// One element in all lanes, and its candidates, included like simd_joined_runs-inl.hpp.
 
-template <int Dim, class Reach>
+template <class Reach, class Distance>
 class LayerProbe {
  public:
-  HWY_INLINE LayerProbe(const LayerPair& layers, const std::int32_t (&position)[3],
-                        const Reach& reach)
-      : layers_(layers), reach_(reach), nearest_(hn::Set(numbers, ~std::uint32_t{0})) {
-    for (int axis = 0; axis < Dim; ++axis) position_[axis] = hn::Set(integers, position[axis]);
-  }
+  HWY_INLINE LayerProbe(const LayerPair& layers, const Distance& from, const Reach& reach)
+      : layers_(layers),
+        from_(from),
+        reach_(reach),
+        nearest_(hn::Set(numbers, ~std::uint32_t{0})) {}
 
   /// The element at place p.
   template <class Layers>
   [[nodiscard]] static HWY_INLINE LayerProbe at(const Layers& layers, std::uint32_t p) {
-    const std::int32_t position[3] = {layers.position[0][p], layers.position[1][p],
-                                      Dim == 3 ? layers.position[2][p] : 0};
-    return {layers, position, Reach(layers, p)};
+    return {layers, Distance(layers, p), Reach(layers, p)};
   }
 
   /// The candidates that are certainly within reach; writes down the numbers of all.
@@ -23,7 +20,7 @@ class LayerProbe {
   HWY_INLINE Bits test(const Runs& runs, std::uint32_t* number) {
     Bits hits = 0;
     for (std::size_t k = 0; k < candidates; k += lanes) {
-      const Floats beyond = hn::Sub(distance_squared(runs, k), reach_.inner(runs, k));
+      const Floats beyond = hn::Sub(distance(runs, k), reach_.inner(runs, k));
       const Mask is_sure = hn::Lt(beyond, hn::Zero(floats));
       // As whole numbers without a sign, negative floats are the largest.
       Numbers size = hn::BitCast(numbers, beyond);
@@ -48,8 +45,8 @@ class LayerProbe {
 
   /// The candidates from lane k on that may be within reach.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Bits hits(const Runs& runs, std::size_t k, Floats squares) const {
-    const Mask is_hit = hn::Le(squares, reach_.outer(runs, k));
+  [[nodiscard]] HWY_INLINE Bits hits(const Runs& runs, std::size_t k, Floats distance) const {
+    const Mask is_hit = hn::Le(distance, reach_.outer(runs, k));
     if constexpr (Reach::counts_all) {
       return bits_of(is_hit);
     } else {
@@ -58,25 +55,19 @@ class LayerProbe {
   }
   /// Those that certainly are.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Mask is_sure(const Runs& runs, std::size_t k, Floats squares) const {
-    return hn::Lt(squares, reach_.inner(runs, k));
+  [[nodiscard]] HWY_INLINE Mask is_sure(const Runs& runs, std::size_t k, Floats distance) const {
+    return hn::Lt(distance, reach_.inner(runs, k));
   }
 
+  /// What is compared with the bounds of the reach.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats distance_squared(const Runs& runs, std::size_t k) const {
-    Floats sum = hn::Zero(floats);
-    for (int axis = 0; axis < Dim; ++axis) {
-      const Floats difference = hn::ConvertTo(
-          floats, hn::Sub(runs.load(integers, layers_.position[axis], k), position_[axis]));
-      const Floats square = hn::Mul(difference, difference);
-      sum = axis == 0 ? square : hn::Add(sum, square);
-    }
-    return sum;
+  [[nodiscard]] HWY_INLINE Floats distance(const Runs& runs, std::size_t k) const {
+    return from_.to(layers_, runs, k);
   }
 
  private:
   const LayerPair& layers_;
+  Distance from_;
   Reach reach_;
   Numbers nearest_;
-  Integers position_[Dim];
 };

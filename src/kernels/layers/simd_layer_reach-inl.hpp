@@ -1,6 +1,7 @@
-// The reach of an element and its candidates as squares, included like simd_joined_runs-inl.hpp.
+// The reach of an element and its candidates, of spheres as squares, included like
+// simd_joined_runs-inl.hpp.
 
-/// Spheres of one radius: the same bounds for all.
+/// Spheres of one radius, or boxes: the same bounds for all.
 class CommonReach {
  public:
   static constexpr bool counts_all = true;
@@ -8,7 +9,7 @@ class CommonReach {
   HWY_INLINE CommonReach(const LayerPair& layers, std::uint32_t)
       : inner_(hn::Set(floats, layers.inner)), outer_(hn::Set(floats, layers.outer)) {}
 
-  /// Square of the reach, less the slack, of the candidates from lane k on.
+  /// The reach, less the slack, of the candidates from lane k on: of spheres the square.
   template <class Runs>
   [[nodiscard]] HWY_INLINE Floats inner(const Runs&, std::size_t) const {
     return inner_;

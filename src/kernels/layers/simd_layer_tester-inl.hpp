@@ -53,7 +53,7 @@ template <int Dim>
 class NearSearch {
  public:
   using Layers = ThreeLayers;
-  using Probe = LayerProbe<Dim, SmallerReach>;
+  using Probe = LayerProbe<SmallerReach, DistanceSquares<Dim>>;
   using Row = ElementsOfRow;
   static constexpr std::size_t runs = NearBatch<Dim>::runs;
   static constexpr bool some_have_hits = true;
@@ -363,7 +363,7 @@ class SimdLayerTester {
       std::uint32_t count = 0;
       for (std::uint32_t k = begin; k < end; k += lanes) {
         with_hits[count] = k;
-        count += probe.hits(run, k, probe.distance_squared(run, k)) != 0 ? 1 : 0;
+        count += probe.hits(run, k, probe.distance(run, k)) != 0 ? 1 : 0;
       }
       for (std::uint32_t n = 0; n < count; ++n) add_hits(probe, p, run, with_hits[n]);
     }
@@ -371,9 +371,9 @@ class SimdLayerTester {
 
   template <class Runs>
   HWY_INLINE void add_hits(const Probe& probe, std::uint32_t p, const Runs& runs, std::uint32_t k) {
-    const auto squares = probe.distance_squared(runs, k);
-    const Bits hits = probe.hits(runs, k, squares) & lanes_before(runs.size() - k);
-    hits_.add(layers_.number[p], p, runs, k, hits, probe.is_sure(runs, k, squares));
+    const auto distance = probe.distance(runs, k);
+    const Bits hits = probe.hits(runs, k, distance) & lanes_before(runs.size() - k);
+    hits_.add(layers_.number[p], p, runs, k, hits, probe.is_sure(runs, k, distance));
   }
 
   const Layers& layers_;

@@ -56,8 +56,9 @@ class LayerWriter {
       to_.records[place] = block[k];
       if (to_.radii != nullptr) {
         base::fetch_next_line(to_.radii + place);
-        to_.radii[place] = radius_in_units(spheres_.radius(first + k), map_);
+        to_.radii[place] = length_in_units(spheres_.radius(first + k), map_);
       }
+      if (to_.widths != nullptr) write_widths<Dim>(to_, place, block[k].number, map_);
     }
   }
 

@@ -57,7 +57,7 @@ class RunJobs {
   }
 
  private:
-  using Probe = LayerProbe<Dim, SmallerReach>;
+  using Probe = LayerProbe<SmallerReach, DistanceSquares<Dim>>;
 
   /// Most runs have no more candidates.
   static constexpr std::uint32_t short_run = 16;
@@ -76,26 +76,27 @@ class RunJobs {
   [[nodiscard]] HWY_INLINE Bits test(const RunJob& job) const {
     const SingleRun run({job.begin, job.begin + job.size});
     const Probe probe = probe_of(job);
-    return hits_of(probe, run, probe.distance_squared(run, 0));
+    return hits_of(probe, run, probe.distance(run, 0));
   }
 
   HWY_INLINE void add_hits(const RunJob& job) {
     const SingleRun run({job.begin, job.begin + job.size});
     const Probe probe = probe_of(job);
-    const Floats squares = probe.distance_squared(run, 0);
-    hits_.add(job.element->number, 0, run, 0, hits_of(probe, run, squares),
-              probe.is_sure(run, 0, squares));
+    const Floats distance = probe.distance(run, 0);
+    hits_.add(job.element->number, 0, run, 0, hits_of(probe, run, distance),
+              probe.is_sure(run, 0, distance));
   }
 
   [[nodiscard]] HWY_INLINE Probe probe_of(const RunJob& job) const {
-    return {layers_, job.element->position, SmallerReach(layers_, *job.element)};
+    return {layers_, DistanceSquares<Dim>(job.element->position),
+            SmallerReach(layers_, *job.element)};
   }
 
   /// Lanes beyond those of a vector have no bits in the hits: no branch for what is a full one.
   [[nodiscard]] static HWY_INLINE Bits hits_of(const Probe& probe, const SingleRun& run,
-                                               Floats squares) {
+                                               Floats distance) {
     static_assert(short_run < 32);
-    return probe.hits(run, 0, squares) & ((Bits{1} << run.size()) - 1);
+    return probe.hits(run, 0, distance) & ((Bits{1} << run.size()) - 1);
   }
 
   const ThreeLayers& layers_;

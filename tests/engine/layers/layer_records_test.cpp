@@ -64,7 +64,7 @@ class LayerRecordsOf : public ::testing::Test {
         EXPECT_EQ(records_.has_spheres(), items == engine::LayerItems::records_and_spheres);
         std::size_t largest = 0;
         for (std::size_t layer = 0; layer < expected.size(); ++layer) {
-          expect_layer(expected[layer], records_.layer(layer), grid.has_equal_radii());
+          expect_layer(expected[layer], records_.layer(layer), !grid.has_radii());
           expect_spheres(spheres, records_.layer(layer));
           largest = std::max(largest, expected[layer].size());
         }

@@ -26,6 +26,8 @@ namespace abut::testing {
 inline constexpr engine::LayerLimits always_in_layers{
     .least_elements = 0,
     .least_sparse_elements = 0,
+    .least_boxes = 0,
+    .least_rectangles = 0,
     .least_moved_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
@@ -38,6 +40,8 @@ inline constexpr engine::LayerLimits always_in_layers{
 inline constexpr engine::LayerLimits always_by_size{
     .least_elements = 0,
     .least_sparse_elements = 0,
+    .least_boxes = 0,
+    .least_rectangles = 0,
     .least_elements_by_size = 0,
     .least_moved_elements = 0,
     .least_elements_of_layer = 0.0,
@@ -54,6 +58,8 @@ inline constexpr engine::LayerLimits always_moved{
     .least_elements = 0,
     .least_elements_of_clusters = 0,
     .least_sparse_elements = 0,
+    .least_boxes = 0,
+    .least_rectangles = 0,
     .least_elements_by_size = 0,
     .least_moved_elements = 0,
     .least_cells_of_clusters = 0.0,

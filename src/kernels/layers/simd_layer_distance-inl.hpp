@@ -1,0 +1,72 @@
+// What the filter compares with a reach, included like simd_joined_runs-inl.hpp: how far candidates
+// are from one element, in all lanes.
+
+/// Of spheres: the squares of the distances of their centers.
+template <int Dim>
+class DistanceSquares {
+ public:
+  HWY_INLINE explicit DistanceSquares(const std::int32_t (&position)[3]) {
+    for (int axis = 0; axis < Dim; ++axis) position_[axis] = hn::Set(integers, position[axis]);
+  }
+
+  /// Of the element at place p.
+  HWY_INLINE DistanceSquares(const LayerPair& layers, std::uint32_t p) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      position_[axis] = hn::Set(integers, layers.position[axis][p]);
+    }
+  }
+
+  template <class Runs>
+  [[nodiscard]] HWY_INLINE Floats to(const LayerPair& layers, const Runs& runs,
+                                     std::size_t k) const {
+    Floats sum = hn::Zero(floats);
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Floats difference = hn::ConvertTo(
+          floats, hn::Sub(runs.load(integers, layers.position[axis], k), position_[axis]));
+      const Floats square = hn::Mul(difference, difference);
+      sum = axis == 0 ? square : hn::Add(sum, square);
+    }
+    return sum;
+  }
+
+ private:
+  Integers position_[Dim];
+};
+
+/// Of boxes: their gap, the largest one over the axes, negative where they overlap on each of them.
+/// With d for the difference of the lower ends, candidate less element, that on an axis is the
+/// larger one of
+///
+///   d - width of the element        lower end of the candidate less upper end of the element
+///   -d - width of the candidate     the same with the two exchanged
+template <int Dim>
+class BoxGaps {
+ public:
+  /// Of the element at place p.
+  HWY_INLINE BoxGaps(const LayerPair& layers, std::uint32_t p) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      position_[axis] = hn::Set(integers, layers.position[axis][p]);
+      width_[axis] = hn::Set(floats, layers.width[axis][p]);
+    }
+  }
+
+  /// A zero is +0: it is a difference of equal numbers.
+  template <class Runs>
+  [[nodiscard]] HWY_INLINE Floats to(const LayerPair& layers, const Runs& runs,
+                                     std::size_t k) const {
+    Floats largest = hn::Zero(floats);
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Floats difference = hn::ConvertTo(
+          floats, hn::Sub(runs.load(integers, layers.position[axis], k), position_[axis]));
+      const Floats width = runs.load(floats, layers.width[axis], k);
+      const Floats gap = hn::Max(hn::Sub(difference, width_[axis]),
+                                 hn::Sub(hn::Sub(hn::Zero(floats), difference), width));
+      largest = axis == 0 ? gap : hn::Max(largest, gap);
+    }
+    return largest;
+  }
+
+ private:
+  Integers position_[Dim];
+  Floats width_[Dim];
+};

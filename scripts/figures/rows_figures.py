@@ -11,7 +11,7 @@ def sorted_by_cell(cells):
 
 
 def blocks(cells, columns):
-    """[(row, first cell, central elements, all candidates)] as src/kernels/tile_search-inl.hpp."""
+    """[(row, first cell, central elements, all candidates)] as src/kernels/tiles/tile_search-inl.hpp."""
     order = sorted_by_cell(cells)
 
     def run(row, first, last):

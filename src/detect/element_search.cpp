@@ -6,7 +6,7 @@
 #include "base/stopwatch.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/lattice_of.hpp"
-#include "elements/strided_spheres.hpp"
+#include "elements/strided_elements.hpp"
 #include "grid/integerise.hpp"
 #include "periodic/periodic_rows.hpp"
 
@@ -97,38 +97,61 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
 template <int Dim>
 bool ElementSearch<Dim>::may_be_in_place(const ElementView& elements,
                                          const SearchTask& task) const {
-  const bool are_many = elements.size() >= task.settings.layers.least_elements;
-  return next_may_be_in_place_.value_or(are_many) &&
+  const engine::LayerLimits& limits = task.settings.layers;
+  const std::size_t least =
+      elements.shape() == Shape::box ? limits.least_boxes_in(Dim) : limits.least_elements;
+  return next_may_be_in_place_.value_or(elements.size() >= least) &&
          choose(task.options, elements.size()).row->info.algorithm == Algorithm::rows;
 }
 
 template <int Dim>
-bool ElementSearch<Dim>::search_in_place(const ElementView& spheres, const SearchTask& task,
+bool ElementSearch<Dim>::search_in_place(const ElementView& elements, const SearchTask& task,
                                          elements::GatheredElements<Dim>& room,
                                          base::PairSink& sink, base::DetectionContext& context,
                                          Statistics& statistics) {
-  if (!may_be_in_place(spheres, task)) return false;
-  const double common_radius = spheres.common_radius();
-  auto columns = elements::strided_spheres(spheres, &common_radius);
-  if (!columns) return false;
-  base::Stopwatch stopwatch;
-  elements::bound<Dim>(spheres, {task.settings.workers, task.settings.simd}, room, context);
+  if (!may_be_in_place(elements, task)) return false;
+  const InPlaceCall call{elements, task, room, sink, context, statistics};
+  if (elements.shape() == Shape::box) return search_boxes_in_place(call);
+  const double common_radius = elements.common_radius();
+  auto spheres = elements::strided_spheres(elements, &common_radius);
+  if (!spheres) return false;
+  find_bounds(call);
   if (room.bounds.smallest_radius == room.bounds.largest_radius) {
-    columns = columns->with_one_radius();
+    spheres = spheres->with_one_radius();
   }
-  statistics.gather_seconds = stopwatch.lap();
-  note(choose(task.options, spheres.size()), task, statistics);
-  context.progress.begin("search", spheres.size());
   if (task.domain.is_periodic()) {
     const exact::Lattice lattice = elements::lattice_of(task.domain);
     next_may_be_in_place_ =
-        periodic::periodic_rows_in_place<Dim>(*columns, {{}, room.bounds, lattice, task.settings},
+        periodic::periodic_rows_in_place<Dim>(*spheres, {{}, room.bounds, lattice, task.settings},
                                               *workspace_, *periodic_, sink, context);
   } else {
-    next_may_be_in_place_ = engine::rows_in_place<Dim>(*columns, room.bounds, task.settings,
+    next_may_be_in_place_ = engine::rows_in_place<Dim>(*spheres, room.bounds, task.settings,
                                                        *workspace_, sink, context);
   }
   return *next_may_be_in_place_;
+}
+
+/// Their images in periodic domains are packed.
+template <int Dim>
+bool ElementSearch<Dim>::search_boxes_in_place(const InPlaceCall& call) {
+  const auto boxes = elements::strided_boxes(call.elements);
+  if (!boxes || call.task.domain.is_periodic()) return false;
+  find_bounds(call);
+  next_may_be_in_place_ = engine::rows_in_place<Dim>(*boxes, call.room.bounds, call.task.settings,
+                                                     *workspace_, call.sink, call.context);
+  return *next_may_be_in_place_;
+}
+
+/// What a search in place begins with.
+template <int Dim>
+void ElementSearch<Dim>::find_bounds(const InPlaceCall& call) const {
+  const SearchTask& task = call.task;
+  base::Stopwatch stopwatch;
+  elements::bound<Dim>(call.elements, {task.settings.workers, task.settings.simd}, call.room,
+                       call.context);
+  call.statistics.gather_seconds = stopwatch.lap();
+  note(choose(task.options, call.elements.size()), task, call.statistics);
+  call.context.progress.begin("search", call.elements.size());
 }
 
 template <int Dim>

@@ -38,9 +38,10 @@ class ElementSearch {
   void search(elements::GatheredElements<Dim>& elements, const SearchTask& task,
               base::PairSink& sink, base::DetectionContext& context, Statistics& statistics);
 
-  /// Does the same without a packed copy of the spheres, where `rows` can and where the last search
-  /// says that it will. Otherwise it delivers nothing and returns false. Throws at a bad element.
-  [[nodiscard]] bool search_in_place(const ElementView& spheres, const SearchTask& task,
+  /// Does the same without a packed copy of the elements, where `rows` can and where the last
+  /// search says that it will. Otherwise it delivers nothing and returns false. Throws at a bad
+  /// element.
+  [[nodiscard]] bool search_in_place(const ElementView& elements, const SearchTask& task,
                                      elements::GatheredElements<Dim>& room, base::PairSink& sink,
                                      base::DetectionContext& context, Statistics& statistics);
 
@@ -48,6 +49,18 @@ class ElementSearch {
   void give_back_memory();
 
  private:
+  /// Arguments of `search_in_place`.
+  struct InPlaceCall {
+    const ElementView& elements;
+    const SearchTask& task;
+    elements::GatheredElements<Dim>& room;
+    base::PairSink& sink;
+    base::DetectionContext& context;
+    Statistics& statistics;
+  };
+
+  void find_bounds(const InPlaceCall& call) const;
+  [[nodiscard]] bool search_boxes_in_place(const InPlaceCall& call);
   [[nodiscard]] bool may_be_in_place(const ElementView& elements, const SearchTask& task) const;
 
   base::MemoryMeter& memory_;

@@ -4,7 +4,7 @@
 #include "elements/number_reader.hpp"
 #include "elements/reject_element.hpp"
 #include "elements/sphere_reader.hpp"
-#include "elements/strided_spheres.hpp"
+#include "elements/strided_elements.hpp"
 #include "elements/valid_element.hpp"
 #include "grid/kernel_bounds.hpp"
 #include "kernels/element_kernels.hpp"
@@ -48,17 +48,6 @@ exact::Box<Dim> read_box(const ElementView& elements, std::size_t k) {
   return box;
 }
 
-/// Halves are subtracted, since a width may exceed the largest double.
-template <int Dim>
-exact::Sphere<Dim> stand_in(const exact::Box<Dim>& box) {
-  exact::Sphere<Dim> sphere{};
-  for (int axis = 0; axis < Dim; ++axis) {
-    sphere.center[axis] = box.lower[axis];
-    sphere.radius = std::max(sphere.radius, 0.5 * box.upper[axis] - 0.5 * box.lower[axis]);
-  }
-  return sphere;
-}
-
 /// Reads parts of the elements, one part a worker, and keeps them where there is room for all.
 template <int Dim>
 class Gatherer {
@@ -68,7 +57,10 @@ class Gatherer {
         spheres_(gathered.spheres),
         boxes_(gathered.boxes),
         kernels_(kernels::element_kernels(simd)) {
-    if (view.shape() != Shape::sphere) return;
+    if (view.shape() == Shape::box) {
+      boxes_in_place_ = strided_boxes(view);
+      return;
+    }
     reader_.emplace(view);
     common_radius_ = view.common_radius();
     in_place_ = strided_spheres(view, &common_radius_);
@@ -128,14 +120,34 @@ class Gatherer {
   }
 
   void read_boxes(std::size_t first, std::size_t last, grid::Bounds<Dim>& bounds) const {
-    for (std::size_t k = first; k < last; ++k) {
-      const exact::Box<Dim> box = box_at<Dim>(elements_, k);
-      if (!is_valid(box)) reject_element(k, box);
-      boxes_[k] = box;
-      spheres_[k] = stand_in(box);
-      bounds.include_center(spheres_[k]);
-      bounds.include_radius(spheres_[k].radius);
+    if (boxes_in_place_) {
+      const kernels::StridedBoxes columns = *boxes_in_place_;
+      read_boxes({first, last}, bounds,
+                 [columns](std::size_t k) { return kernels::box_at<Dim>(columns, k); });
+    } else {
+      read_boxes({first, last}, bounds,
+                 [this](std::size_t k) { return box_at<Dim>(elements_, k); });
     }
+  }
+
+  template <class BoxOf>
+  void read_boxes(const NumberRange& numbers, grid::Bounds<Dim>& bounds,
+                  const BoxOf& box_of) const {
+    const auto read_all = [&](const auto& keep) {
+      for (std::size_t k = numbers.first; k < numbers.last; ++k) {
+        const exact::Box<Dim> box = box_of(k);
+        if (!is_valid(box)) reject_element(k, box);
+        const exact::Sphere<Dim> sphere = kernels::stand_in(box);
+        keep(k, box, sphere);
+        bounds.include_center(sphere);
+        bounds.include_radius(sphere.radius);
+      }
+    };
+    if (!keeps()) return read_all([](std::size_t, const auto&, const auto&) {});
+    read_all([this](std::size_t k, const exact::Box<Dim>& box, const exact::Sphere<Dim>& sphere) {
+      boxes_[k] = box;
+      spheres_[k] = sphere;
+    });
   }
 
   const ElementView& elements_;
@@ -144,6 +156,7 @@ class Gatherer {
   std::optional<SphereReader> reader_;               ///< of spheres
   double common_radius_ = 0.0;                       ///< if they have one
   std::optional<kernels::StridedSpheres> in_place_;  ///< if they can be read so
+  std::optional<kernels::StridedBoxes> boxes_in_place_;
   kernels::ElementKernels kernels_;
 };
 
@@ -183,11 +196,11 @@ void gather(const ElementView& elements, const GatherSettings& settings,
 }
 
 template <int Dim>
-void bound(const ElementView& spheres, const GatherSettings& settings,
+void bound(const ElementView& elements, const GatherSettings& settings,
            GatheredElements<Dim>& gathered, base::DetectionContext& context) {
   gathered.spheres.clear();
   gathered.boxes.clear();
-  read_all(spheres, settings, gathered, context);
+  read_all(elements, settings, gathered, context);
 }
 
 template <int Dim>

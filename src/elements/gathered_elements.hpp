@@ -48,10 +48,10 @@ template <int Dim>
 void gather(const ElementView& elements, const GatherSettings& settings,
             GatheredElements<Dim>& gathered, base::DetectionContext& context);
 
-/// Reads every number of spheres once, as `gather` does, and finds the bounds. What was gathered
-/// before is forgotten, and nothing is packed.
+/// Reads every number once, as `gather` does, and finds the bounds. What was gathered before is
+/// forgotten, and nothing is packed.
 template <int Dim>
-void bound(const ElementView& spheres, const GatherSettings& settings,
+void bound(const ElementView& elements, const GatherSettings& settings,
            GatheredElements<Dim>& gathered, base::DetectionContext& context);
 
 /// One sphere, unchecked.

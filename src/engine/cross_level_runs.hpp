@@ -3,7 +3,7 @@
 #include "base/array.hpp"
 #include "engine/tile_grid.hpp"
 #include "exact/elements.hpp"
-#include "kernels/tile_view.hpp"
+#include "kernels/tiles/tile_view.hpp"
 
 #include <array>
 #include <cstdint>

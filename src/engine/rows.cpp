@@ -61,13 +61,12 @@ struct RowsCall {
 };
 
 template <int Dim>
-SearchInput<Dim> input_of(const exact::Elements<Dim>& elements,
-                          const kernels::StridedSpheres& spheres, double margin,
-                          const GivenSteps& steps, const ExactDecider& decider,
+SearchInput<Dim> input_of(const exact::Elements<Dim>& elements, const LayerSpheres<Dim>& spheres,
+                          double margin, const GivenSteps& steps, const ExactDecider& decider,
                           const RowsCall& call) {
   const Simd simd = call.settings.simd;
   return {elements,
-          LayerSpheres<Dim>(kernels::SphereParts(spheres)).standing_for(elements.boxes),
+          spheres,
           steps,
           decider,
           margin,
@@ -78,6 +77,12 @@ SearchInput<Dim> input_of(const exact::Elements<Dim>& elements,
           call.settings.layers,
           call.sink,
           call.context.progress};
+}
+
+template <int Dim>
+LayerSpheres<Dim> layer_spheres(const exact::Elements<Dim>& elements) {
+  const kernels::SphereParts spheres(kernels::strided_spheres(elements.spheres));
+  return LayerSpheres<Dim>(spheres).standing_for(kernels::strided_boxes(elements.boxes));
 }
 
 template <int Dim>
@@ -110,8 +115,7 @@ void search(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bound
   const auto search_as_mapped = [&](const exact::Elements<Dim>& mapped, double margin,
                                     const GivenSteps& steps,
                                     const grid::Bounds<Dim>& their_bounds) {
-    const auto input =
-        input_of(mapped, kernels::strided_spheres(mapped.spheres), margin, steps, decider, call);
+    const auto input = input_of(mapped, layer_spheres(mapped), margin, steps, decider, call);
     SetSearch<Dim>(input, workspace, settings.workers, call.context)
         .search(set_of(mapped.size(), their_bounds));
   };
@@ -132,7 +136,7 @@ void rows(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
   sink.expect_workers(settings.workers);
   const RowsCall call{settings, sink, context};
   if (elements.are_boxes()) {
-    const BoxDecider<Dim> decider(elements.boxes, settings.margin);
+    const BoxDecider<Dim> decider(kernels::strided_boxes(elements.boxes), settings.margin);
     return search(elements, bounds, decider, call, workspace);
   }
   const SphereDecider<Dim> decider(kernels::strided_spheres(elements.spheres), settings.margin,
@@ -147,10 +151,26 @@ bool rows_in_place(const kernels::StridedSpheres& spheres, const grid::Bounds<Di
   if (needs_scaling(grid::largest_number(bounds, settings.margin))) return false;
   sink.expect_workers(settings.workers);
   const SphereDecider<Dim> decider(spheres, settings.margin, kernels::tie_kernels(settings.simd));
-  const SearchInput<Dim> input = input_of<Dim>({}, spheres, settings.margin, steps_of(spheres),
-                                               decider, {settings, sink, context});
+  const LayerSpheres<Dim> layer_spheres{kernels::SphereParts(spheres)};
+  const SearchInput<Dim> input = input_of<Dim>(
+      {}, layer_spheres, settings.margin, steps_of(spheres), decider, {settings, sink, context});
   return SetSearch<Dim>(input, workspace, settings.workers, context)
       .search_in_layers(set_of(spheres.size, bounds));
+}
+
+template <int Dim>
+bool rows_in_place(const kernels::StridedBoxes& boxes, const grid::Bounds<Dim>& bounds,
+                   const RowsSettings& settings, Workspace<Dim>& workspace, base::PairSink& sink,
+                   base::DetectionContext& context) {
+  if (needs_scaling(grid::largest_number(bounds, settings.margin))) return false;
+  sink.expect_workers(settings.workers);
+  const BoxDecider<Dim> decider(boxes, settings.margin);
+  const kernels::SphereParts corners(kernels::lower_corners(boxes, &bounds.largest_radius));
+  const SearchInput<Dim> input =
+      input_of<Dim>({}, LayerSpheres<Dim>(corners).standing_for(boxes), settings.margin, {},
+                    decider, {settings, sink, context});
+  return SetSearch<Dim>(input, workspace, settings.workers, context)
+      .search_in_layers(set_of(boxes.size, bounds));
 }
 
 template void rows(const exact::Elements<2>&, const grid::Bounds<2>&, const RowsSettings&,
@@ -161,6 +181,12 @@ template bool rows_in_place(const kernels::StridedSpheres&, const grid::Bounds<2
                             const RowsSettings&, Workspace<2>&, base::PairSink&,
                             base::DetectionContext&);
 template bool rows_in_place(const kernels::StridedSpheres&, const grid::Bounds<3>&,
+                            const RowsSettings&, Workspace<3>&, base::PairSink&,
+                            base::DetectionContext&);
+template bool rows_in_place(const kernels::StridedBoxes&, const grid::Bounds<2>&,
+                            const RowsSettings&, Workspace<2>&, base::PairSink&,
+                            base::DetectionContext&);
+template bool rows_in_place(const kernels::StridedBoxes&, const grid::Bounds<3>&,
                             const RowsSettings&, Workspace<3>&, base::PairSink&,
                             base::DetectionContext&);
 

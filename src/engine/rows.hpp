@@ -6,6 +6,7 @@
 #include "engine/workspace.hpp"
 #include "exact/elements.hpp"
 #include "grid/bounds.hpp"
+#include "kernels/strided_boxes.hpp"
 #include "kernels/strided_spheres.hpp"
 
 #include <abut/simd.hpp>
@@ -33,6 +34,13 @@ void rows(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
 /// be searched in layers. Otherwise it delivers nothing and returns false.
 template <int Dim>
 [[nodiscard]] bool rows_in_place(const kernels::StridedSpheres& spheres,
+                                 const grid::Bounds<Dim>& bounds, const RowsSettings& settings,
+                                 Workspace<Dim>& workspace, base::PairSink& sink,
+                                 base::DetectionContext& context);
+
+/// The same of valid boxes; `bounds` are those of the spheres that stand for them.
+template <int Dim>
+[[nodiscard]] bool rows_in_place(const kernels::StridedBoxes& boxes,
                                  const grid::Bounds<Dim>& bounds, const RowsSettings& settings,
                                  Workspace<Dim>& workspace, base::PairSink& sink,
                                  base::DetectionContext& context);

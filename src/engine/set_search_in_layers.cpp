@@ -18,10 +18,15 @@ namespace {
 /// Elements whose radii are worth the time to start all workers.
 constexpr std::size_t least_shared_radii = 1 << 15;
 
-void count_first_radii(RadiusHistogram& histogram, const kernels::SphereParts& spheres,
+template <int Dim>
+void count_first_radii(RadiusHistogram& histogram, const LayerSpheres<Dim>& spheres,
                        std::size_t first, std::size_t last, base::WorkCounter& work) {
   work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-    for (const auto& some : spheres.some(begin, end)) {
+    if (!spheres.have_radii()) {
+      for (std::size_t k = begin; k < end; ++k) histogram.add(spheres.radius(k));
+      return;
+    }
+    for (const auto& some : spheres.given().some(begin, end)) {
       for (std::size_t k = some.begin; k < some.end; ++k) histogram.add(some.columns.radius(k));
     }
   });
@@ -31,7 +36,7 @@ template <int Dim>
 void count_radii(RadiusHistogram& histogram, const LayerSpheres<Dim>& spheres,
                  const Numbers& numbers, base::WorkCounter& work) {
   if (numbers.are_the_first()) {
-    return count_first_radii(histogram, spheres.given(), 0, numbers.size(), work);
+    return count_first_radii(histogram, spheres, 0, numbers.size(), work);
   }
   work.in_pieces(0, numbers.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) histogram.add(spheres.radius(numbers[k]));
@@ -126,7 +131,7 @@ void SetSearch<Dim>::share_radii(std::size_t elements, const SearchPlace& at) {
       worker_count_, work_at(at), [&](std::size_t worker, base::WorkCounter& work) {
         const auto [first, last] = base::share_of(worker, worker_count_, elements);
         histogram_of(worker).clear();
-        count_first_radii(histogram_of(worker), input_->spheres.given(), first, last, work);
+        count_first_radii(histogram_of(worker), input_->spheres, first, last, work);
       });
   for (std::size_t w = 0; w < worker_count_; ++w) at.histogram.add(histogram_of(w));
 }

@@ -5,7 +5,7 @@
 #include "engine/record.hpp"
 #include "engine/tile_cells.hpp"
 #include "kernels/element_kernels.hpp"
-#include "kernels/tile_view.hpp"
+#include "kernels/tiles/tile_view.hpp"
 
 #include <cstddef>
 #include <cstdint>

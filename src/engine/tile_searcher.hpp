@@ -9,7 +9,7 @@
 #include "exact/elements.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
-#include "kernels/tile_search.hpp"
+#include "kernels/tiles/tile_search.hpp"
 
 #include <cstdint>
 #include <span>

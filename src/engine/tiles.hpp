@@ -6,7 +6,7 @@
 #include "engine/search_set.hpp"
 #include "engine/tile_grid.hpp"
 #include "exact/elements.hpp"
-#include "kernels/tile_view.hpp"
+#include "kernels/tiles/tile_view.hpp"
 
 #include <array>
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 #include "kernels/element_kernels.hpp"
 #include "kernels/place_format.hpp"
-#include "kernels/tile_view.hpp"
+#include "kernels/tiles/tile_view.hpp"
 
 #include <algorithm>
 #include <array>

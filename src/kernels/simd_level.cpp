@@ -10,7 +10,7 @@
 #include "kernels/measure_kernels.hpp"
 #include "kernels/order_kernels.hpp"
 #include "kernels/tie_kernels.hpp"
-#include "kernels/tile_search.hpp"
+#include "kernels/tiles/tile_search.hpp"
 #include "kernels/walls/feature_kernels.hpp"
 #include "kernels/walls/triangle_kernels.hpp"
 #include "kernels/walls/wall_kernels.hpp"

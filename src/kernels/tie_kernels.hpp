@@ -1,7 +1,7 @@
 #pragma once
 
+#include "kernels/search_job.hpp"
 #include "kernels/strided_spheres.hpp"
-#include "kernels/tile_view.hpp"
 
 #include <abut/simd.hpp>
 

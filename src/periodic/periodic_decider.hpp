@@ -5,9 +5,9 @@
 #include "exact/elements.hpp"
 #include "exact/lattice.hpp"
 #include "exact/periodic_predicate.hpp"
+#include "kernels/search_job.hpp"
 #include "kernels/strided_spheres.hpp"
 #include "kernels/tie_kernels.hpp"
-#include "kernels/tile_view.hpp"
 #include "lattice/image_decider.hpp"
 #include "periodic/images.hpp"
 

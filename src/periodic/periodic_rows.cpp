@@ -168,7 +168,7 @@ struct PeriodicSearch {
         moved,
         engine::LayerSpheres<Dim>(
             {images.locals(), kernels::strided_spheres(images.ghost_spheres())})
-            .standing_for(own.moved_boxes),
+            .standing_for(kernels::strided_boxes<Dim>(own.moved_boxes)),
         steps,
         decider,
         settings.margin * images.unit(),

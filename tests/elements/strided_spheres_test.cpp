@@ -1,6 +1,6 @@
 // The columns of the caller's numbers that can be read where they are.
 
-#include "elements/strided_spheres.hpp"
+#include "elements/strided_elements.hpp"
 
 #include "exact/sphere.hpp"
 #include "kernels/strided_spheres.hpp"

@@ -1,7 +1,7 @@
 // Random tiles through the kernels of every level: the pairs of the plain C++ kernels, in their
 // order, after as many tests, with as many undecided pairs; and those of a loop over all elements.
 
-#include "kernels/tile_search.hpp"
+#include "kernels/tiles/tile_search.hpp"
 
 #include "scenes/random.hpp"
 #include "support/rows_variants.hpp"

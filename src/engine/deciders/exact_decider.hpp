@@ -1,8 +1,8 @@
 #pragma once
 
+#include "kernels/search_job.hpp"
 #include "kernels/strided_spheres.hpp"
 #include "kernels/tie_kernels.hpp"
-#include "kernels/tile_view.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -26,7 +26,7 @@ bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
 
 template <int Dim>
 bool are_boxes(const SearchInput<Dim>& input) {
-  return !input.spheres.boxes().empty();
+  return input.spheres.stand_for_boxes();
 }
 
 /// Tells whether elements pair with none but each other, and have places.
@@ -88,8 +88,7 @@ std::size_t fewest_spheres(const LayerLimits& limits) {
 template <int Dim>
 std::size_t fewest_elements(const SearchInput<Dim>& input) {
   const LayerLimits& limits = input.layer_limits;
-  if (!are_boxes(input)) return fewest_spheres(limits);
-  return Dim == 2 ? limits.least_rectangles : limits.least_boxes;
+  return are_boxes(input) ? limits.least_boxes_in(Dim) : fewest_spheres(limits);
 }
 
 /// The steps of coordinates with which distances are exact in the cells of a grid.

@@ -61,6 +61,11 @@ struct LayerLimits {
   /// Elements from which on spheres are sorted by layer along with their records, where most pairs
   /// must be decided: fewer are in the caches wherever they lie.
   std::size_t least_elements_with_spheres = 400000;
+
+  /// The fewest boxes of so many dimensions.
+  [[nodiscard]] std::size_t least_boxes_in(int dimensions) const noexcept {
+    return dimensions == 2 ? least_rectangles : least_boxes;
+  }
 };
 
 }  // namespace abut::engine

@@ -72,7 +72,7 @@ void LayerRecords<Dim>::scatter(const Spheres& spheres, const LayerGrid<Dim>& gr
                                      records_.data(),
                                      has_radii_ ? radii_.data() : nullptr,
                                      has_widths_ ? widths_.data()->data() : nullptr,
-                                     has_widths_ ? spheres.boxes().data()->lower : nullptr,
+                                     has_widths_ ? &spheres.boxes() : nullptr,
                                      number_of_first};
     std::size_t k = begin;
     if (in_vectors) k += kernels.scatter(columns, begin, end - begin, Dim, grid.map(), to);

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "exact/box.hpp"
 #include "exact/sphere.hpp"
 #include "kernels/sphere_parts.hpp"
+#include "kernels/strided_boxes.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace abut::engine {
 
@@ -35,16 +34,25 @@ class LayerSpheres {
 
   [[nodiscard]] const kernels::SphereParts& given() const noexcept { return given_; }
   [[nodiscard]] std::size_t size() const noexcept { return given_.size(); }
-  [[nodiscard]] double radius(std::size_t k) const noexcept { return given_.radius(k); }
+  /// Radius of sphere k. Columns of boxes have none: it follows from the box.
+  [[nodiscard]] double radius(std::size_t k) const noexcept {
+    return have_radii() ? given_.radius(k)
+                        : kernels::stand_in(kernels::box_at<Dim>(boxes_, k)).radius;
+  }
+  [[nodiscard]] bool have_radii() const noexcept {
+    return !stand_for_boxes() || given_.parts[0].stride[kernels::StridedSpheres::radii] != 0;
+  }
   /// The same spheres, which stand for these boxes unless there are none.
-  [[nodiscard]] LayerSpheres standing_for(std::span<const exact::Box<Dim>> boxes) const noexcept {
+  [[nodiscard]] LayerSpheres standing_for(const kernels::StridedBoxes& boxes) const noexcept {
     LayerSpheres stand_ins = *this;
     stand_ins.boxes_ = boxes;
     return stand_ins;
   }
 
-  /// Boxes for which the spheres stand, by their numbers; none where they are the elements.
-  [[nodiscard]] std::span<const exact::Box<Dim>> boxes() const noexcept { return boxes_; }
+  [[nodiscard]] bool stand_for_boxes() const noexcept { return boxes_.size > 0; }
+  /// The boxes by their numbers.
+  [[nodiscard]] const kernels::StridedBoxes& boxes() const noexcept { return boxes_; }
+
   [[nodiscard]] bool are_moved() const noexcept { return moves_ != nullptr; }
 
   [[nodiscard]] LayerSpheres first(std::size_t count) const noexcept {
@@ -82,7 +90,7 @@ class LayerSpheres {
 
  private:
   kernels::SphereParts given_;
-  std::span<const exact::Box<Dim>> boxes_;
+  kernels::StridedBoxes boxes_{};
   const std::uint32_t* labels_ = nullptr;
   const ClusterMove<Dim>* moves_ = nullptr;
 };

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/fetch_next_line.hpp"
+#include "kernels/search_job.hpp"
+#include "kernels/strided_boxes.hpp"
 #include "kernels/strided_spheres.hpp"
-#include "kernels/tile_view.hpp"
 
 #include <abut/simd.hpp>
 
@@ -75,7 +76,7 @@ struct RecordsByLayer {
   PositionRecord* records;
   float* radii;                   ///< in units; of equal spheres and of boxes null
   float* widths;                  ///< of boxes, in units, box by box; else null
-  const double* boxes;            ///< lower and upper corners by number; null for spheres
+  const StridedBoxes* boxes;      ///< by number; null for spheres
   std::uint32_t number_of_first;  ///< of the first sphere of the columns that are read
 };
 
@@ -83,11 +84,11 @@ struct RecordsByLayer {
 template <int Dim>
 inline void write_widths(const RecordsByLayer& to, std::uint64_t place, std::uint32_t number,
                          const PositionMap& map) noexcept {
-  const double* const lower = to.boxes + std::size_t{number} * (2 * Dim);
   float* const widths = to.widths + place * Dim;
   base::fetch_next_line(widths);
   for (int axis = 0; axis < Dim; ++axis) {
-    widths[axis] = length_in_units(lower[Dim + axis] - lower[axis], map);
+    const double width = to.boxes->upper(axis, number) - to.boxes->lower(axis, number);
+    widths[axis] = length_in_units(width, map);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include "engine/layers/layer_run.hpp"
 #include "engine/layers/layer_scenes.hpp"
-#include "kernels/tile_view.hpp"
+#include "kernels/search_job.hpp"
 
 #include <array>
 #include <cmath>

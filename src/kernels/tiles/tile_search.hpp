@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/tile_view.hpp"
+#include "kernels/tiles/tile_view.hpp"
 
 #include <abut/simd.hpp>
 

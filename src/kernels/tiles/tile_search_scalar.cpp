@@ -1,7 +1,7 @@
 // The candidate loop in plain C++: the level `scalar`, and the only one without Highway. The same
 // sequence of operations in single precision as in tile_search_simd.cpp.
 
-#include "kernels/tile_search.hpp"
+#include "kernels/tiles/tile_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -219,9 +219,9 @@ class ScalarPairTester {
   std::uint64_t tests_at_take_ = job_.candidate_tests;
 };
 
-#include "kernels/tile_search-inl.hpp"
+#include "kernels/tiles/tile_search-inl.hpp"
 
-#include "kernels/tile_search_variants-inl.hpp"
+#include "kernels/tiles/tile_search_variants-inl.hpp"
 
 void search_tile(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
   search_with<ScalarPairTester>(tile, layers, job, dimensions);

@@ -8,12 +8,12 @@
 // lanes are undecided on every processor.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "kernels/tile_search_simd.cpp"
+#define HWY_TARGET_INCLUDE "kernels/tiles/tile_search_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "kernels/compress_table.hpp"
-#include "kernels/tile_search.hpp"
+#include "kernels/tiles/tile_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,19 +36,19 @@ constexpr Bits all_of_short_run = (1u << short_run) - 1;
 /// Most hits of an element whose five runs are short.
 constexpr std::size_t most_hits = 5 * short_run;
 
-#include "kernels/simd_probe-inl.hpp"
+#include "kernels/tiles/simd_probe-inl.hpp"
 
-#include "kernels/simd_nearby-inl.hpp"
+#include "kernels/tiles/simd_nearby-inl.hpp"
 
-#include "kernels/simd_row-inl.hpp"
+#include "kernels/tiles/simd_row-inl.hpp"
 
-#include "kernels/simd_block-inl.hpp"
+#include "kernels/tiles/simd_block-inl.hpp"
 
-#include "kernels/simd_pair_tester-inl.hpp"
+#include "kernels/tiles/simd_pair_tester-inl.hpp"
 
-#include "kernels/tile_search-inl.hpp"
+#include "kernels/tiles/tile_search-inl.hpp"
 
-#include "kernels/tile_search_variants-inl.hpp"
+#include "kernels/tiles/tile_search_variants-inl.hpp"
 
 void search_tile(const TileView& tile, const Layers& layers, SearchJob& job, int dimensions) {
   search_with<SimdPairTester>(tile, layers, job, dimensions);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/strided_boxes.hpp"
 #include "kernels/strided_spheres.hpp"
 
 #include <abut/element_view.hpp>
@@ -12,5 +13,8 @@ namespace abut::elements {
 /// such. A common radius is read from `common_radius`, which must outlive the result.
 [[nodiscard]] std::optional<kernels::StridedSpheres> strided_spheres(const ElementView& spheres,
                                                                      const double* common_radius);
+
+/// The same of boxes or rectangles.
+[[nodiscard]] std::optional<kernels::StridedBoxes> strided_boxes(const ElementView& boxes);
 
 }  // namespace abut::elements

@@ -1,4 +1,4 @@
-#include "elements/strided_spheres.hpp"
+#include "elements/strided_elements.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +13,14 @@ bool can_be_read(const ElementView::Numbers& numbers) {
          numbers.stride_bytes % bytes == 0;
 }
 
+/// Points a column at these numbers; returns whether they can be read there.
+template <class Columns>
+bool put_numbers(Columns& columns, int column, const ElementView::Numbers& numbers) {
+  columns.begin[column] = reinterpret_cast<const double*>(numbers.first);
+  columns.stride[column] = numbers.stride_bytes / bytes;
+  return can_be_read(numbers);
+}
+
 }  // namespace
 
 std::optional<kernels::StridedSpheres> strided_spheres(const ElementView& spheres,
@@ -23,9 +31,7 @@ std::optional<kernels::StridedSpheres> strided_spheres(const ElementView& sphere
   kernels::StridedSpheres columns{};
   columns.size = spheres.size();
   const auto put = [&](int column, const ElementView::Numbers& numbers) {
-    columns.begin[column] = reinterpret_cast<const double*>(numbers.first);
-    columns.stride[column] = numbers.stride_bytes / bytes;
-    return can_be_read(numbers);
+    return put_numbers(columns, column, numbers);
   };
   for (int axis = 0; axis < spheres.dimensions(); ++axis) {
     if (!put(axis, spheres.center(axis))) return std::nullopt;
@@ -34,6 +40,20 @@ std::optional<kernels::StridedSpheres> strided_spheres(const ElementView& sphere
     columns.begin[kernels::StridedSpheres::radii] = common_radius;
   } else if (!put(kernels::StridedSpheres::radii, spheres.radii())) {
     return std::nullopt;
+  }
+  return columns;
+}
+
+std::optional<kernels::StridedBoxes> strided_boxes(const ElementView& boxes) {
+  if (boxes.shape() != Shape::box || boxes.precision() != Precision::float64) return std::nullopt;
+  kernels::StridedBoxes columns{};
+  columns.size = boxes.size();
+  const auto put = [&](int column, const ElementView::Numbers& numbers) {
+    return put_numbers(columns, column, numbers);
+  };
+  for (int axis = 0; axis < boxes.dimensions(); ++axis) {
+    const int upper = kernels::StridedBoxes::upper_corners + axis;
+    if (!put(axis, boxes.lower(axis)) || !put(upper, boxes.upper(axis))) return std::nullopt;
   }
   return columns;
 }

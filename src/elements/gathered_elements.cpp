@@ -134,14 +134,16 @@ class Gatherer {
   void read_boxes(const NumberRange& numbers, grid::Bounds<Dim>& bounds,
                   const BoxOf& box_of) const {
     const auto read_all = [&](const auto& keep) {
+      grid::Bounds<Dim> widened = bounds;  // in registers, whatever is kept
       for (std::size_t k = numbers.first; k < numbers.last; ++k) {
         const exact::Box<Dim> box = box_of(k);
         if (!is_valid(box)) reject_element(k, box);
         const exact::Sphere<Dim> sphere = kernels::stand_in(box);
         keep(k, box, sphere);
-        bounds.include_center(sphere);
-        bounds.include_radius(sphere.radius);
+        widened.include_center(sphere);
+        widened.include_radius(sphere.radius);
       }
+      bounds = widened;
     };
     if (!keeps()) return read_all([](std::size_t, const auto&, const auto&) {});
     read_all([this](std::size_t k, const exact::Box<Dim>& box, const exact::Sphere<Dim>& sphere) {

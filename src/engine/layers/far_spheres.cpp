@@ -24,16 +24,24 @@ void FarSpheres<Dim>::note(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim
                            std::size_t begin, std::size_t end, std::size_t worker) {
   const double least = grid.least_far_radius();
   std::array<std::size_t, block_size> large;
-  for (const auto& some : spheres.given().some(begin, end)) {
-    for (std::size_t k = some.begin; k < some.end; k += block_size) {
+  const auto note_large = [&](std::size_t first, std::size_t last, const auto& radius_of) {
+    for (std::size_t k = first; k < last; k += block_size) {
       // Without a branch, for who is large cannot be foreseen.
       std::size_t count = 0;
-      for (std::size_t j = k; j < std::min(k + block_size, some.end); ++j) {
-        large[count] = some.number_of_first + j;
-        count += some.columns.radius(j) >= least ? 1 : 0;
+      for (std::size_t j = k; j < std::min(k + block_size, last); ++j) {
+        large[count] = j;
+        count += radius_of(j) >= least ? 1 : 0;
       }
       note_far(std::span(large).first(count), spheres, grid, noted_[worker]);
     }
+  };
+  if (!spheres.have_radii()) {
+    return note_large(begin, end, [&](std::size_t k) { return spheres.radius(k); });
+  }
+  for (const auto& some : spheres.given().some(begin, end)) {
+    const std::size_t first = some.number_of_first;
+    note_large(first + some.begin, first + some.end,
+               [&](std::size_t k) { return some.columns.radius(k - first); });
   }
 }
 
@@ -43,10 +51,15 @@ void FarSpheres<Dim>::note_far(std::span<const std::size_t> numbers,
                                const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid,
                                List& list) {
   for (const std::size_t k : numbers) {
+    const auto number = static_cast<std::uint32_t>(k);
     const exact::Sphere<Dim> sphere = spheres[k];
+    if (grid.has_widths()) {
+      const kernels::BoxSize<Dim> size = grid.size_of(spheres.boxes(), number);
+      if (grid.is_far(size.radius)) list.push_back(grid.far_box(grid.record(sphere, number), size));
+      continue;
+    }
     const float radius = grid.units_of(sphere.radius);
-    if (!grid.is_far(radius)) continue;
-    list.push_back(grid.far_sphere(grid.record(sphere, static_cast<std::uint32_t>(k)), radius));
+    if (grid.is_far(radius)) list.push_back(grid.far_sphere(grid.record(sphere, number), radius));
   }
 }
 

@@ -218,9 +218,9 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
                                                     OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
-  if (are_boxes(input) || !may_have_places(set) || elements < limits.least_elements_by_size) {
-    return std::nullopt;
-  }
+  const std::size_t least =
+      Dim == 3 && are_boxes(input) ? limits.least_boxes_by_size : limits.least_elements_by_size;
+  if (!may_have_places(set) || elements < least) return std::nullopt;
   const CellBySize best = choose_cell_by_size<Dim>(estimate.classes, estimate.sizes, set.bounds);
   if (best.cell == 0.0 || !(best.cost <= limits.most_by_size * estimate.other_cost)) {
     return std::nullopt;
@@ -230,7 +230,8 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
     const double extent = set.bounds.upper[axis] - set.bounds.lower[axis];
     cell = std::max(cell, extent / most_cells_along_axis);
   }
-  const auto grid = LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements);
+  const auto grid =
+      for_elements(LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements), input);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
   const double occupancy =
       sample.mean_occupancy(*grid, input.spheres.first(elements), SampleSize::full);

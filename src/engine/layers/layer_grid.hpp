@@ -4,6 +4,7 @@
 #include "grid/bounds.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -120,8 +121,11 @@ class LayerGrid {
   [[nodiscard]] kernels::ElementShape shape() const noexcept { return shape_; }
   void hold_boxes() noexcept { shape_ = kernels::ElementShape::boxes; }
 
-  /// Tells whether elements have sizes of their own: radii, or widths along each axis.
-  [[nodiscard]] bool has_radii() const noexcept { return shape_ == kernels::ElementShape::spheres; }
+  /// Tells whether elements have sizes of their own: radii, or widths along each axis; boxes that
+  /// look for smaller ones have both.
+  [[nodiscard]] bool has_radii() const noexcept {
+    return shape_ == kernels::ElementShape::spheres || is_by_size_;
+  }
   [[nodiscard]] bool has_widths() const noexcept { return shape_ == kernels::ElementShape::boxes; }
 
   /// Tells whether positions are exact, and all distances.
@@ -150,6 +154,18 @@ class LayerGrid {
   [[nodiscard]] kernels::FarSphere far_sphere(const kernels::PositionRecord& record,
                                               float radius) const noexcept {
     return kernels::far_sphere(record.position, record.number, radius, margin_);
+  }
+
+  /// Size of a box in units.
+  [[nodiscard]] kernels::BoxSize<Dim> size_of(const kernels::StridedBoxes& boxes,
+                                              std::uint32_t number) const noexcept {
+    return {boxes, number, map_};
+  }
+  [[nodiscard]] kernels::FarSphere far_box(const kernels::PositionRecord& record,
+                                           const kernels::BoxSize<Dim>& size) const noexcept {
+    float width[3]{};
+    std::copy_n(size.width, Dim, width);
+    return kernels::far_box(record.position, record.number, size.radius, width, margin_);
   }
 
   /// The fields of a pair of layers that bound the reach.

@@ -23,8 +23,10 @@ struct LayerLimits {
   /// The same of boxes in all of these cases, in 3D and in 2D: tiles have more columns of them.
   std::size_t least_boxes = 200;
   std::size_t least_rectangles = 1'600;
-  /// Elements that look for smaller ones, from which on that is faster than a division by size.
+  /// Elements that look for smaller ones, from which on that is faster than a division by size, and
+  /// boxes in 3D.
   std::size_t least_elements_by_size = 5'000;
+  std::size_t least_boxes_by_size = 1'000;
   /// Elements whose clusters are worth a move, and cells of the size of the reach, for each
   /// element, from which on clusters are looked for: the box is mostly empty.
   std::size_t least_moved_elements = 20'000;
@@ -62,7 +64,7 @@ struct LayerLimits {
   /// must be decided: fewer are in the caches wherever they lie.
   std::size_t least_elements_with_spheres = 400000;
 
-  /// The fewest boxes of so many dimensions.
+  /// The fewest boxes of so many dimensions, searched with one reach for all.
   [[nodiscard]] std::size_t least_boxes_in(int dimensions) const noexcept {
     return dimensions == 2 ? least_rectangles : least_boxes;
   }

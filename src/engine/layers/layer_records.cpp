@@ -83,8 +83,11 @@ void LayerRecords<Dim>::scatter(const Spheres& spheres, const LayerGrid<Dim>& gr
       const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
       base::fetch_next_line(to.records + place);
       to.records[place] = grid.record(sphere, number);
-      if (has_radii_) to.radii[place] = grid.units_of(sphere.radius);
-      if (has_widths_) kernels::write_widths<Dim>(to, place, number, grid.map());
+      if (has_widths_) {
+        kernels::write_size(to, place, grid.size_of(spheres.boxes(), number));
+      } else if (has_radii_) {
+        to.radii[place] = grid.units_of(sphere.radius);
+      }
       if (!has_spheres_) continue;
       base::fetch_next_line(spheres_.data() + place);
       spheres_[place] = given;

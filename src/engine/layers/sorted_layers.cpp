@@ -154,8 +154,8 @@ void SortedLayers<Dim>::place(const LayerElements<Dim>& elements, std::uint32_t*
   const auto width = [&](std::uint32_t place, std::size_t r) {
     for (std::size_t axis = 0; axis < Dim; ++axis) widths(axis)[place] = elements.widths[r][axis];
   };
-  if (!elements.widths.empty()) return place_all(width);
   const bool has_radii = !elements.radii.empty();
+  if (!elements.widths.empty()) return has_radii ? place_all(width, radius) : place_all(width);
   if (elements.spheres.empty()) return has_radii ? place_all(radius) : place_all();
   return has_radii ? place_all(radius, sphere) : place_all(sphere);
 }

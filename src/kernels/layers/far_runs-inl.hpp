@@ -1,14 +1,23 @@
 // The runs in which elements that are not near look, included like runs_of_row-inl.hpp.
 
+/// Reaches of far elements are widened by this factor, more than what rounds them.
+constexpr double room = 1.0 + 0x1p-18;
+
 /// The pieces 2^shift wide, from number `least` to `most`, that a stretch around a position cuts:
 /// from the first to the last.
 struct PieceRange {
-  PieceRange(std::int32_t position, double reach, int shift, std::int64_t least,
-             std::int64_t most) {
+  PieceRange(std::int32_t position, double reach, int shift, std::int64_t least, std::int64_t most)
+      : PieceRange(position, reach, reach, shift, least, most) {}
+
+  /// Of a stretch that goes as far as `below` downwards and as far as `above` upwards.
+  PieceRange(std::int32_t position, double below, double above, int shift, std::int64_t least,
+             std::int64_t most)
+      : first(std::max((position - whole(below)) >> shift, least)),
+        last(std::min((position + whole(above)) >> shift, most)) {}
+
+  [[nodiscard]] static std::int64_t whole(double reach) {
     constexpr double farthest = 0x1p32;
-    const auto half = static_cast<std::int64_t>(std::min(reach, farthest)) + 1;
-    first = std::max((position - half) >> shift, least);
-    last = std::min((position + half) >> shift, most);
+    return static_cast<std::int64_t>(std::min(reach, farthest)) + 1;
   }
 
   std::int64_t first;
@@ -24,12 +33,11 @@ struct PieceRange {
   return gap * gap;
 }
 
-/// Calls test(run) for each run of the own layer that the ball of a far element cuts. Where the
+/// Calls test(run) for each run of the own layer that the ball of a far sphere cuts. Where the
 /// ball cuts few rows, all runs are as long as the longest.
 template <int Dim, class Test>
-void for_each_run(const ThreeLayers& layers, const FarSphere& far, const Test& test) {
+void for_each_run_in_ball(const ThreeLayers& layers, const FarSphere& far, const Test& test) {
   constexpr std::int64_t few_rows = 4;
-  constexpr double room = 1.0 + 0x1p-18;
   const double reach = double{own_reach(far.radius, layers.margin)} * room;
   double square = reach * reach;
   if constexpr (Dim == 3) square -= square_to_cell(far.position[layers.layer_axis], layers.layer);
@@ -56,10 +64,50 @@ void for_each_run(const ThreeLayers& layers, const FarSphere& far, const Test& t
   }
 }
 
+/// The same of a far box. Smaller ones lie as far below its lower corner as it is wide itself on
+/// any axis, and above as far as it goes on that one.
+template <int Dim, class Test>
+void for_each_run_beside_box(const ThreeLayers& layers, const FarSphere& far, const Test& test) {
+  const double below = double{own_reach(far.radius, layers.margin)} * room;
+  const auto pieces = [&](int axis, int shift, std::int64_t least, std::int64_t most) {
+    const double above = double{own_reach(0.5f * far.width[axis], layers.margin)} * room;
+    return PieceRange(far.position[axis], below, above, shift, least, most);
+  };
+  if constexpr (Dim == 3) {
+    const PieceRange layer = pieces(layers.layer_axis, cell_bits, layers.layer, layers.layer);
+    if (layer.first > layer.last) return;
+  }
+  const std::int64_t first_row = layers.first_row;
+  const PieceRange rows =
+      pieces(layers.next_row_axis, cell_bits, first_row, first_row + layers.rows - 1);
+  const PieceRange columns =
+      pieces(layers.row_axis, layers.column_shift, 0, std::int64_t{layers.columns} - 1);
+  if (columns.first > columns.last) return;
+  const std::uint32_t* of_row =
+      layers.own + (rows.first - first_row + 1) * std::int64_t{layers.row_length} + near_columns;
+  for (std::int64_t row = rows.first; row <= rows.last; ++row, of_row += layers.row_length) {
+    test(Run{of_row[columns.first], of_row[columns.last + 1]});
+  }
+}
+
+/// Calls test(run) for each run of the own layer in which a far element looks.
+template <int Dim, class Test>
+void for_each_run(const ThreeLayers& layers, const FarSphere& far, const Test& test) {
+  if (layers.shape == ElementShape::boxes) return for_each_run_beside_box<Dim>(layers, far, test);
+  for_each_run_in_ball<Dim>(layers, far, test);
+}
+
 /// The element at place p.
 [[nodiscard]] inline FarSphere element_at(const ThreeLayers& layers, std::uint32_t p) {
   const std::int32_t position[3] = {layers.position[0][p], layers.position[1][p],
                                     layers.position[2][p]};
+  if (layers.shape == ElementShape::boxes) {
+    float width[3]{};
+    for (int axis = 0; axis < 3 && layers.width[axis] != nullptr; ++axis) {
+      width[axis] = layers.width[axis][p];
+    }
+    return far_box(position, layers.number[p], layers.radius[p], width, layers.margin);
+  }
   return far_sphere(position, layers.number[p], layers.radius[p], layers.margin);
 }
 

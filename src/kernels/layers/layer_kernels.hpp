@@ -7,6 +7,7 @@
 
 #include <abut/simd.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -74,22 +75,36 @@ struct PositionMap {
 struct RecordsByLayer {
   std::uint64_t* cursors;  ///< next place, by layer
   PositionRecord* records;
-  float* radii;                   ///< in units; of equal spheres and of boxes null
+  float* radii;                   ///< in units; null where they are not asked for
   float* widths;                  ///< of boxes, in units, box by box; else null
   const StridedBoxes* boxes;      ///< by number; null for spheres
   std::uint32_t number_of_first;  ///< of the first sphere of the columns that are read
 };
 
-/// Writes the widths of a box to its place.
+/// Widths of a box in units, and the radius of its stand-in: half of the widest.
 template <int Dim>
-inline void write_widths(const RecordsByLayer& to, std::uint64_t place, std::uint32_t number,
-                         const PositionMap& map) noexcept {
+struct BoxSize {
+  BoxSize(const StridedBoxes& boxes, std::uint32_t number, const PositionMap& map) noexcept {
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double length = boxes.upper(axis, number) - boxes.lower(axis, number);
+      width[axis] = length_in_units(length, map);
+      radius = std::max(radius, 0.5f * width[axis]);
+    }
+  }
+
+  float width[Dim];
+  float radius = 0.0f;
+};
+
+/// Writes the size of a box to its place, with its radius if there are radii.
+template <int Dim>
+inline void write_size(const RecordsByLayer& to, std::uint64_t place, const BoxSize<Dim>& size) {
   float* const widths = to.widths + place * Dim;
   base::fetch_next_line(widths);
-  for (int axis = 0; axis < Dim; ++axis) {
-    const double width = to.boxes->upper(axis, number) - to.boxes->lower(axis, number);
-    widths[axis] = length_in_units(width, map);
-  }
+  std::copy_n(size.width, Dim, widths);
+  if (to.radii == nullptr) return;
+  base::fetch_next_line(to.radii + place);
+  to.radii[place] = size.radius;
 }
 
 /// Columns that hold sorted records, field by field.
@@ -112,7 +127,7 @@ struct LayerPair {
   const std::uint32_t* number;
   const std::uint32_t* column;
   ElementShape shape;
-  const float* radius;        ///< in units; of equal spheres and of boxes null
+  const float* radius;        ///< in units; null where no two elements are compared by it
   const float* width[3];      ///< of boxes, in units, by axis; else null
   const double* copies;       ///< of the spheres, place by place; null where there are none
   const std::uint32_t* own;   ///< table of the layer whose elements are tested
@@ -144,27 +159,44 @@ struct ThreeLayers : LayerPair {
   float margin;            ///< in units
 };
 
-/// An element that looks for smaller ones and is not near, wherever it lies.
+/// An element that looks for smaller ones and is not near, wherever it lies: a sphere, or a box
+/// with the radius of its stand-in.
 struct FarSphere {
   std::int32_t position[3];
   std::uint32_t number;
   float radius;              ///< in units
-  float nearest;             ///< the radius and the margin, less
+  float nearest;             ///< of a sphere the radius and the margin, of a box the margin, less
   float farthest;            ///< and plus the slack
   std::uint32_t last_layer;  ///< in which it looks
+  float width[3];            ///< of a box, in units
 };
 
-/// Its slack bounds the error of a distance in units: positions are converted to single precision,
-/// which rounds those of distant ones (docs/derivations/layer_sizes.md).
+/// Bounds the error of a distance in units of an element that is not near: positions are converted
+/// to single precision, which rounds those of distant ones (docs/derivations/layer_sizes.md).
+[[nodiscard]] inline float far_slack(float radius, float margin) noexcept {
+  return layer_slack + 0x1p-20f * own_reach(radius, margin);
+}
+
 [[nodiscard]] inline FarSphere far_sphere(const std::int32_t (&position)[3], std::uint32_t number,
                                           float radius, float margin) noexcept {
-  const float slack = layer_slack + 0x1p-20f * own_reach(radius, margin);
+  const float slack = far_slack(radius, margin);
   return {{position[0], position[1], position[2]},
           number,
           radius,
           radius + (margin - slack),
           radius + (margin + slack),
-          0};
+          0,
+          {}};
+}
+
+/// The same of a box.
+[[nodiscard]] inline FarSphere far_box(const std::int32_t (&position)[3], std::uint32_t number,
+                                       float radius, const float (&width)[3],
+                                       float margin) noexcept {
+  const float slack = far_slack(radius, margin);
+  return {
+      {position[0], position[1], position[2]}, number, radius, margin - slack, margin + slack, 0,
+      {width[0], width[1], width[2]}};
 }
 
 /// The kernels of layers for one instruction set. All give the same pairs in the same order.

@@ -40,6 +40,19 @@ class ScalarTester {
     return sum;
   }
 
+  /// The largest gap of two boxes over the axes; a zero is +0.
+  template <int Dim>
+  [[nodiscard]] float gap(const std::int32_t (&from)[3], const float (&width)[3],
+                          std::uint32_t q) const {
+    float largest = -std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto difference = static_cast<float>(layers_.position[axis][q] - from[axis]);
+      largest = std::max(
+          {largest, difference - width[axis], (0.0f - difference) - layers_.width[axis][q]});
+    }
+    return largest;
+  }
+
   void test(std::uint32_t element, std::uint32_t q, float distance, const ReachBounds& reach) {
     if (distance > reach.outer) return;
     add(element, q);
@@ -101,7 +114,7 @@ class ScalarLayerTester : ScalarTester {
     const std::int32_t from[3] = {layers_.position[0][p], layers_.position[1][p],
                                   layers_.position[2][p]};
     if (layers_.largest_square >= 0) return test_exactly(p, from, run);
-    if (layers_.shape == ElementShape::boxes) return test_boxes(p, run);
+    if (layers_.shape == ElementShape::boxes) return test_boxes(p, from, run);
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
       test(layers_.number[p], q, distance_squared<Dim>(from, q), squares(p, q));
     }
@@ -118,22 +131,12 @@ class ScalarLayerTester : ScalarTester {
     }
   }
 
-  void test_boxes(std::uint32_t p, const Run& run) {
+  void test_boxes(std::uint32_t p, const std::int32_t (&from)[3], const Run& run) {
+    float width[3]{};
+    for (int axis = 0; axis < Dim; ++axis) width[axis] = layers_.width[axis][p];
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
-      test(layers_.number[p], q, box_gap(p, q), {layers_.inner, layers_.outer});
+      test(layers_.number[p], q, gap<Dim>(from, width, q), {layers_.inner, layers_.outer});
     }
-  }
-
-  /// The largest gap over the axes; a zero is +0.
-  [[nodiscard]] float box_gap(std::uint32_t p, std::uint32_t q) const {
-    float largest = -std::numeric_limits<float>::infinity();
-    for (int axis = 0; axis < Dim; ++axis) {
-      const std::int32_t* const position = layers_.position[axis];
-      const auto difference = static_cast<float>(position[q] - position[p]);
-      largest = std::max({largest, difference - layers_.width[axis][p],
-                          (0.0f - difference) - layers_.width[axis][q]});
-    }
-    return largest;
   }
 
   [[nodiscard]] ReachBounds squares(std::uint32_t p, std::uint32_t q) const {
@@ -183,25 +186,35 @@ class ScalarSmallerTester : ScalarTester {
   void search_near(const FarSphere& element, const NearRuns<Dim>& runs) {
     for (std::size_t k = 0; k < NearRuns<Dim>::size; ++k) {
       const std::uint32_t* const first = layers_.own + runs.first[k];
-      test_run(element, {first[0], first[runs.columns[k]]}, element.radius + layers_.nearest_margin,
-               element.radius + layers_.farthest_margin);
+      test_run(element, {first[0], first[runs.columns[k]]}, near_bounds(element));
     }
     take_now_and_then();
   }
 
   void test_far(const FarSphere& element, const Run& run) {
-    test_run(element, run, element.nearest, element.farthest);
+    test_run(element, run, {element.nearest, element.farthest});
   }
 
-  void test_run(const FarSphere& from, const Run& run, float nearest, float farthest) {
+  /// With the slack of near elements.
+  [[nodiscard]] ReachBounds near_bounds(const FarSphere& element) const {
+    const float radius = layers_.shape == ElementShape::boxes ? 0.0f : element.radius;
+    return {radius + layers_.nearest_margin, radius + layers_.farthest_margin};
+  }
+
+  /// The bounds are those of a box, or of a sphere without the radius of its partner.
+  void test_run(const FarSphere& from, const Run& run, const ReachBounds& bounds) {
     count(run);
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
       const float other = layers_.radius[q];
       if (other > from.radius || (other == from.radius && layers_.number[q] >= from.number)) {
         continue;
       }
-      test(from.number, q, distance_squared<Dim>(from.position, q),
-           squares_of(nearest, farthest, other));
+      if (layers_.shape == ElementShape::boxes) {
+        test(from.number, q, gap<Dim>(from.position, from.width, q), bounds);
+      } else {
+        test(from.number, q, distance_squared<Dim>(from.position, q),
+             squares_of(bounds.inner, bounds.outer, other));
+      }
     }
   }
 

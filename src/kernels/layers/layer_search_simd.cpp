@@ -184,10 +184,22 @@ void search_layers(const LayerPair& layers, SearchJob& job, int dimensions) {
   }
 }
 
+/// Calls visit<Probe>() with the probe of elements of that shape that look for smaller ones.
+template <int Dim, class Visit>
+HWY_INLINE void with_smaller_probe(ElementShape shape, const Visit& visit) {
+  if (shape == ElementShape::boxes) {
+    visit.template operator()<LayerProbe<SmallerReach<CommonReach>, BoxGaps<Dim>>>();
+  } else {
+    visit.template operator()<LayerProbe<SmallerReach<SummedReach>, DistanceSquares<Dim>>>();
+  }
+}
+
 template <int Dim>
 void search_near_in(const ThreeLayers& layers, SearchJob& job) {
-  SimdLayerTester<NearSearch<Dim>>(layers, job).search();
-  SimdFarTester<Dim>(layers, job).search_middle();
+  with_smaller_probe<Dim>(layers.shape, [&]<class Probe>() {
+    SimdLayerTester<NearSearch<Dim, Probe>>(layers, job).search();
+    SimdFarTester<Dim, Probe>(layers, job).search_middle();
+  });
 }
 
 void search_near(const ThreeLayers& layers, SearchJob& job, int dimensions) {
@@ -198,12 +210,20 @@ void search_near(const ThreeLayers& layers, SearchJob& job, int dimensions) {
   }
 }
 
+template <int Dim>
+void search_far_in(const ThreeLayers& layers, const FarSphere* far, std::size_t count,
+                   SearchJob& job) {
+  with_smaller_probe<Dim>(layers.shape, [&]<class Probe>() {
+    SimdFarTester<Dim, Probe>(layers, job).search(far, count);
+  });
+}
+
 void search_far(const ThreeLayers& layers, const FarSphere* far, std::size_t count, SearchJob& job,
                 int dimensions) {
   if (dimensions == 2) {
-    SimdFarTester<2>(layers, job).search(far, count);
+    search_far_in<2>(layers, far, count, job);
   } else {
-    SimdFarTester<3>(layers, job).search(far, count);
+    search_far_in<3>(layers, far, count, job);
   }
 }
 

@@ -1,7 +1,7 @@
 // Elements that are not near and the smaller ones around them in vectors, included like
 // simd_joined_runs-inl.hpp.
 
-template <int Dim>
+template <int Dim, class Probe>
 class SimdFarTester {
  public:
   HWY_INLINE SimdFarTester(const ThreeLayers& layers, SearchJob& job)
@@ -55,7 +55,7 @@ class SimdFarTester {
   }
 
   const ThreeLayers& layers_;
-  RunJobs<Dim> jobs_;
+  RunJobs<Dim, Probe> jobs_;
   std::size_t middle_count_ = 0;
   FarSphere middle_[most_middle];
 };

@@ -5,8 +5,8 @@
 template <int Dim>
 class DistanceSquares {
  public:
-  HWY_INLINE explicit DistanceSquares(const std::int32_t (&position)[3]) {
-    for (int axis = 0; axis < Dim; ++axis) position_[axis] = hn::Set(integers, position[axis]);
+  HWY_INLINE explicit DistanceSquares(const FarSphere& far) {
+    for (int axis = 0; axis < Dim; ++axis) position_[axis] = hn::Set(integers, far.position[axis]);
   }
 
   /// Of the element at place p.
@@ -42,6 +42,13 @@ class DistanceSquares {
 template <int Dim>
 class BoxGaps {
  public:
+  HWY_INLINE explicit BoxGaps(const FarSphere& far) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      position_[axis] = hn::Set(integers, far.position[axis]);
+      width_[axis] = hn::Set(floats, far.width[axis]);
+    }
+  }
+
   /// Of the element at place p.
   HWY_INLINE BoxGaps(const LayerPair& layers, std::uint32_t p) {
     for (int axis = 0; axis < Dim; ++axis) {

@@ -15,6 +15,11 @@ class LayerProbe {
     return {layers, Distance(layers, p), Reach(layers, p)};
   }
 
+  /// An element that is not near.
+  [[nodiscard]] static HWY_INLINE LayerProbe of(const ThreeLayers& layers, const FarSphere& far) {
+    return {layers, Distance(far), Reach(layers, far)};
+  }
+
   /// The candidates that are certainly within reach; writes down the numbers of all.
   template <class Runs>
   HWY_INLINE Bits test(const Runs& runs, std::uint32_t* number) {

@@ -7,7 +7,11 @@ class CommonReach {
   static constexpr bool counts_all = true;
 
   HWY_INLINE CommonReach(const LayerPair& layers, std::uint32_t)
-      : inner_(hn::Set(floats, layers.inner)), outer_(hn::Set(floats, layers.outer)) {}
+      : CommonReach(layers, layers.inner, layers.outer) {}
+
+  /// These bounds instead.
+  HWY_INLINE CommonReach(const LayerPair&, float inner, float outer)
+      : inner_(hn::Set(floats, inner)), outer_(hn::Set(floats, outer)) {}
 
   /// The reach, less the slack, of the candidates from lane k on: of spheres the square.
   template <class Runs>
@@ -58,19 +62,20 @@ class SummedReach {
   Floats farthest_;
 };
 
-/// The same, of an element that looks for smaller ones only: those with a smaller radius, or with
+/// A reach of an element that looks for smaller ones only: those with a smaller radius, or with
 /// the same and a lower number.
-class SmallerReach : public SummedReach {
+template <class Reach>
+class SmallerReach : public Reach {
  public:
   static constexpr bool counts_all = false;
 
   HWY_INLINE SmallerReach(const ThreeLayers& layers, std::uint32_t p)
-      : SummedReach(layers, p), layers_(layers) {
+      : Reach(layers, p), layers_(layers) {
     set_size(layers.radius[p], layers.number[p]);
   }
 
   HWY_INLINE SmallerReach(const ThreeLayers& layers, const FarSphere& far)
-      : SummedReach(layers, far.nearest, far.farthest), layers_(layers) {
+      : Reach(layers, far.nearest, far.farthest), layers_(layers) {
     set_size(far.radius, far.number);
   }
 

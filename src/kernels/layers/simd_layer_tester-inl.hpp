@@ -49,11 +49,11 @@ class AheadSearch {
 };
 
 /// Near elements that look for smaller ones around them.
-template <int Dim>
+template <int Dim, class ProbeOfElement>
 class NearSearch {
  public:
   using Layers = ThreeLayers;
-  using Probe = LayerProbe<SmallerReach, DistanceSquares<Dim>>;
+  using Probe = ProbeOfElement;
   using Row = ElementsOfRow;
   static constexpr std::size_t runs = NearBatch<Dim>::runs;
   static constexpr bool some_have_hits = true;

@@ -48,17 +48,32 @@ class LayerWriter {
     }
   }
 
+  /// Records, with radii or sizes of boxes if there are some: a loop for each of these.
   HWY_INLINE void write(std::size_t first, std::size_t count, const PositionRecord* block) const {
+    if (to_.widths != nullptr) {
+      write_each(count, block, [&](std::uint64_t place, std::size_t k) {
+        write_size(to_, place, BoxSize<Dim>(*to_.boxes, block[k].number, map_));
+      });
+    } else if (to_.radii != nullptr) {
+      write_each(count, block, [&](std::uint64_t place, std::size_t k) {
+        base::fetch_next_line(to_.radii + place);
+        to_.radii[place] = length_in_units(spheres_.radius(first + k), map_);
+      });
+    } else {
+      write_each(count, block, [](std::uint64_t, std::size_t) {});
+    }
+  }
+
+  /// Calls visit(place, k) for each.
+  template <class Visit>
+  HWY_INLINE void write_each(std::size_t count, const PositionRecord* block,
+                             const Visit& visit) const {
     for (std::size_t k = 0; k < count; ++k) {
       const auto position = static_cast<std::uint32_t>(block[k].position[map_.layer_axis]);
       const std::uint64_t place = to_.cursors[position >> map_.layer_shift]++;
       base::fetch_next_line(to_.records + place);
       to_.records[place] = block[k];
-      if (to_.radii != nullptr) {
-        base::fetch_next_line(to_.radii + place);
-        to_.radii[place] = length_in_units(spheres_.radius(first + k), map_);
-      }
-      if (to_.widths != nullptr) write_widths<Dim>(to_, place, block[k].number, map_);
+      visit(place, k);
     }
   }
 

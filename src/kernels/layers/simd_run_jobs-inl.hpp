@@ -11,7 +11,7 @@ struct RunJob {
 
 /// How many vectors a run takes could not be foreseen, nor which of them have hits. So runs are cut
 /// into jobs without a branch, and all jobs are looked at before the hits of any are written.
-template <int Dim>
+template <int Dim, class Probe>
 class RunJobs {
  public:
   HWY_INLINE RunJobs(const ThreeLayers& layers, SearchJob& job)
@@ -57,8 +57,6 @@ class RunJobs {
   }
 
  private:
-  using Probe = LayerProbe<SmallerReach, DistanceSquares<Dim>>;
-
   /// Most runs have no more candidates.
   static constexpr std::uint32_t short_run = 16;
   static constexpr auto vector_size = static_cast<std::uint32_t>(lanes);
@@ -75,21 +73,16 @@ class RunJobs {
 
   [[nodiscard]] HWY_INLINE Bits test(const RunJob& job) const {
     const SingleRun run({job.begin, job.begin + job.size});
-    const Probe probe = probe_of(job);
+    const Probe probe = Probe::of(layers_, *job.element);
     return hits_of(probe, run, probe.distance(run, 0));
   }
 
   HWY_INLINE void add_hits(const RunJob& job) {
     const SingleRun run({job.begin, job.begin + job.size});
-    const Probe probe = probe_of(job);
+    const Probe probe = Probe::of(layers_, *job.element);
     const Floats distance = probe.distance(run, 0);
     hits_.add(job.element->number, 0, run, 0, hits_of(probe, run, distance),
               probe.is_sure(run, 0, distance));
-  }
-
-  [[nodiscard]] HWY_INLINE Probe probe_of(const RunJob& job) const {
-    return {layers_, DistanceSquares<Dim>(job.element->position),
-            SmallerReach(layers_, *job.element)};
   }
 
   /// Lanes beyond those of a vector have no bits in the hits: no branch for what is a full one.

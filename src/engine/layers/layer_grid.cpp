@@ -42,7 +42,7 @@ double cell_size(const grid::Bounds<Dim>& bounds, double least, double elements)
 /// Bits of an exact position below its cell: squares of distances between adjacent cells, and their
 /// sums, have less than 31.
 constexpr int bits_of_exact_cell = 13;
-/// Twice the slack, and more than what rounds the bounds of the separation of boxes.
+/// Twice the slack, and more than what rounds the bounds of the gap of two boxes.
 constexpr float band_of_boxes = 4.0f * kernels::layer_slack;
 
 /// Units of a step, at least: with n of them cells are wider than needed by 1 / n at most; and at

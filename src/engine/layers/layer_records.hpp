@@ -19,7 +19,7 @@ namespace abut::engine {
 template <int Dim>
 struct LayerElements {
   std::span<const kernels::PositionRecord> records;
-  std::span<const float> radii;                    ///< in units; of equal spheres and of boxes none
+  std::span<const float> radii;                    ///< in units; none where none are compared
   std::span<const std::array<float, Dim>> widths;  ///< of boxes, in units, by axis
   std::span<const exact::Sphere<Dim>> spheres;     ///< none unless they were asked for
 };

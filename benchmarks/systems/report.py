@@ -2,8 +2,8 @@
 
 Usage: report.py RESULTS_FOLDER [--docs FILE]
 The page keeps its words: only what lies between its markers is written anew. A table that is not
-in the folder is taken from another machine's, which the page names; one that no machine has leaves
-its section as it is.
+in the folder is taken from the newest measurement of another machine, which the page names; one
+that no machine has leaves its section as it is.
 """
 
 import argparse
@@ -143,16 +143,16 @@ SECTIONS = {
 
 
 def tables_of(results):
-    """For each table that there is its file: that of the folder, or else the first machine's that
-    measured it."""
+    """For each table that there is its file: that of the folder, or else the newest one."""
     found = {}
     for name in SECTIONS:
+        path = os.path.join(results, f"{name}.csv")
         others = sorted(glob.glob(os.path.join(ROOT, "benchmarks", "results", "*", "systems",
                                                f"{name}.csv")))
-        for path in (os.path.join(results, f"{name}.csv"), *others):
-            if os.path.exists(path):
-                found[name] = path
-                break
+        if os.path.exists(path):
+            found[name] = path
+        elif others:
+            found[name] = max(others, key=lambda other: read(other)[0].get("date", ""))
     return found
 
 

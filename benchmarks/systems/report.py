@@ -162,13 +162,14 @@ def machines(headers, results, page):
     found = {}
     for path, header in sorted(headers.items(), key=lambda of: os.path.dirname(of[0]) != results):
         machine = "; ".join(f"{key} {value}" for key, value in header.items() if key not in WHEN)
-        when = ", ".join(f"{key} {header[key]}" for key in WHEN if key in header)
-        tables = found.setdefault((machine, os.path.dirname(path)), {}).setdefault(when, [])
+        days = found.setdefault((machine, os.path.dirname(path)), {})
+        commits = days.setdefault(f"date {header.get('date', 'unknown')}", {})
+        tables = commits.setdefault(f"commit {header.get('commit', 'unknown')}", [])
         tables.append(os.path.basename(path).removesuffix(".csv"))
     lines = []
-    for (machine, folder), times in found.items():
-        only = len(found) == 1 and len(times) == 1
-        words = [when + ("" if only else f" ({', '.join(of)})") for when, of in times.items()]
+    for (machine, folder), days in found.items():
+        words = [", ".join([day, *(f"{commit} ({', '.join(of)})" for commit, of in commits.items())])
+                 for day, commits in days.items()]
         lines += [wrapped("; ".join(filter(None, ["Measured on: " + machine, *words])) + "."),
                   link("The tables", folder, page) + "."]
     return "\n".join(lines)

@@ -50,6 +50,15 @@ Boxes<Dim> uniform_boxes(Random& random, std::size_t count, const std::array<dou
   return boxes;
 }
 
+template <int Dim>
+Boxes<Dim> mapped(Boxes<Dim> boxes, double scale, double offset) {
+  for (auto& box : boxes) {
+    for (double& x : box.lower) x = x * scale + offset;
+    for (double& x : box.upper) x = x * scale + offset;
+  }
+  return boxes;
+}
+
 /// The spheres that stand for boxes (exact::Elements), and their bounds.
 template <int Dim>
 Spheres<Dim> stand_ins(const Boxes<Dim>& boxes) {

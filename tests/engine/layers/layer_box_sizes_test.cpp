@@ -57,14 +57,6 @@ class LayerBoxSizesOf : public ::testing::Test {
     return boxes;
   }
 
-  static ItsBoxes mapped(ItsBoxes boxes, double scale, double offset) {
-    for (auto& box : boxes) {
-      for (double& x : box.lower) x = x * scale + offset;
-      for (double& x : box.upper) x = x * scale + offset;
-    }
-    return boxes;
-  }
-
   Random random_{static_cast<std::uint64_t>(191 + its_dim)};
 };
 
@@ -209,13 +201,13 @@ TYPED_TEST(LayerBoxSizesOf, NumbersOfAnySizeAndPlace) {
   constexpr int dim = TypeParam::value;
   for (const double factor : {0x1p-1060, 0x1p-900, 0x1p-500, 0x1p500, 0x1p900, 0x1p1000}) {
     SCOPED_TRACE("factor " + std::to_string(factor));
-    const auto boxes = TestFixture::mapped(this->log_uniform(600, 100.0, 0.3), factor, 0.0);
+    const auto boxes = mapped<dim>(this->log_uniform(600, 100.0, 0.3), factor, 0.0);
     expect_right_by_size<dim>(boxes);
     expect_right_by_size<dim>(boxes, 2.0 * factor);
   }
   for (const double offset : {0x1p40, -0x1p49}) {
     SCOPED_TRACE("offset " + std::to_string(offset));
-    expect_right_by_size<dim>(TestFixture::mapped(this->log_uniform(900, 20.0, 0.3), 1.0, offset));
+    expect_right_by_size<dim>(mapped<dim>(this->log_uniform(900, 20.0, 0.3), 1.0, offset));
   }
   for (const double distance : {1e4, 1e9, 1e300}) {
     SCOPED_TRACE("stray at " + std::to_string(distance));

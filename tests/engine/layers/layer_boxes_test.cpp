@@ -17,13 +17,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// A few last places further or nearer.
-double beside(Random& random, double x) {
-  const auto steps = static_cast<int>(random.below(5)) - 2;
-  for (int k = 0; k < std::abs(steps); ++k) x = std::nextafter(x, steps < 0 ? -1e9 : 1e9);
-  return x;
-}
-
 template <class Dimension>
 class LayerBoxesOf : public ::testing::Test {
  protected:
@@ -46,14 +39,6 @@ class LayerBoxesOf : public ::testing::Test {
         box.upper[axis] = static_cast<double>(at[axis] + 1) * width;
       }
       boxes.push_back(box);
-    }
-    return boxes;
-  }
-
-  static ItsBoxes mapped(ItsBoxes boxes, double scale, double offset) {
-    for (auto& box : boxes) {
-      for (double& x : box.lower) x = x * scale + offset;
-      for (double& x : box.upper) x = x * scale + offset;
     }
     return boxes;
   }
@@ -201,7 +186,7 @@ TYPED_TEST(LayerBoxesOf, MovedClusters) {
   Boxes<dim> boxes;
   for (std::size_t cluster = 0; cluster < 12; ++cluster) {
     const auto at = static_cast<double>(cluster);
-    append<dim>(boxes, TestFixture::mapped(this->dense(150), 1.0, 1000.0 * at * at));
+    append<dim>(boxes, mapped<dim>(this->dense(150), 1.0, 1000.0 * at * at));
   }
   expect_right_in_layers<dim>(boxes, 0.0, Way::moved, always_moved);
   expect_right_in_layers<dim>(boxes, 0.25, Way::moved, always_moved);
@@ -213,11 +198,11 @@ TYPED_TEST(LayerBoxesOf, NumbersOfAnySize) {
     SCOPED_TRACE("scale " + std::to_string(scale));
     auto boxes = this->dense(700);
     for (auto& box : boxes) box.upper[0] = box.lower[0] + 1.0;  // sizes that no division pays for
-    boxes = TestFixture::mapped(boxes, scale, 0.0);
+    boxes = mapped<dim>(boxes, scale, 0.0);
     expect_right_in_layers<dim>(boxes);
     expect_right_in_layers<dim>(boxes, 0.3 * scale);
     expect_right_in_layers<dim>(
-        TestFixture::mapped(TestFixture::voxels(dim == 2 ? 15 : 6, 1.0), scale, 0.0));
+        mapped<dim>(TestFixture::voxels(dim == 2 ? 15 : 6, 1.0), scale, 0.0));
   }
 }
 
@@ -238,7 +223,7 @@ TYPED_TEST(LayerBoxesOf, FarFromTheOrigin) {
   constexpr int dim = TypeParam::value;
   for (const double offset : {0x1p40, -0x1p40, 0x1p49, 0x1p52}) {
     SCOPED_TRACE("offset " + std::to_string(offset));
-    expect_right_in_layers<dim>(TestFixture::mapped(this->dense(1200), 1.0, offset));
+    expect_right_in_layers<dim>(mapped<dim>(this->dense(1200), 1.0, offset));
   }
 }
 
@@ -249,7 +234,7 @@ TYPED_TEST(LayerBoxesOf, PointsAndSubnormalNumbers) {
   append<dim>(points, points);
   expect_right_in_layers<dim>(points);
   const auto voxels = TestFixture::voxels(dim == 2 ? 20 : 7, 1.0);
-  expect_right_in_layers<dim>(TestFixture::mapped(voxels, 0x1p-1074, 0.0));
+  expect_right_in_layers<dim>(mapped<dim>(voxels, 0x1p-1074, 0.0));
 }
 
 /// From so many boxes on, with the limits that hold: as dense as these, or thinly spread.

@@ -16,13 +16,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// A few last places further or nearer.
-double beside(Random& random, double x) {
-  const auto steps = static_cast<int>(random.below(5)) - 2;
-  for (int k = 0; k < std::abs(steps); ++k) x = std::nextafter(x, steps < 0 ? -1e9 : 1e9);
-  return x;
-}
-
 template <class Dimension>
 class LayerFacesOf : public ::testing::Test {
  protected:

@@ -129,4 +129,11 @@ void append(Spheres<Dim>& spheres, const Spheres<Dim>& more) {
   spheres.insert(spheres.end(), more.begin(), more.end());
 }
 
+/// A few last places further or nearer.
+inline double beside(Random& random, double x) {
+  const auto steps = static_cast<int>(random.below(5)) - 2;
+  for (int k = 0; k < std::abs(steps); ++k) x = std::nextafter(x, steps < 0 ? -1e9 : 1e9);
+  return x;
+}
+
 }  // namespace abut::testing

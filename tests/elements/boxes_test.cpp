@@ -88,6 +88,58 @@ TEST(BoxInput, NoneOneAndPoints) {
   EXPECT_EQ(find_contact_pairs(boxes(points, points), boxes(zeros, zeros)).size(), 2500U);
 }
 
+/// So many that they are searched where they lie: columns, points, and what must be copied, in the
+/// same detector as boxes that go through tiles.
+TEST(BoxInput, ManyAreFoundInEachLayout) {
+  const auto scene = scenes::boxes_in(scenes::scene_named("dense").make(1000, 5), 6);
+  std::vector<Point> low(scene.size());
+  std::vector<Point> high(scene.size());
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[k][axis] = static_cast<float>(scene.lower[axis][k]);
+      high[k][axis] = static_cast<float>(scene.upper[axis][k]);
+    }
+  }
+  std::array<std::vector<double>, 6> columns;
+  std::array<std::vector<float>, 6> floats;
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    for (std::size_t c = 0; c < 6; ++c) {
+      columns[c].push_back(c < 3 ? low[k][c] : high[k][c - 3]);
+      floats[c].push_back(static_cast<float>(columns[c].back()));
+    }
+  }
+  const auto of = [](const auto& c) { return boxes(c[0], c[1], c[2], c[3], c[4], c[5]); };
+  Options options;
+  options.algorithm = Algorithm::direct_check;
+  const PairList expected = find_contact_pairs(of(columns), Domain::open(), options);
+  ASSERT_GT(expected.size(), 100U);
+  Detector detector;
+  for (const ElementView& view : {of(columns), boxes(low, high), of(floats), of(columns)}) {
+    EXPECT_TRUE(std::ranges::equal(expected.pairs(), detector.find_contact_pairs(view).pairs()));
+    EXPECT_EQ(detector.find_contact_pairs(boxes(lower, upper)).size(),
+              find_contact_pairs(boxes(lower, upper)).size());
+  }
+}
+
+/// A bad box among many is named, and the next detection is right.
+TEST(BoxInput, OneOfManyIsRefused) {
+  std::vector<Point> low(400);
+  for (std::size_t k = 0; k < low.size(); ++k) low[k] = {double(k), 0.0, 0.0};
+  auto high = low;
+  for (auto& corner : high) corner = {corner[0] + 1.0, 1.0, 1.0};
+  Detector detector;
+  EXPECT_EQ(detector.find_contact_pairs(boxes(low, high)).size(), 399U);
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1.0}) {
+    high[321][1] = bad;
+    testing::expect_error(ErrorCode::invalid_input, {"321"}, [&] {
+      static_cast<void>(detector.find_contact_pairs(boxes(low, high)));
+    });
+  }
+  high[321][1] = 1.0;
+  EXPECT_EQ(detector.find_contact_pairs(boxes(low, high)).size(), 399U);
+}
+
 TEST(BoxGaps, AreTheLargestSeparation) {
   const ElementView some = boxes(lower, upper);
   EXPECT_EQ(gap(some, {0, 1}), 0.0);

@@ -24,7 +24,7 @@ SEED = 23
 BOUND_OF_EQUAL, BOUND = Fraction(276, 100), Fraction(327, 100)  # section 3, in units
 MOVED = Fraction(1, 4)  # section 7
 SLACK = 4.0
-BITS = [20, 21, 22]  # of the units of a cell
+BITS = [16, 17, 18, 19, 20, 21, 22]  # of the units of a cell
 LANES = 8
 BAND = 20.0  # LayerGrid::set_reach
 

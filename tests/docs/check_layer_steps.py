@@ -11,7 +11,7 @@ PAIRS = 20000
 SEED = 31
 CELL = 1 << 13  # units
 FEWEST, MOST = 8, 1 << 24  # units of a step
-END = (1 << 24) - (1 << 15)  # of positions
+END = (1 << 28) - (1 << 18)  # of positions
 BOUND_OF_SQUARES = 1 << 30
 
 

@@ -11,10 +11,11 @@ namespace abut::engine {
 namespace {
 
 /// Two sorted layers have places of 32 bits, and all elements might lie in them.
-constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} << 16);
+constexpr std::size_t most_elements = (std::size_t{1} << 31) - (std::size_t{1} << 19);
 
-/// Cells are not so small that an axis would have more: positions have bits for 2,044.
-constexpr double most_cells_along_axis = 2040.0;
+/// Cells of elements that look for smaller ones are not so small that an axis would have more:
+/// their positions have bits for 2,044.
+constexpr double most_cells_by_size = 2040.0;
 
 /// Cells of two joined runs of nine columns, a quarter of a cell each.
 constexpr double cells_joined_at_reach = 2.0 * 9.0 / 4.0;
@@ -44,10 +45,12 @@ std::optional<LayerGrid<Dim>> for_elements(std::optional<LayerGrid<Dim>> grid,
   return grid;
 }
 
-/// Tells whether layers hold enough elements to be worth their tables.
+/// Tells whether layers, or the rows of strips, hold enough elements to be worth their tables.
 template <int Dim>
 bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std::size_t elements) {
-  return limits.least_elements_of_layer * grid.layer_count() <= static_cast<double>(elements);
+  double layers = grid.layer_count();
+  if constexpr (Dim == 2) layers *= grid.row_count();
+  return limits.least_elements_of_layer * layers <= static_cast<double>(elements);
 }
 
 /// Returns how many elements two joined runs may have.
@@ -228,7 +231,7 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
   double cell = std::max(best.cell, estimate.least_cell);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     const double extent = set.bounds.upper[axis] - set.bounds.lower[axis];
-    cell = std::max(cell, extent / most_cells_along_axis);
+    cell = std::max(cell, extent / most_cells_by_size);
   }
   const auto grid =
       for_elements(LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements), input);

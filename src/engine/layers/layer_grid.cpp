@@ -19,9 +19,11 @@ constexpr double wide_cell = 1.5;
 /// Radii and margins beyond have squares that single precision does not hold.
 constexpr float most_units = 0x1p60f;
 
-/// Elements of a strip in 2D, at most, which is sorted within the nearest caches; and strips, at
-/// least, that workers may share out.
+/// Elements of a strip in 2D, at most, which is sorted within the nearest caches; the same of up to
+/// four long rows, for a table has two rows besides; and strips, at least, that workers may share
+/// out.
 constexpr double most_elements_of_strip = 4096.0;
+constexpr double most_elements_of_four_rows = 32768.0;
 constexpr double least_strips = 24.0;
 
 /// Cells of the size that the reach needs, for each element, up to which they are not widened: that
@@ -53,8 +55,9 @@ constexpr double most_units_of_step = 0x1p24;
 /// A position has 31 bits: with one for its cell, an axis has two of these.
 constexpr int most_bits_of_cell = 30;
 
-/// Returns the finest units in which positions fit: the finer, the fewer pairs are left undecided.
-/// A cell has up to 2^22 of them, or more by the power of two by which it is wider than needed.
+/// Returns the finest units in which positions fit, if there are any: the finer, the fewer pairs
+/// are left undecided. A cell has up to 2^22 of them, or more by the power of two by which it is
+/// wider than needed, and on the longest axes as few as 2^16.
 template <int Dim>
 LayerUnits units_for(const grid::Bounds<Dim>& bounds, double cell, double least) {
   double longest = 0.0;
@@ -64,12 +67,13 @@ LayerUnits units_for(const grid::Bounds<Dim>& bounds, double cell, double least)
   int wider = 0;
   for (double half = 0.5 * cell; half >= least && wider < most_bits_of_cell; half *= 0.5) ++wider;
   int shift = std::min(kernels::most_cell_bits + wider, most_bits_of_cell);
-  for (; shift > kernels::cell_bits; --shift) {
-    const int reach_bits = std::max(shift - wider, kernels::cell_bits);
+  int reach_bits = 0;
+  for (; shift >= kernels::least_cell_bits; --shift) {
+    reach_bits = std::min(std::max(shift - wider, kernels::cell_bits), shift);
     const double end = kernels::end_of_positions(reach_bits);
-    if (longest * (std::ldexp(1.0, shift) / cell) < end) return {shift, reach_bits};
+    if (longest * (std::ldexp(1.0, shift) / cell) < end) break;
   }
-  return {shift, kernels::cell_bits};
+  return {std::max(shift, kernels::least_cell_bits), reach_bits};
 }
 
 /// The axes, the shortest first; of equal ones the first.
@@ -126,7 +130,7 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::in_steps(const grid::Bounds<Dim>& 
   const double units = std::min(fitting, most_units_of_step);
   LayerGrid grid;
   if (!(units >= fewest_units_of_step) ||
-      !grid.lay_out(bounds, units / step, {bits_of_exact_cell, kernels::cell_bits})) {
+      !grid.lay_out(bounds, units / step, {bits_of_exact_cell, kernels::least_cell_bits})) {
     return std::nullopt;
   }
   grid.has_wide_cells_ = has_wide_cells_;
@@ -159,9 +163,9 @@ bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double units_of_on
   cell_shift_ = units.cell_shift;
   reach_bits_ = units.reach_bits;
   map_.units_of_one = units_of_one;
-  // Along no axis there are more cells than positions of 2^20 units to a cell allow.
+  // Exact positions have fewer units to a cell, but no more cells.
   const double end = std::ldexp(kernels::end_of_positions(reach_bits_),
-                                std::min(cell_shift_ - kernels::cell_bits, 0));
+                                std::min(cell_shift_ - kernels::least_cell_bits, 0));
   std::array<std::uint32_t, Dim> cells{};
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     map_.lower[axis] = bounds.lower[axis];
@@ -260,8 +264,10 @@ template <int Dim>
 void LayerGrid<Dim>::join_rows(std::size_t elements) {
   const auto count = static_cast<double>(std::max<std::size_t>(elements, 1));
   const double in_row = count / static_cast<double>(rows_);
-  const double in_strip = std::min(most_elements_of_strip, count / least_strips);
-  // An axis has less than 2^11 cells: strips of a 24th of them are shifted by 6 bits at most.
+  const double in_four = std::min(4.0 * in_row, most_elements_of_four_rows);
+  const double most = std::max(most_elements_of_strip, in_four);
+  const double in_strip = std::min(most, count / least_strips);
+  // A strip is a 24th of an axis at most, or one row, so that shifts by its bits stay below 31.
   int bits = 0;
   while (in_row * std::ldexp(1.0, bits + 1) <= in_strip) ++bits;
   layers_ = ((rows_ - 1) >> bits) + 1;

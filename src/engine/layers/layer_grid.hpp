@@ -184,7 +184,7 @@ class LayerGrid {
 
  private:
   /// Of the number of a cell along an axis, at most.
-  static constexpr int bits_of_cells = 32 - kernels::cell_bits;
+  static constexpr int bits_of_cells = 32 - kernels::least_cell_bits;
 
   [[nodiscard]] std::int32_t position(double x, std::size_t axis) const noexcept {
     return static_cast<std::int32_t>((x - map_.lower[axis]) * map_.units_of_one);

@@ -123,8 +123,10 @@ LayerItems LayerSearch<Dim>::what_to_sort(const LayerSpheres<Dim>& spheres,
 /// meets it.
 template <int Dim>
 std::size_t LayerSearch<Dim>::workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const {
-  std::size_t integers = workspace_.workers[0]->scratch().layers.integers_for(
-      grid, workspace_.layer_records.largest_layer());
+  constexpr std::size_t integers_of_cursor = sizeof(std::uint64_t) / sizeof(std::uint32_t);
+  std::size_t integers = integers_of_cursor * grid.layer_count() +
+                         workspace_.workers[0]->scratch().layers.integers_for(
+                             grid, workspace_.layer_records.largest_layer());
   if (grid.is_by_size()) {
     constexpr std::size_t integers_of_far = sizeof(kernels::FarSphere) / sizeof(std::uint32_t);
     integers += workspace_.far_spheres.most_in_reach() * integers_of_far;

@@ -129,7 +129,7 @@ TYPED_TEST(LayerGridOf, PositionsAreWholeUnitsFromTheLowerCorner) {
 /// In 2D a layer is a strip of rows, of which the last may have fewer; in 3D one row of cells.
 TYPED_TEST(LayerGridOf, LayersHoldRowAfterRow) {
   constexpr bool has_strips = TypeParam::value == 2;
-  for (const std::size_t elements : {300U, 9000U, 100000U, 1000000U}) {
+  for (const std::size_t elements : {300U, 9000U, 100000U, 1000000U, 20000000U, 400000000U}) {
     const double side = std::pow(static_cast<double>(elements), 1.0 / TypeParam::value);
     const std::array<double, 3> extent{side, side + 1.5, side + 2.5};
     const auto grid = layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.001, elements);
@@ -147,8 +147,11 @@ TYPED_TEST(LayerGridOf, LayersHoldRowAfterRow) {
     }
     if (!has_strips || grid->layer_count() == 1) continue;
     const double in_row = static_cast<double>(elements) / along;
-    // A strip has as many rows, a power of two, as fit into that many elements.
-    const double in_strip = std::min(4096.0, static_cast<double>(elements) / 24.0);
+    // A strip has as many rows, a power of two, as fit into that many elements: up to four even if
+    // they are long.
+    const double in_four = std::min(4.0 * in_row, 32768.0);
+    const double in_strip =
+        std::min(std::max(4096.0, in_four), static_cast<double>(elements) / 24.0);
     EXPECT_LE(in_row * in_layer, std::max(in_strip, in_row));
     EXPECT_GT(2.0 * in_row * in_layer, in_strip);
   }
@@ -166,15 +169,24 @@ TYPED_TEST(LayerGridOf, FewElementsHaveAsFewRowsAsAnAxisHasCells) {
   }
 }
 
-/// Cells of 2^22, 2^21 or 2^20 units along an axis, and some to spare: the difference of two
-/// positions, or of one and the far position, has 31 bits and a sign.
+/// Cells of 2^22 to 2^16 units along an axis, and some to spare: the difference of two positions,
+/// or of one and the far position, has 31 bits and a sign.
 TYPED_TEST(LayerGridOf, PositionsHaveAnEnd) {
   struct Axis {
     double cells;
     int bits;
   };
-  constexpr std::array<Axis, 6> ends{
-      {{509.0, 22}, {509.4, 22}, {509.6, 21}, {1020.9, 21}, {1021.1, 20}, {2043.5, 20}}};
+  constexpr std::array<Axis, 11> ends{{{509.0, 22},
+                                       {509.4, 22},
+                                       {509.6, 21},
+                                       {1020.9, 21},
+                                       {1021.1, 20},
+                                       {2043.5, 20},
+                                       {2044.1, 19},
+                                       {4089.9, 19},
+                                       {4090.1, 18},
+                                       {16366.1, 16},
+                                       {32733.5, 16}}};
   for (std::size_t axis = 0; axis < TestFixture::axes; ++axis) {
     std::array<double, 3> extent{40.0, 40.0, 40.0};
     for (const auto& [cells, bits] : ends) {
@@ -187,7 +199,7 @@ TYPED_TEST(LayerGridOf, PositionsHaveAnEnd) {
       EXPECT_LT(last, kernels::end_of_positions(bits));
       EXPECT_LT(std::int64_t{last} - grid->far_position(), std::int64_t{1} << 31);
     }
-    extent[axis] = 2044.5;
+    extent[axis] = 32734.5;
     EXPECT_FALSE(layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 1U << 30));
     extent[axis] = 1e300;
     EXPECT_FALSE(layer_grid_over<TypeParam::value>(this->box(extent), 1.0, 1.0, 1U << 30));

@@ -129,10 +129,11 @@ TYPED_TEST(LayerLongAxesOf, Plates) {
   constexpr int dim = TypeParam::value;
   std::array<double, 3> extent{3000.0, 60.0, 0.5};
   if (dim == 2) extent = {60.0, 3000.0, 0.0};
+  const Simd level = simd_levels_here().back();
   for (int turn = 0; turn < dim; ++turn) {
     const auto plate = uniform_spheres<dim>(this->random_, 70000, extent);
     EXPECT_EQ(this->bits_of_units(plate), 19);
-    const LayerRun run = run_rows<dim>(plate, {0.0, 2, Simd::automatic, always_in_layers});
+    const LayerRun run = run_rows<dim>(plate, {0.0, 2, level, always_in_layers});
     EXPECT_TRUE(run.in_layers);
     EXPECT_TRUE(same_pairs(directly_checked<dim>(plate, 0.0), run.pairs));
     std::rotate(extent.begin(), extent.begin() + 1, extent.begin() + dim);

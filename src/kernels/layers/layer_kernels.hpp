@@ -13,14 +13,14 @@
 
 namespace abut::kernels {
 
-/// Bits of a position below its cell where elements look for smaller ones, and elsewhere on long
-/// axes: 2^20 units, as on a device (docs/derivations/whole_numbers.md).
+/// Bits of a position below its cell where elements look for smaller ones: 2^20 units, as on a
+/// device (docs/derivations/whole_numbers.md). Elsewhere cells have no fewer but on long axes.
 inline constexpr int cell_bits = 20;
 /// The same, at most, where cells are no wider than the reach needs: squares of single precision
 /// hold no finer distances.
 inline constexpr int most_cell_bits = 22;
-/// The same, at least, on the longest axes. Coarser units would leave more pairs undecided than
-/// tiles.
+/// The same, at least, on the longest axes: pairs within a ten-thousandth of the reach are left
+/// undecided then.
 inline constexpr int least_cell_bits = 16;
 
 /// Position, along a row, of what is no element, where a reach has less than 2^bits units: two

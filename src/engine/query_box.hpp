@@ -43,6 +43,15 @@ struct QueryBox {
     return result;
   }
 
+  /// True if the box holds the center of a sphere.
+  [[nodiscard]] bool holds(const exact::Sphere<Dim>& sphere) const noexcept {
+    bool result = true;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      result = result && lower[axis] <= sphere.center[axis] && upper[axis] >= sphere.center[axis];
+    }
+    return result;
+  }
+
   /// True if a local element in that box may be within reach.
   [[nodiscard]] bool meets(const grid::Bounds<Dim>& box) const noexcept {
     bool result = true;

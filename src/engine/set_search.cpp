@@ -47,6 +47,7 @@ SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspa
   workspace.expect_workers(workers);
   workspace.most_in_layers = 0;
   workspace.clusters_moved = 0;
+  workspace.beside_layers = 0;
   start_workers(input);
 }
 

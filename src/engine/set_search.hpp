@@ -77,6 +77,7 @@ class SetSearch {
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set, const SizeChoice& choice);
   [[nodiscard]] bool take_clusters(const SearchSet<Dim>& set);
+  [[nodiscard]] bool take_without_coarse(const SearchSet<Dim>& set, double cut);
   void search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);
 
   void count_radii_of(const SearchSet<Dim>& set, const SearchPlace& at);

@@ -2,6 +2,8 @@
 // clusters moved side by side.
 
 #include "base/asking_workers.hpp"
+#include "engine/layers/cell_by_size.hpp"
+#include "engine/layers/coarse_in_layers.hpp"
 #include "engine/layers/layer_choice.hpp"
 #include "engine/layers/layer_search.hpp"
 #include "engine/set_cells.hpp"
@@ -101,6 +103,32 @@ bool SetSearch<Dim>::take_clusters(const SearchSet<Dim>& set) {
   return are_searched;
 }
 
+/// Searches the set in layers that suit it without its coarse elements, those whose radius is `cut`
+/// or larger, if there are such layers and single precision holds distances of all coarse elements.
+/// Not where clusters are moved: a coarse element may meet several of them.
+template <int Dim>
+bool SetSearch<Dim>::take_without_coarse(const SearchSet<Dim>& set, double cut) {
+  const LayerLimits& limits = input_->layer_limits;
+  if (set.locals.size() < limits.least_elements_beside_coarse) return false;
+  if (input_->spheres.are_moved()) return false;
+  CoarseElements<Dim>& coarse = workspace_.coarse;
+  coarse.take(input_->spheres.first(set.locals.size()), cut, input_->element_kernels, worker_count_,
+              work_at(place_of_all()));
+  if (coarse.numbers().size() == set.locals.size()) return false;
+  SearchSet<Dim> others = set;
+  others.bounds = coarse.bounds_of_others();
+  SearchInput<Dim> input = *input_;
+  input.spheres = input.spheres.with_coarse(coarse.numbers());
+  const auto layers =
+      choose_layers(others, input, cell_size_for(others.bounds, input), workspace_.occupancy);
+  if (!layers || !hold_squares_of(*layers, coarse.elements())) return false;
+  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
+  workspace_.beside_layers = coarse.numbers().size();
+  LayerSearch<Dim> search(input, workspace_, worker_count_, context_);
+  next_unit_ = search.search(others, *layers, next_unit_);
+  return true;
+}
+
 template <int Dim>
 void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers) {
   workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
@@ -148,9 +176,15 @@ auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace
   const SizeDistribution sizes = sizes_of(set.bounds, input_->margin, volume);
   const SizeClasses classes(at.histogram, sizes);
   const SizePlan plan = plan_sizes<Dim>(classes, sizes);
-  if (at.worker == nullptr && search_by_size(set, classes, sizes, plan.cost)) {
+  if (at.worker != nullptr) return {plan.cut};
+  const SizePlan coarse = plan_coarse<Dim>(classes, sizes);
+  const CellBySize by_size = choose_cell_by_size<Dim>(classes, sizes, set.bounds);
+  const double other_cost = by_size.cell == 0.0 ? plan.cost : std::min(plan.cost, by_size.cost);
+  const bool costs_less = coarse.cost < input_->layer_limits.most_beside_coarse * other_cost;
+  if (coarse.cut && costs_less && take_without_coarse(set, *coarse.cut)) {
     return {std::nullopt, true};
   }
+  if (search_by_size(set, classes, sizes, plan.cost)) return {std::nullopt, true};
   return {plan.cut};
 }
 

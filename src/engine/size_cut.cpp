@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace abut::engine {
 namespace {
@@ -14,6 +15,13 @@ constexpr double cost_of_element = 120.0;
 constexpr double cost_of_division = 60.0;
 constexpr double cost_of_cross_level = 250.0;
 constexpr double cost_of_row = 15.0;
+
+/// The same in layers: what they cost of what tiles do, to look whether an element is coarse, and
+/// two coarse elements to each other. The square of the number of coarse elements is no larger than
+/// that of all.
+constexpr double part_in_layers = 0.55;
+constexpr double cost_of_look = 10.0;
+constexpr double cost_of_coarse_pair = 5.0;
 
 /// A cut must promise more than the error of the estimate.
 constexpr double least_gain = 0.8;
@@ -60,6 +68,7 @@ class Estimate {
 
   [[nodiscard]] std::size_t size() const { return classes_.size(); }
   [[nodiscard]] double count() const { return count_of(0, size()); }
+  [[nodiscard]] double count_above(std::size_t cut) const { return count_of(cut, size()); }
   [[nodiscard]] double cut_above(std::size_t k) const { return classes_[k].cut; }
 
  private:
@@ -92,7 +101,24 @@ SizePlan plan_sizes(const SizeClasses& classes, const SizeDistribution& sizes) {
   return plan;
 }
 
+template <int Dim>
+SizePlan plan_coarse(const SizeClasses& classes, const SizeDistribution& sizes) {
+  const Estimate<Dim> estimate(classes, sizes.margin / sizes.reach(), sizes.volume);
+  const double count = estimate.count();
+  SizePlan plan{std::nullopt, std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 1; k < estimate.size(); ++k) {
+    const double coarse = estimate.count_above(k);
+    if (coarse * coarse > count) continue;
+    const double cost = cost_of_look * count + part_in_layers * estimate.alone(0, k) +
+                        estimate.cross_level(k) + cost_of_coarse_pair * coarse * coarse / 2.0;
+    if (cost < plan.cost) plan = {estimate.cut_above(k - 1), cost};
+  }
+  return plan;
+}
+
 template SizePlan plan_sizes<2>(const SizeClasses&, const SizeDistribution&);
 template SizePlan plan_sizes<3>(const SizeClasses&, const SizeDistribution&);
+template SizePlan plan_coarse<2>(const SizeClasses&, const SizeDistribution&);
+template SizePlan plan_coarse<3>(const SizeClasses&, const SizeDistribution&);
 
 }  // namespace abut::engine

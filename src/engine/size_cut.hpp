@@ -19,4 +19,9 @@ struct SizePlan {
 template <int Dim>
 [[nodiscard]] SizePlan plan_sizes(const SizeClasses& classes, const SizeDistribution& sizes);
 
+/// The same of a search in layers without the elements above a cut, which then meet all others and
+/// each other one by one: no cut if it leaves more of them than is worth that.
+template <int Dim>
+[[nodiscard]] SizePlan plan_coarse(const SizeClasses& classes, const SizeDistribution& sizes);
+
 }  // namespace abut::engine

@@ -175,6 +175,14 @@ void TileSearcher<Dim>::search(const kernels::ThreeLayers& layers,
 }
 
 template <int Dim>
+void TileSearcher<Dim>::search_coarse(const kernels::ThreeLayers& layers,
+                                      std::span<const kernels::FarSphere> coarse) {
+  if (coarse.empty()) return;
+  input_->layer_kernels.search_coarse(layers, coarse.data(), coarse.size(), job_, Dim);
+  tell();
+}
+
+template <int Dim>
 void TileSearcher<Dim>::test_coarse(const TileFrame<Dim>& frame,
                                     std::span<const std::uint32_t> coarse_elements) {
   if (coarse_elements.empty()) return;
@@ -198,14 +206,18 @@ template <int Dim>
 void TileSearcher<Dim>::test_far_coarse(std::span<const kernels::Run> runs, std::uint32_t coarse) {
   for (const kernels::Run& run : runs) {
     for (std::uint32_t k = run.begin; k < run.end; ++k) {
-      const std::uint32_t other = scratch_.tile.view().number[k];
-      if (++far_tests_ % far_tests_between_tells == 0) tell();
-      if (!decide(coarse, other)) continue;
-      if (hits_.found == kernels::HitBuffer::size) take();
-      hits_.element[hits_.found] = coarse;
-      hits_.partner[hits_.found++] = other;
+      test_pair(coarse, scratch_.tile.view().number[k]);
     }
   }
+}
+
+template <int Dim>
+void TileSearcher<Dim>::test_pair(std::uint32_t first, std::uint32_t second) {
+  if (++far_tests_ % far_tests_between_tells == 0) tell();
+  if (!decide(first, second)) return;
+  if (hits_.found == kernels::HitBuffer::size) take();
+  hits_.element[hits_.found] = first;
+  hits_.partner[hits_.found++] = second;
 }
 
 template <int Dim>

@@ -82,6 +82,13 @@ class TileSearcher {
   /// Finds the smaller partners of the layer's near elements, and in this layer those of far ones.
   void search(const kernels::ThreeLayers& layers, std::span<const kernels::FarSphere> far);
 
+  /// Finds the partners of coarse elements in the layer.
+  void search_coarse(const kernels::ThreeLayers& layers,
+                     std::span<const kernels::FarSphere> coarse);
+
+  /// Decides on two elements.
+  void test_pair(std::uint32_t first, std::uint32_t second);
+
   /// Tells whether most elements of the layer searched last had an undecided pair, as on lattices.
   [[nodiscard]] bool has_many_undecided() const noexcept { return job_.has_many_undecided; }
 

@@ -2,6 +2,7 @@
 
 #include "base/memory_meter.hpp"
 #include "engine/clusters/clusters.hpp"
+#include "engine/layers/coarse_elements.hpp"
 #include "engine/layers/far_spheres.hpp"
 #include "engine/layers/layer_records.hpp"
 #include "engine/layers/occupancy_sample.hpp"
@@ -23,6 +24,7 @@ struct Workspace {
         levels(meter),
         layer_records(meter),
         far_spheres(meter),
+        coarse(meter),
         occupancy(meter),
         clusters(meter) {}
 
@@ -36,12 +38,14 @@ struct Workspace {
   RecursionLevels<Dim> levels;  ///< for search sets that all workers search together
   LayerRecords<Dim> layer_records;
   FarSpheres<Dim> far_spheres;
+  CoarseElements<Dim> coarse;
   OccupancySample occupancy;
   Clusters<Dim> clusters;
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;
-  std::size_t most_in_layers = 0;   ///< in the last search, elements of the largest set in layers
-  std::size_t clusters_moved = 0;   ///< in the last search; 0 where elements stayed in their places
+  std::size_t most_in_layers = 0;  ///< in the last search, elements of the largest set in layers
+  std::size_t clusters_moved = 0;  ///< in the last search; 0 where elements stayed in their places
+  std::size_t beside_layers = 0;  ///< in the last search, coarse elements without which it was done
   bool had_many_undecided = false;  ///< the last search in layers, as on lattices
   std::vector<std::unique_ptr<Members>>
       deferred;  ///< large search sets that wait until all are free

@@ -50,35 +50,42 @@ template <int Dim>
 void FarSpheres<Dim>::note_far(std::span<const std::size_t> numbers,
                                const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid,
                                List& list) {
+  const auto note = [&](kernels::FarSphere far) {
+    const auto layers = grid.layers_around(far);
+    far.first_layer = layers.first;
+    far.last_layer = layers.last;
+    list.push_back(far);
+  };
   for (const std::size_t k : numbers) {
     const auto number = static_cast<std::uint32_t>(k);
     const exact::Sphere<Dim> sphere = spheres[k];
     if (grid.has_widths()) {
       const kernels::BoxSize<Dim> size = grid.size_of(spheres.boxes(), number);
-      if (grid.is_far(size.radius)) list.push_back(grid.far_box(grid.record(sphere, number), size));
+      if (grid.is_far(size.radius)) note(grid.far_box(grid.record(sphere, number), size));
       continue;
     }
     const float radius = grid.units_of(sphere.radius);
-    if (grid.is_far(radius)) list.push_back(grid.far_sphere(grid.record(sphere, number), radius));
+    if (grid.is_far(radius)) note(grid.far_sphere(grid.record(sphere, number), radius));
   }
+}
+
+template <int Dim>
+void FarSpheres<Dim>::note_coarse(const kernels::FarSphere& coarse) {
+  if (coarse.first_layer <= coarse.last_layer) noted_[0].push_back(coarse);
 }
 
 template <int Dim>
 void FarSpheres<Dim>::sort(const LayerGrid<Dim>& grid) {
   cursors_.start(grid.layer_count(), 1);
   std::uint64_t* const cursors = cursors_.of(0);
-  for (List& list : noted_) {
-    for (kernels::FarSphere& far : list) {
-      const auto layers = grid.layers_around(far);
-      far.last_layer = layers.last;
-      ++cursors[layers.first];
-    }
+  for (const List& list : noted_) {
+    for (const kernels::FarSphere& far : list) ++cursors[far.first_layer];
   }
   cursors_.lay_out();
   base::make_room(elements_, cursors_.total());
   for (const List& list : noted_) {
     for (const kernels::FarSphere& far : list) {
-      elements_[cursors[grid.layers_around(far).first]++] = far;
+      elements_[cursors[far.first_layer]++] = far;
     }
   }
   count_in_reach(grid.layer_count());

@@ -12,8 +12,8 @@
 
 namespace abut::engine {
 
-/// The far elements, sorted by the first layer in which they look, and there in the order of their
-/// numbers. It keeps its memory from search to search.
+/// The far elements, or the coarse ones, sorted by the first layer in which they look, and there in
+/// the order of their numbers. It keeps its memory from search to search.
 template <int Dim>
 class FarSpheres {
  public:
@@ -29,6 +29,9 @@ class FarSpheres {
   /// Notes the far elements among some of a worker's share, share by share in ascending order.
   void note(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid, std::size_t begin,
             std::size_t end, std::size_t worker);
+
+  /// Notes a coarse element, unless it looks in no layer.
+  void note_coarse(const kernels::FarSphere& coarse);
 
   /// Sorts those noted by all workers.
   void sort(const LayerGrid<Dim>& grid);

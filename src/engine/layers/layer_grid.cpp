@@ -198,6 +198,7 @@ void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, do
   columns_in_reach_ = static_cast<std::uint32_t>((units + slack) / column) + 1;
   reach_ = static_cast<float>(units);
   margin_ = units_of(margin);
+  largest_size_ = units_of(bounds.largest_radius);
   shape_ = bounds.smallest_radius == bounds.largest_radius ? kernels::ElementShape::equal_spheres
                                                            : kernels::ElementShape::spheres;
 }
@@ -231,11 +232,13 @@ void LayerGrid<Dim>::set_layers(kernels::ThreeLayers& layers, std::size_t k) con
   layers.row_axis = static_cast<int>(row_axis_);
   layers.next_row_axis = static_cast<int>(next_row_axis_);
   layers.layer_axis = map_.layer_axis;
+  layers.cell_shift = cell_shift_;
   layers.column_shift = column_shift_;
   layers.columns = columns_;
   layers.layer = static_cast<std::int32_t>(k);
   layers.first_row = Dim == 2 ? static_cast<std::int32_t>(k * rows_) : 0;
   layers.margin = margin_;
+  layers.largest_size = largest_size_;
 }
 
 template <int Dim>

@@ -114,12 +114,22 @@ class LayerGrid {
   [[nodiscard]] std::int32_t far_position() const noexcept {
     return kernels::far_position(reach_bits_);
   }
+  /// Positions of elements are below this.
+  [[nodiscard]] double end_of_positions() const noexcept {
+    return kernels::end_of_positions(reach_bits_);
+  }
+  /// The margin in units, and the largest radius of a sphere, or the largest width of a box.
+  [[nodiscard]] float margin() const noexcept { return margin_; }
+  [[nodiscard]] float largest_size() const noexcept { return largest_size_; }
   /// The axis along which rows go.
   [[nodiscard]] std::size_t row_axis() const noexcept { return row_axis_; }
 
   /// Shape of the elements: spheres, unless they are said to be boxes.
   [[nodiscard]] kernels::ElementShape shape() const noexcept { return shape_; }
-  void hold_boxes() noexcept { shape_ = kernels::ElementShape::boxes; }
+  void hold_boxes() noexcept {
+    shape_ = kernels::ElementShape::boxes;
+    largest_size_ *= 2.0f;
+  }
 
   /// Tells whether elements have sizes of their own: radii, or widths along each axis; boxes that
   /// look for smaller ones have both.
@@ -215,6 +225,7 @@ class LayerGrid {
   int column_shift_ = kernels::cell_bits;
   float reach_ = 0.0f;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units
+  float largest_size_ = 0.0f;
   std::int32_t largest_square_ = -1;
   kernels::ElementShape shape_ = kernels::ElementShape::equal_spheres;
   bool is_by_size_ = false;

@@ -27,6 +27,10 @@ struct LayerLimits {
   /// boxes in 3D.
   std::size_t least_elements_by_size = 5'000;
   std::size_t least_boxes_by_size = 1'000;
+  /// Elements without whose few coarse ones layers are faster than a division by size, and their
+  /// cost to that of other searches, up to which these layers are taken: both are estimates.
+  std::size_t least_elements_beside_coarse = 5'000;
+  double most_beside_coarse = 1.0;
   /// Elements whose clusters are worth a move, and cells of the size of the reach, for each
   /// element, from which on clusters are looked for: the box is mostly empty.
   std::size_t least_moved_elements = 20'000;

@@ -30,14 +30,18 @@ void LayerRecords<Dim>::sort(const LayerSpheres<Dim>& spheres, const LayerGrid<D
     std::uint64_t* const counts = cursors_.of(worker);
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      count(spheres, grid, {begin, end, counts});
+      spheres.for_each_stretch(begin, end, [&](std::size_t from, std::size_t to) {
+        count(spheres, grid, {from, to, counts});
+      });
     });
   });
   cursors_.lay_out();
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      scatter(spheres, grid, kernels, {begin, end, cursors_.of(worker)});
+      spheres.for_each_stretch(begin, end, [&](std::size_t from, std::size_t to) {
+        scatter(spheres, grid, kernels, {from, to, cursors_.of(worker)});
+      });
       // Their numbers are in a cache now.
       if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });

@@ -1,6 +1,7 @@
 #include "engine/layers/layer_search.hpp"
 
 #include "base/asking_workers.hpp"
+#include "engine/layers/coarse_in_layers.hpp"
 
 #include <algorithm>
 #include <span>
@@ -28,7 +29,7 @@ template <int Dim>
 bool are_along_space(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid) {
   constexpr std::size_t samples = 64;
   if (spheres.size() < 2) return true;
-  const auto layer = [&](std::size_t k) { return grid.layer(spheres[k]); };
+  const auto layer = [&](std::size_t k) { return grid.layer(spheres[spheres.in_layers(k)]); };
   std::size_t in_one_layer = 0;
   for (std::size_t sample = 0; sample < samples; ++sample) {
     const std::size_t k = sample * (spheres.size() - 1) / samples;
@@ -77,6 +78,10 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   const LayerSpheres<Dim> spheres = input_.spheres.first(set.locals.size());
   records.sort(spheres, grid, what_to_sort(spheres, grid), input_.layer_kernels, worker_count_,
                work, workspace_.far_spheres);
+  if (has_coarse()) {
+    sort_coarse(grid);
+    unit = search_coarse_pairs(grid, unit);
+  }
   const std::size_t workers = workers_for(grid, set.locals.size());
   const Stretches stretches(grid.layer_count(), workers);
   const std::size_t count = stretches.count();
@@ -127,7 +132,7 @@ std::size_t LayerSearch<Dim>::workers_for(const LayerGrid<Dim>& grid, std::size_
   std::size_t integers = integers_of_cursor * grid.layer_count() +
                          workspace_.workers[0]->scratch().layers.integers_for(
                              grid, workspace_.layer_records.largest_layer());
-  if (grid.is_by_size()) {
+  if (grid.is_by_size() || has_coarse()) {
     constexpr std::size_t integers_of_far = sizeof(kernels::FarSphere) / sizeof(std::uint32_t);
     integers += workspace_.far_spheres.most_in_reach() * integers_of_far;
   }
@@ -136,13 +141,45 @@ std::size_t LayerSearch<Dim>::workers_for(const LayerGrid<Dim>& grid, std::size_
   return std::clamp(room / (integers - integers_of_thread), std::size_t{1}, worker_count_);
 }
 
+/// Sorts the coarse elements by the layers in which they look.
+template <int Dim>
+void LayerSearch<Dim>::sort_coarse(const LayerGrid<Dim>& grid) {
+  const CoarseElements<Dim>& coarse = workspace_.coarse;
+  workspace_.far_spheres.start(1);
+  for (std::size_t k = 0; k < coarse.numbers().size(); ++k) {
+    const auto element = coarse_in_layers(grid, coarse.elements(), k, coarse.numbers()[k]);
+    if (element) workspace_.far_spheres.note_coarse(*element);
+  }
+  workspace_.far_spheres.sort(grid);
+}
+
+/// Finds the pairs of two coarse elements, which are a unit of their own. Returns the next one.
+template <int Dim>
+std::uint64_t LayerSearch<Dim>::search_coarse_pairs(const LayerGrid<Dim>& grid,
+                                                    std::uint64_t unit) {
+  const CoarseElements<Dim>& coarse = workspace_.coarse;
+  TileSearcher<Dim>& worker = *workspace_.workers[0];
+  input_.sink.expect_units(unit, 1);
+  worker.begin_unit(unit);
+  const double wider = input_.margin + position_slack * grid.cell();
+  for (std::size_t k = 0; k < coarse.numbers().size(); ++k) {
+    worker.work().did(coarse.numbers().size() - k);
+    coarse.for_each_partner(
+        k, wider, [&](std::uint32_t number) { worker.test_pair(coarse.numbers()[k], number); });
+  }
+  if (worker_count_ > 1) worker.finish_unit();
+  return unit + 1;
+}
+
 template <int Dim>
 void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t first,
                                       std::size_t last, TileSearcher<Dim>& worker,
                                       base::WorkCounter& work) {
   const LayerRecords<Dim>& records = workspace_.layer_records;
   SortedLayers<Dim>& sorted = worker.scratch().layers;
+  FarSpheresInReach<Dim>& coarse = worker.scratch().far;
   sorted.start(grid, records.largest_layer());
+  if (has_coarse()) coarse.start(workspace_.far_spheres, first);
   const kernels::StridedSpheres* const spheres = input_.decider.spheres();
   const auto sort = [&](std::size_t k) {
     const bool is_layer = k < grid.layer_count();
@@ -156,6 +193,11 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
     sort(k + 1);
     worker.search(sorted.pair(grid, k));
     if (worker.has_many_undecided()) ++layers_with_many_undecided_;
+    if (has_coarse()) {
+      if (k > first) coarse.advance(workspace_.far_spheres, k);
+      work.did(coarse.elements().size());
+      worker.search_coarse(sorted.layer_alone(grid, k), coarse.elements());
+    }
     context_.progress.advance(records.layer(k).records.size());
   }
 }

@@ -29,6 +29,9 @@ class LayerSearch {
   [[nodiscard]] LayerItems what_to_sort(const LayerSpheres<Dim>& spheres,
                                         const LayerGrid<Dim>& grid) const;
   [[nodiscard]] std::size_t workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const;
+  [[nodiscard]] bool has_coarse() const noexcept { return !input_.spheres.coarse().empty(); }
+  void sort_coarse(const LayerGrid<Dim>& grid);
+  [[nodiscard]] std::uint64_t search_coarse_pairs(const LayerGrid<Dim>& grid, std::uint64_t unit);
   void search_stretch(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,
                       TileSearcher<Dim>& worker, base::WorkCounter& work);
   void search_stretch_by_size(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,

@@ -4,8 +4,10 @@
 #include "kernels/sphere_parts.hpp"
 #include "kernels/strided_boxes.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace abut::engine {
 
@@ -47,6 +49,35 @@ class LayerSpheres {
     LayerSpheres stand_ins = *this;
     stand_ins.boxes_ = boxes;
     return stand_ins;
+  }
+
+  /// The same spheres, those with these numbers, which ascend, being coarse: they stand in no
+  /// layer.
+  [[nodiscard]] LayerSpheres with_coarse(std::span<const std::uint32_t> numbers) const noexcept {
+    LayerSpheres spheres = *this;
+    spheres.coarse_ = numbers;
+    return spheres;
+  }
+  [[nodiscard]] std::span<const std::uint32_t> coarse() const noexcept { return coarse_; }
+
+  /// Calls visit(first, last) with the stretches [first, last) of [begin, end) that are not coarse.
+  template <class Visit>
+  void for_each_stretch(std::size_t begin, std::size_t end, const Visit& visit) const {
+    auto next = std::lower_bound(coarse_.begin(), coarse_.end(), begin);
+    for (; next != coarse_.end() && *next < end; ++next) {
+      if (begin < *next) visit(begin, std::size_t{*next});
+      begin = std::size_t{*next} + 1;
+    }
+    if (begin < end) visit(begin, end);
+  }
+
+  /// The first sphere from number k on that is not coarse, or behind the last one, the first of
+  /// all; there is one.
+  [[nodiscard]] std::size_t in_layers(std::size_t k) const noexcept {
+    while (std::binary_search(coarse_.begin(), coarse_.end(), k)) {
+      if (++k == size()) k = 0;
+    }
+    return k;
   }
 
   [[nodiscard]] bool stand_for_boxes() const noexcept { return boxes_.size > 0; }
@@ -93,6 +124,7 @@ class LayerSpheres {
   kernels::StridedBoxes boxes_{};
   const std::uint32_t* labels_ = nullptr;
   const ClusterMove<Dim>* moves_ = nullptr;
+  std::span<const std::uint32_t> coarse_{};
 };
 
 }  // namespace abut::engine

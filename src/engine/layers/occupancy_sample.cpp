@@ -47,7 +47,7 @@ double OccupancySample::mean_occupancy(const Cells& cells, const LayerSpheres<Di
   const auto draws = static_cast<std::size_t>(draws_for_root(size) * std::sqrt(count));
   base::make_room(drawn_, draws);
   const auto number = [&](std::size_t k) {
-    return (scattered(first_draw + k) >> 32) * spheres.size() >> 32;
+    return spheres.in_layers((scattered(first_draw + k) >> 32) * spheres.size() >> 32);
   };
   const bool are_near = spheres.size() <= most_in_near_cache;
   for (std::size_t k = 0; k < draws; ++k) {

@@ -224,6 +224,16 @@ kernels::ThreeLayers SortedLayers<Dim>::three_layers(const LayerGrid<Dim>& grid,
   return layers;
 }
 
+template <int Dim>
+kernels::ThreeLayers SortedLayers<Dim>::layer_alone(const LayerGrid<Dim>& grid,
+                                                    std::size_t k) const noexcept {
+  kernels::ThreeLayers layers{};
+  static_cast<kernels::LayerPair&>(layers) = pair(grid, k);
+  layers.copies = nullptr;
+  grid.set_layers(layers, k);
+  return layers;
+}
+
 template class SortedLayers<2>;
 template class SortedLayers<3>;
 

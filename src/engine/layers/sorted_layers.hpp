@@ -44,6 +44,10 @@ class SortedLayers {
   [[nodiscard]] kernels::ThreeLayers three_layers(const LayerGrid<Dim>& grid,
                                                   std::size_t k) const noexcept;
 
+  /// Layer k by itself, as coarse elements meet it.
+  [[nodiscard]] kernels::ThreeLayers layer_alone(const LayerGrid<Dim>& grid,
+                                                 std::size_t k) const noexcept;
+
   /// The layer below k. Layer 0 has one that holds nothing.
   [[nodiscard]] std::size_t before(std::size_t k) const noexcept { return k + parts_ - 1; }
 

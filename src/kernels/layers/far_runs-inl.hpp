@@ -6,6 +6,9 @@ constexpr double room = 1.0 + 0x1p-18;
 /// The pieces 2^shift wide, from number `least` to `most`, that a stretch around a position cuts:
 /// from the first to the last.
 struct PieceRange {
+  PieceRange(std::int64_t first_piece, std::int64_t last_piece)
+      : first(first_piece), last(last_piece) {}
+
   PieceRange(std::int32_t position, double reach, int shift, std::int64_t least, std::int64_t most)
       : PieceRange(position, reach, reach, shift, least, most) {}
 

@@ -155,23 +155,30 @@ struct ThreeLayers : LayerPair {
   int row_axis;           ///< along which rows go
   int next_row_axis;      ///< from row to row
   int layer_axis;         ///< from layer to layer
-  int column_shift;       ///< bits of a position below its column
+  int cell_shift;         ///< bits of a position below its cell
+  int column_shift;       ///< the same below its column
   std::uint32_t columns;
   std::int32_t layer;      ///< number of the own layer
   std::int32_t first_row;  ///< number of the first row of its strip in 2D, in 3D 0
   float margin;            ///< in units
+  float largest_size;      ///< where coarse elements are tested: the largest radius of a sphere, or
+                           ///< the largest width of a box, in units
 };
 
-/// An element that looks for smaller ones and is not near, wherever it lies: a sphere, or a box
-/// with the radius of its stand-in.
+/// An element that looks for others and is not near, wherever it lies: a sphere, or a box with the
+/// radius of its stand-in. It is *far*, among those that each look for smaller ones, or *coarse*:
+/// then it stands in no layer, and meets all that do.
 struct FarSphere {
   std::int32_t position[3];
   std::uint32_t number;
-  float radius;              ///< in units
-  float nearest;             ///< of a sphere the radius and the margin, of a box the margin, less
-  float farthest;            ///< and plus the slack
-  std::uint32_t last_layer;  ///< in which it looks
-  float width[3];            ///< of a box, in units
+  float radius;               ///< in units
+  float nearest;              ///< of a sphere the radius and the margin, of a box the margin, less
+  float farthest;             ///< and plus the slack; of a coarse one what bounds its reach
+  std::uint32_t first_layer;  ///< in which it looks
+  std::uint32_t last_layer;   ///< and the last one
+  float width[3];             ///< of a box, in units
+  float beyond[3];  ///< from the position, which is that of a place in the layers' box, to
+                    ///< the element, in units; 0 but for coarse elements
 };
 
 /// Bounds the error of a distance in units of an element that is not near: positions are converted
@@ -189,6 +196,8 @@ struct FarSphere {
           radius + (margin - slack),
           radius + (margin + slack),
           0,
+          0,
+          {},
           {}};
 }
 
@@ -198,8 +207,8 @@ struct FarSphere {
                                        float margin) noexcept {
   const float slack = far_slack(radius, margin);
   return {
-      {position[0], position[1], position[2]}, number, radius, margin - slack, margin + slack, 0,
-      {width[0], width[1], width[2]}};
+      {position[0], position[1], position[2]}, number, radius, margin - slack, margin + slack, 0, 0,
+      {width[0], width[1], width[2]},          {}};
 }
 
 /// The kernels of layers for one instruction set. All give the same pairs in the same order.
@@ -235,6 +244,11 @@ struct LayerKernels {
   /// Tests far elements, which may lie anywhere, against the smaller ones of the own layer.
   void (*search_far)(const ThreeLayers& layers, const FarSphere* far, std::size_t count,
                      SearchJob& job, int dimensions);
+
+  /// Tests coarse elements, which may lie anywhere, against all elements of the own layer, of which
+  /// `layers` has no copies.
+  void (*search_coarse)(const ThreeLayers& layers, const FarSphere* coarse, std::size_t count,
+                        SearchJob& job, int dimensions);
 };
 
 /// `level` must be available.

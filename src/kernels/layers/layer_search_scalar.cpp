@@ -19,6 +19,8 @@ namespace {
 
 #include "kernels/layers/far_runs-inl.hpp"
 
+#include "kernels/layers/coarse_runs-inl.hpp"
+
 /// A reach less and plus the slack; of spheres the squares.
 struct ReachBounds {
   float inner;
@@ -30,23 +32,39 @@ class ScalarTester {
  protected:
   ScalarTester(const LayerPair& layers, SearchJob& job) : layers_(layers), job_(job) {}
 
+  /// From a place in the box of all to the element at place q.
+  [[nodiscard]] float difference(const std::int32_t (&from)[3], std::uint32_t q, int axis) const {
+    return static_cast<float>(layers_.position[axis][q] - from[axis]);
+  }
+
   template <int Dim>
   [[nodiscard]] float distance_squared(const std::int32_t (&from)[3], std::uint32_t q) const {
+    return sum_of_squares<Dim>([&](int axis) { return difference(from, q, axis); });
+  }
+
+  template <int Dim>
+  [[nodiscard]] float gap(const std::int32_t (&from)[3], const float (&width)[3],
+                          std::uint32_t q) const {
+    return gap<Dim>([&](int axis) { return difference(from, q, axis); }, width, q);
+  }
+
+  template <int Dim, class Differences>
+  [[nodiscard]] static float sum_of_squares(const Differences& difference_on) {
     float sum = 0.0f;
     for (int axis = 0; axis < Dim; ++axis) {
-      const auto difference = static_cast<float>(layers_.position[axis][q] - from[axis]);
+      const float difference = difference_on(axis);
       sum += difference * difference;
     }
     return sum;
   }
 
   /// The largest gap of two boxes over the axes; a zero is +0.
-  template <int Dim>
-  [[nodiscard]] float gap(const std::int32_t (&from)[3], const float (&width)[3],
+  template <int Dim, class Differences>
+  [[nodiscard]] float gap(const Differences& difference_on, const float (&width)[3],
                           std::uint32_t q) const {
     float largest = -std::numeric_limits<float>::infinity();
     for (int axis = 0; axis < Dim; ++axis) {
-      const auto difference = static_cast<float>(layers_.position[axis][q] - from[axis]);
+      const float difference = difference_on(axis);
       largest = std::max(
           {largest, difference - width[axis], (0.0f - difference) - layers_.width[axis][q]});
     }
@@ -221,6 +239,41 @@ class ScalarSmallerTester : ScalarTester {
   const ThreeLayers& layers_;
 };
 
+/// Coarse elements and all of a layer.
+template <int Dim>
+class ScalarCoarseTester : ScalarTester {
+ public:
+  ScalarCoarseTester(const ThreeLayers& layers, SearchJob& job)
+      : ScalarTester(layers, job), layers_(layers) {}
+
+  void search(const FarSphere& coarse) {
+    for_each_run_of_coarse<Dim>(layers_, coarse, [&](const Run& run) {
+      count(run);
+      for (std::uint32_t q = run.begin; q < run.end; ++q) test_one(coarse, q);
+    });
+    take_now_and_then();
+  }
+
+ private:
+  void test_one(const FarSphere& coarse, std::uint32_t q) {
+    const auto difference_on = [&](int axis) {
+      return difference(coarse.position, q, axis) - coarse.beyond[axis];
+    };
+    const ReachBounds bounds{coarse.nearest, coarse.farthest};
+    switch (layers_.shape) {
+      case ElementShape::equal_spheres:
+        return test(coarse.number, q, sum_of_squares<Dim>(difference_on), bounds);
+      case ElementShape::spheres:
+        return test(coarse.number, q, sum_of_squares<Dim>(difference_on),
+                    squares_of(bounds.inner, bounds.outer, layers_.radius[q]));
+      case ElementShape::boxes:
+        return test(coarse.number, q, gap<Dim>(difference_on, coarse.width, q), bounds);
+    }
+  }
+
+  const ThreeLayers& layers_;
+};
+
 std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, int,
                     const PositionMap&, const RecordsByLayer&) {
   return 0;
@@ -276,10 +329,27 @@ void search_far(const ThreeLayers& layers, const FarSphere* far, std::size_t cou
   }
 }
 
+template <int Dim>
+void search_coarse_in(const ThreeLayers& layers, const FarSphere* coarse, std::size_t count,
+                      SearchJob& job) {
+  ScalarCoarseTester<Dim> tester(layers, job);
+  for (std::size_t k = 0; k < count; ++k) tester.search(coarse[k]);
+}
+
+void search_coarse(const ThreeLayers& layers, const FarSphere* coarse, std::size_t count,
+                   SearchJob& job, int dimensions) {
+  if (dimensions == 2) {
+    search_coarse_in<2>(layers, coarse, count, job);
+  } else {
+    search_coarse_in<3>(layers, coarse, count, job);
+  }
+}
+
 }  // namespace
 
 LayerKernels scalar_layer_kernels() {
-  return {scatter, count_in_steps, turn_into_places, split, search, search_near, search_far};
+  return {scatter, count_in_steps, turn_into_places, split,
+          search,  search_near,    search_far,       search_coarse};
 }
 
 }  // namespace abut::kernels

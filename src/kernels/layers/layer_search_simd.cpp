@@ -50,6 +50,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/far_runs-inl.hpp"
 
+#include "kernels/layers/coarse_runs-inl.hpp"
+
 #include "kernels/layers/simd_joined_runs-inl.hpp"
 
 #include "kernels/layers/simd_layer_reach-inl.hpp"
@@ -71,6 +73,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 #include "kernels/layers/simd_run_jobs-inl.hpp"
 
 #include "kernels/layers/simd_far_tester-inl.hpp"
+
+#include "kernels/layers/simd_coarse_tester-inl.hpp"
 
 #if HWY_TARGET == HWY_SCALAR
 std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, int,
@@ -227,6 +231,33 @@ void search_far(const ThreeLayers& layers, const FarSphere* far, std::size_t cou
   }
 }
 
+template <int Dim>
+void search_coarse_in(const ThreeLayers& layers, const FarSphere* coarse, std::size_t count,
+                      SearchJob& job) {
+  const auto search_as = [&]<class Probe>() HWY_ATTR {
+    SimdCoarseTester<Dim, Probe>(layers, job).search(coarse, count);
+  };
+  using Squares = DistanceSquares<Dim, CoarsePlace<Dim>>;
+  switch (layers.shape) {
+    case ElementShape::equal_spheres:
+      return search_as.template operator()<LayerProbe<CommonReach, Squares>>();
+    case ElementShape::spheres:
+      return search_as.template operator()<LayerProbe<SummedReach, Squares>>();
+    case ElementShape::boxes:
+      return search_as
+          .template operator()<LayerProbe<CommonReach, BoxGaps<Dim, CoarsePlace<Dim>>>>();
+  }
+}
+
+void search_coarse(const ThreeLayers& layers, const FarSphere* coarse, std::size_t count,
+                   SearchJob& job, int dimensions) {
+  if (dimensions == 2) {
+    search_coarse_in<2>(layers, coarse, count, job);
+  } else {
+    search_coarse_in<3>(layers, coarse, count, job);
+  }
+}
+
 }  // namespace abut::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -240,6 +271,7 @@ HWY_EXPORT(split);
 HWY_EXPORT(search_layers);
 HWY_EXPORT(search_near);
 HWY_EXPORT(search_far);
+HWY_EXPORT(search_coarse);
 
 LayerKernels simd_layer_kernels(std::int64_t target) {
   hwy::ChosenTarget chosen;
@@ -250,7 +282,8 @@ LayerKernels simd_layer_kernels(std::int64_t target) {
           HWY_DISPATCH_TABLE(split)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(search_layers)[chosen.GetIndex()],
           HWY_DISPATCH_TABLE(search_near)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(search_far)[chosen.GetIndex()]};
+          HWY_DISPATCH_TABLE(search_far)[chosen.GetIndex()],
+          HWY_DISPATCH_TABLE(search_coarse)[chosen.GetIndex()]};
 }
 
 }  // namespace abut::kernels

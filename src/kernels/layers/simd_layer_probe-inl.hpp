@@ -15,7 +15,7 @@ class LayerProbe {
     return {layers, Distance(layers, p), Reach(layers, p)};
   }
 
-  /// An element that is not near.
+  /// An element that is far or coarse.
   [[nodiscard]] static HWY_INLINE LayerProbe of(const ThreeLayers& layers, const FarSphere& far) {
     return {layers, Distance(far), Reach(layers, far)};
   }

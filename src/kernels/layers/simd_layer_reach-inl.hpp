@@ -13,6 +13,9 @@ class CommonReach {
   HWY_INLINE CommonReach(const LayerPair&, float inner, float outer)
       : inner_(hn::Set(floats, inner)), outer_(hn::Set(floats, outer)) {}
 
+  HWY_INLINE CommonReach(const LayerPair& layers, const FarSphere& far)
+      : CommonReach(layers, far.nearest, far.farthest) {}
+
   /// The reach, less the slack, of the candidates from lane k on: of spheres the square.
   template <class Runs>
   [[nodiscard]] HWY_INLINE Floats inner(const Runs&, std::size_t) const {
@@ -43,6 +46,9 @@ class SummedReach {
       : radius_(layers.radius),
         nearest_(hn::Set(floats, nearest)),
         farthest_(hn::Set(floats, farthest)) {}
+
+  HWY_INLINE SummedReach(const LayerPair& layers, const FarSphere& far)
+      : SummedReach(layers, far.nearest, far.farthest) {}
 
   template <class Runs>
   [[nodiscard]] HWY_INLINE Floats inner(const Runs& runs, std::size_t k) const {
@@ -75,7 +81,7 @@ class SmallerReach : public Reach {
   }
 
   HWY_INLINE SmallerReach(const ThreeLayers& layers, const FarSphere& far)
-      : Reach(layers, far.nearest, far.farthest), layers_(layers) {
+      : Reach(layers, far), layers_(layers) {
     set_size(far.radius, far.number);
   }
 

@@ -54,6 +54,23 @@ inline constexpr engine::LayerLimits always_by_size{
     .most_by_size = std::numeric_limits<double>::infinity(),
     .most_crowded_by_size = std::numeric_limits<double>::infinity()};
 
+/// Layers hold all but the few coarse elements, whatever that costs.
+inline constexpr engine::LayerLimits always_beside_coarse{
+    .least_elements = 0,
+    .least_sparse_elements = 0,
+    .least_boxes = 0,
+    .least_rectangles = 0,
+    .least_elements_beside_coarse = 0,
+    .most_beside_coarse = std::numeric_limits<double>::infinity(),
+    .least_moved_elements = 0,
+    .least_elements_of_layer = 0.0,
+    .most_joined = std::numeric_limits<double>::infinity(),
+    .most_joined_beyond_caches = std::numeric_limits<double>::infinity(),
+    .most_joined_of_discs = std::numeric_limits<double>::infinity(),
+    .most_joined_of_clusters = std::numeric_limits<double>::infinity(),
+    .radii_alike = 1.0,
+    .most_by_size = 0.0};
+
 /// Clusters are moved wherever their cells would be crowded otherwise.
 inline constexpr engine::LayerLimits always_moved{
     .least_elements = 0,
@@ -106,6 +123,7 @@ struct LayerRun {
   PairVector pairs;  ///< as found
   bool in_layers = false;
   bool are_moved = false;
+  std::size_t coarse = 0;  ///< elements beside the layers
   std::uint64_t candidate_tests = 0;
   std::uint64_t exact_decisions = 0;
 };
@@ -117,8 +135,12 @@ LayerRun run_rows(const Spheres<Dim>& spheres, const engine::RowsSettings& setti
   KeptPairs sink;
   engine::rows<Dim>({spheres, {}}, bounds_of<Dim>(spheres), settings, workspace, sink, context);
   // What was never sorted has no largest layer.
-  return {sink.pairs(), workspace.layer_records.largest_layer() > 0, workspace.clusters_moved > 0,
-          context.candidate_tests, context.exact_decisions};
+  return {sink.pairs(),
+          workspace.layer_records.largest_layer() > 0,
+          workspace.clusters_moved > 0,
+          workspace.beside_layers,
+          context.candidate_tests,
+          context.exact_decisions};
 }
 
 /// The same where the spheres lie, which is not done at all but in layers.
@@ -131,12 +153,17 @@ LayerRun run_in_place(const Spheres<Dim>& spheres, Layout layout,
   KeptPairs sink;
   const bool in_layers = engine::rows_in_place<Dim>(laid_out.columns(), bounds_of<Dim>(spheres),
                                                     settings, workspace, sink, context);
-  return {sink.pairs(), in_layers, workspace.clusters_moved > 0, context.candidate_tests,
+  return {sink.pairs(),
+          in_layers,
+          workspace.clusters_moved > 0,
+          workspace.beside_layers,
+          context.candidate_tests,
           context.exact_decisions};
 }
 
 inline void expect_same(const LayerRun& first, const LayerRun& other) {
   EXPECT_TRUE(std::ranges::equal(first.pairs, other.pairs));
+  EXPECT_EQ(first.coarse, other.coarse);
   EXPECT_EQ(first.candidate_tests, other.candidate_tests);
   EXPECT_EQ(first.exact_decisions, other.exact_decisions);
 }

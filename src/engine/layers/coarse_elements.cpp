@@ -1,0 +1,117 @@
+#include "engine/layers/coarse_elements.hpp"
+
+#include "base/asking_workers.hpp"
+#include "grid/kernel_bounds.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace abut::engine {
+namespace {
+
+/// Elements that are looked at together: so few that their numbers stay in the nearest cache.
+constexpr std::size_t block_size = 512;
+
+}  // namespace
+
+template <int Dim>
+CoarseElements<Dim>::CoarseElements(base::MemoryMeter& memory)
+    : memory_(memory),
+      numbers_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
+      spheres_(base::make_array_for_overwrite<exact::Sphere<Dim>>(memory, 0)),
+      boxes_(base::make_array_for_overwrite<exact::Box<Dim>>(memory, 0)) {}
+
+template <int Dim>
+void CoarseElements<Dim>::take(const LayerSpheres<Dim>& all, double cut,
+                               const kernels::ElementKernels& kernels, std::size_t workers,
+                               base::WorkCounter& work) {
+  while (shares_.size() < workers) {
+    shares_.push_back({base::make_array_for_overwrite<std::uint32_t>(memory_, 0), {}});
+  }
+  base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    CoarseShare& share = shares_[worker];
+    share.numbers.clear();
+    share.others = {};
+    const auto [first, last] = base::share_of(worker, workers, all.size());
+    its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; k += block_size) {
+        take_block(all, cut, kernels, {k, std::min(k + block_size, end)}, share);
+      }
+    });
+  });
+  join_shares(all, workers);
+}
+
+template <int Dim>
+void CoarseElements<Dim>::take_block(const LayerSpheres<Dim>& all, double cut,
+                                     const kernels::ElementKernels& kernels, const Block& block,
+                                     CoarseShare& share) {
+  std::array<std::uint32_t, block_size + 1> coarse;
+  std::size_t count = 0;
+  // Without a branch, for who is large cannot be foreseen.
+  const auto note = [&](std::size_t number, double radius) {
+    coarse[count] = static_cast<std::uint32_t>(number);
+    count += radius >= cut ? 1 : 0;
+  };
+  if (all.have_radii()) {
+    for (const auto& [columns, begin, end, number_of_first] :
+         all.given().some(block.begin, block.end)) {
+      for (std::size_t k = begin; k < end; ++k) note(number_of_first + k, columns.radius(k));
+    }
+  } else {
+    for (std::size_t k = block.begin; k < block.end; ++k) note(k, all.radius(k));
+  }
+  std::size_t begin = block.begin;
+  for (const std::uint32_t number : std::span(coarse).first(count)) {
+    share.numbers.push_back(number);
+    include(all, kernels, {begin, number}, share.others);
+    begin = std::size_t{number} + 1;
+  }
+  include(all, kernels, {begin, block.end}, share.others);
+}
+
+/// Widens bounds by elements that are not coarse.
+template <int Dim>
+void CoarseElements<Dim>::include(const LayerSpheres<Dim>& all,
+                                  const kernels::ElementKernels& kernels, const Block& block,
+                                  grid::Bounds<Dim>& bounds) {
+  for (const auto& [columns, begin, end, number_of_first] :
+       all.given().some(block.begin, block.end)) {
+    std::size_t k = begin;
+    if (all.have_radii()) {
+      k += grid::widen(bounds,
+                       [&, first = begin, count = end - begin](kernels::ElementBounds& packed) {
+                         return kernels.check(columns, first, count, Dim, packed);
+                       });
+    }
+    for (; k < end; ++k) {
+      bounds.include_center(kernels::sphere_at<Dim>(columns, k));
+      bounds.include_radius(all.radius(number_of_first + k));
+    }
+  }
+}
+
+template <int Dim>
+void CoarseElements<Dim>::join_shares(const LayerSpheres<Dim>& all, std::size_t workers) {
+  numbers_.clear();
+  spheres_.clear();
+  boxes_.clear();
+  largest_radius_ = 0.0;
+  others_ = {};
+  for (const CoarseShare& share : std::span(shares_).first(workers)) {
+    numbers_.insert(numbers_.end(), share.numbers.begin(), share.numbers.end());
+    others_.include(share.others);
+  }
+  if (all.stand_for_boxes()) others_.count_largest_twice();
+  for (const std::uint32_t number : numbers_) {
+    spheres_.push_back(all[number]);
+    spheres_.back().radius = all.radius(number);
+    largest_radius_ = std::max(largest_radius_, spheres_.back().radius);
+    if (all.stand_for_boxes()) boxes_.push_back(kernels::box_at<Dim>(all.boxes(), number));
+  }
+}
+
+template class CoarseElements<2>;
+template class CoarseElements<3>;
+
+}  // namespace abut::engine

@@ -113,6 +113,15 @@ Scene make_dense_stray(std::size_t count, std::uint64_t seed) {
   return scene;
 }
 
+/// As among sand.
+Scene make_boulders(std::size_t count, std::uint64_t seed) {
+  constexpr std::size_t one_in = 10000;
+  constexpr double larger = 8.0;
+  Scene scene = make_dense(count, seed);
+  for (std::size_t k = 0; k < count; k += one_in) scene.radius[k] *= larger;
+  return scene;
+}
+
 Scene make_ordered(std::size_t count, std::uint64_t seed) {
   const Scene scene = make_dense(count, seed);
   // Positive, so that the conversion is a floor.

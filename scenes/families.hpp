@@ -37,6 +37,7 @@ void shuffle(Scene& scene, std::uint64_t seed);
 [[nodiscard]] Scene make_dense(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_dense_spread(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_dense_stray(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_boulders(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_ordered(std::size_t count, std::uint64_t seed);
 
 [[nodiscard]] Scene make_gas_2d(std::size_t count, std::uint64_t seed);

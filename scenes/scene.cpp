@@ -42,6 +42,8 @@ constexpr std::array table{
               checked<make_dense_spread>},
     SceneInfo{"dense_stray", 3, "the dense packing but for one sphere, 1000000 away from it",
               checked<make_dense_stray>},
+    SceneInfo{"boulders", 3, "the dense packing, one sphere in 10000 eight times as large",
+              checked<make_boulders>},
     SceneInfo{"ordered", 3, "the dense packing, numbered along space", checked<make_ordered>},
     SceneInfo{"gas", 3, "equal spheres at random, filling 0.05 of a cube", checked<make_gas>},
     SceneInfo{"sparse", 3, "spheres of radius 1 in a cube 100000 wide", checked<make_sparse>},

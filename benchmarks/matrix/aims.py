@@ -68,7 +68,7 @@ MOST_OF_FIRST_CALL = 1.25  # of a later one
 MOST_OF_SPREAD = 1.15  # of equal radii
 MOST_TESTS = {True: 20, False: 150}  # for each element and pair; whether sizes are equal
 UNEQUAL_SIZES = {"bidisperse", "log_uniform", "log_uniform_1000", "graded", "graded_1000",
-                 "one_giant"}
+                 "boulders", "one_giant"}
 LEAST_SPEEDUP = 1.85  # two threads, 10^6 and 10^7
 
 

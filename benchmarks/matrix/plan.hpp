@@ -13,6 +13,7 @@ struct Plan {
   std::vector<std::string> scenes{"dense",
                                   "dense_spread",
                                   "dense_stray",
+                                  "boulders",
                                   "ordered",
                                   "gas",
                                   "sparse",

@@ -111,7 +111,9 @@ SizePlan plan_coarse(const SizeClasses& classes, const SizeDistribution& sizes) 
     if (coarse * coarse > count) continue;
     const double cost = cost_of_look * count + part_in_layers * estimate.alone(0, k) +
                         estimate.cross_level(k) + cost_of_coarse_pair * coarse * coarse / 2.0;
-    if (cost < plan.cost) plan = {estimate.cut_above(k - 1), cost};
+    if (cost >= plan.cost) continue;
+    plan.cut = estimate.cut_above(k - 1);
+    plan.cost = cost;
   }
   return plan;
 }

@@ -94,6 +94,7 @@ const std::map<std::string_view, std::uint64_t> recorded_hashes{
     {"dense", 0x512d30a9af1b927e},
     {"dense_spread", 0x49fb957e4a4b9421},
     {"dense_stray", 0x844195ac4dc42563},
+    {"boulders", 0x8b6eed5bf5d8505f},
     {"ordered", 0xcd301569b933a8ea},
     {"gas", 0x76a550d165f01d7b},
     {"sparse", 0x4f5ddc94c7dcddae},

@@ -82,5 +82,31 @@ TEST(SizeCut, ACutLeavesElementsOnBothSides) {
   EXPECT_LE(*cut, 1023.0);
 }
 
+/// Coarse elements are as many as the square root of all, or the next smaller ones are none either.
+TEST(CoarseCut, LeavesUpToTheRootOfAll) {
+  const auto cut_with = [](int large, int larger) {
+    const auto histogram =
+        histogram_of({{1.0, 10000 - large - larger}, {8.0, large}, {64.0, larger}});
+    const engine::SizeDistribution sizes{64.0, 1.0, 0.0, 100.0};
+    return engine::plan_coarse<3>({histogram, sizes}, sizes).cut.value_or(0.0);
+  };
+  EXPECT_EQ(cut_with(90, 10), 1.5);
+  EXPECT_EQ(cut_with(91, 10), 12.0);
+  EXPECT_EQ(cut_with(0, 100), 1.5);
+  EXPECT_EQ(cut_with(0, 101), 0.0);
+}
+
+/// A giant among small ones costs little beside them, one that is hardly larger saves nothing.
+TEST(CoarseCut, CostsWhatItSaves) {
+  const auto gain = [](double large) {
+    const auto histogram = histogram_of({{1.0, 10000}, {large, 1}});
+    const engine::SizeDistribution sizes{large, 1.0, 0.0, 3e4 / std::pow(large, 3.0)};
+    const engine::SizeClasses classes(histogram, sizes);
+    return engine::plan_sizes<3>(classes, sizes).cost / engine::plan_coarse<3>(classes, sizes).cost;
+  };
+  EXPECT_GT(gain(8.0), 1.5);
+  EXPECT_EQ(gain(1.01), 0.0);
+}
+
 }  // namespace
 }  // namespace abut::testing

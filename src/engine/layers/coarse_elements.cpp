@@ -1,19 +1,12 @@
 #include "engine/layers/coarse_elements.hpp"
 
 #include "base/asking_workers.hpp"
+#include "engine/layers/large_elements.hpp"
 #include "grid/kernel_bounds.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace abut::engine {
-namespace {
-
-/// Elements that are looked at together: so few that their numbers stay in the nearest cache.
-constexpr std::size_t block_size = 512;
-
-}  // namespace
-
 template <int Dim>
 CoarseElements<Dim>::CoarseElements(base::MemoryMeter& memory)
     : memory_(memory),
@@ -34,35 +27,22 @@ void CoarseElements<Dim>::take(const LayerSpheres<Dim>& all, double cut,
     share.others = {};
     const auto [first, last] = base::share_of(worker, workers, all.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; k += block_size) {
-        take_block(all, cut, kernels, {k, std::min(k + block_size, end)}, share);
-      }
+      for_each_block_with_large(
+          all, cut, begin, end,
+          [&](std::size_t block, std::size_t block_end, std::span<const std::uint32_t> coarse) {
+            take_block(all, kernels, {block, block_end}, coarse, share);
+          });
     });
   });
   join_shares(all, workers);
 }
 
 template <int Dim>
-void CoarseElements<Dim>::take_block(const LayerSpheres<Dim>& all, double cut,
+void CoarseElements<Dim>::take_block(const LayerSpheres<Dim>& all,
                                      const kernels::ElementKernels& kernels, const Block& block,
-                                     CoarseShare& share) {
-  std::array<std::uint32_t, block_size + 1> coarse;
-  std::size_t count = 0;
-  // Without a branch, for who is large cannot be foreseen.
-  const auto note = [&](std::size_t number, double radius) {
-    coarse[count] = static_cast<std::uint32_t>(number);
-    count += radius >= cut ? 1 : 0;
-  };
-  if (all.have_radii()) {
-    for (const auto& [columns, begin, end, number_of_first] :
-         all.given().some(block.begin, block.end)) {
-      for (std::size_t k = begin; k < end; ++k) note(number_of_first + k, columns.radius(k));
-    }
-  } else {
-    for (std::size_t k = block.begin; k < block.end; ++k) note(k, all.radius(k));
-  }
+                                     std::span<const std::uint32_t> coarse, CoarseShare& share) {
   std::size_t begin = block.begin;
-  for (const std::uint32_t number : std::span(coarse).first(count)) {
+  for (const std::uint32_t number : coarse) {
     share.numbers.push_back(number);
     include(all, kernels, {begin, number}, share.others);
     begin = std::size_t{number} + 1;

@@ -67,8 +67,8 @@ class CoarseElements {
     return QueryBox<Dim>::of(elements(), a, radius, wider);
   }
 
-  static void take_block(const LayerSpheres<Dim>& all, double cut,
-                         const kernels::ElementKernels& kernels, const Block& block,
+  static void take_block(const LayerSpheres<Dim>& all, const kernels::ElementKernels& kernels,
+                         const Block& block, std::span<const std::uint32_t> coarse,
                          CoarseShare& share);
   static void include(const LayerSpheres<Dim>& all, const kernels::ElementKernels& kernels,
                       const Block& block, grid::Bounds<Dim>& bounds);

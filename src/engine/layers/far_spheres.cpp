@@ -1,18 +1,12 @@
 #include "engine/layers/far_spheres.hpp"
 
+#include "engine/layers/large_elements.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace abut::engine {
-namespace {
-
-/// Elements that are looked at together: so few that their numbers stay in the nearest cache.
-constexpr std::size_t block_size = 512;
-
-}  // namespace
-
 template <int Dim>
 void FarSpheres<Dim>::start(std::size_t workers) {
   while (noted_.size() < workers) noted_.push_back(empty(memory_));
@@ -22,32 +16,15 @@ void FarSpheres<Dim>::start(std::size_t workers) {
 template <int Dim>
 void FarSpheres<Dim>::note(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid,
                            std::size_t begin, std::size_t end, std::size_t worker) {
-  const double least = grid.least_far_radius();
-  std::array<std::size_t, block_size> large;
-  const auto note_large = [&](std::size_t first, std::size_t last, const auto& radius_of) {
-    for (std::size_t k = first; k < last; k += block_size) {
-      // Without a branch, for who is large cannot be foreseen.
-      std::size_t count = 0;
-      for (std::size_t j = k; j < std::min(k + block_size, last); ++j) {
-        large[count] = j;
-        count += radius_of(j) >= least ? 1 : 0;
-      }
-      note_far(std::span(large).first(count), spheres, grid, noted_[worker]);
-    }
-  };
-  if (!spheres.have_radii()) {
-    return note_large(begin, end, [&](std::size_t k) { return spheres.radius(k); });
-  }
-  for (const auto& some : spheres.given().some(begin, end)) {
-    const std::size_t first = some.number_of_first;
-    note_large(first + some.begin, first + some.end,
-               [&](std::size_t k) { return some.columns.radius(k - first); });
-  }
+  for_each_block_with_large(spheres, grid.least_far_radius(), begin, end,
+                            [&](std::size_t, std::size_t, std::span<const std::uint32_t> large) {
+                              note_far(large, spheres, grid, noted_[worker]);
+                            });
 }
 
 /// Adds to a list those of some spheres that are far.
 template <int Dim>
-void FarSpheres<Dim>::note_far(std::span<const std::size_t> numbers,
+void FarSpheres<Dim>::note_far(std::span<const std::uint32_t> numbers,
                                const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid,
                                List& list) {
   const auto note = [&](kernels::FarSphere far) {
@@ -56,9 +33,8 @@ void FarSpheres<Dim>::note_far(std::span<const std::size_t> numbers,
     far.last_layer = layers.last;
     list.push_back(far);
   };
-  for (const std::size_t k : numbers) {
-    const auto number = static_cast<std::uint32_t>(k);
-    const exact::Sphere<Dim> sphere = spheres[k];
+  for (const std::uint32_t number : numbers) {
+    const exact::Sphere<Dim> sphere = spheres[number];
     if (grid.has_widths()) {
       const kernels::BoxSize<Dim> size = grid.size_of(spheres.boxes(), number);
       if (grid.is_far(size.radius)) note(grid.far_box(grid.record(sphere, number), size));

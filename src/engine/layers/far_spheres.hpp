@@ -7,6 +7,7 @@
 #include "kernels/layers/layer_kernels.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -51,7 +52,7 @@ class FarSpheres {
  private:
   using List = base::Array<kernels::FarSphere>;
 
-  static void note_far(std::span<const std::size_t> numbers, const LayerSpheres<Dim>& spheres,
+  static void note_far(std::span<const std::uint32_t> numbers, const LayerSpheres<Dim>& spheres,
                        const LayerGrid<Dim>& grid, List& list);
   void count_in_reach(std::size_t layers);
 

@@ -199,4 +199,13 @@ void expect_right_in_layers(const Boxes<Dim>& boxes, double margin = 0.0, Way wa
   }
 }
 
+/// Right in layers without that many coarse spheres or boxes, or in tiles where there are none.
+template <int Dim, class Elements>
+void expect_right_beside(std::size_t coarse, const Elements& elements, double margin = 0.0) {
+  const engine::RowsSettings settings{margin, 1, Simd::scalar, always_beside_coarse};
+  EXPECT_EQ(run_rows<Dim>(elements, settings).coarse, coarse);
+  const Way way = coarse > 0 ? Way::layers : Way::tiles;
+  expect_right_in_layers<Dim>(elements, margin, way, always_beside_coarse);
+}
+
 }  // namespace abut::testing

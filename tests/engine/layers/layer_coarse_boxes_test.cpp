@@ -15,15 +15,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// In layers without that many coarse ones, or in tiles where there are none.
-template <int Dim>
-void expect_right_beside(std::size_t coarse, const Boxes<Dim>& boxes, double margin = 0.0) {
-  const engine::RowsSettings settings{margin, 1, Simd::scalar, always_beside_coarse};
-  EXPECT_EQ(run_rows<Dim>(boxes, settings).coarse, coarse);
-  const Way way = coarse > 0 ? Way::layers : Way::tiles;
-  expect_right_in_layers<Dim>(boxes, margin, way, always_beside_coarse);
-}
-
 template <class Dimension>
 class LayerCoarseBoxesOf : public ::testing::Test {
  protected:

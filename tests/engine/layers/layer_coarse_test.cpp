@@ -1,7 +1,7 @@
 // Few large spheres beside layers of all others: the pairs of a direct check, the same bytes from
 // every level and number of workers, however little that pays.
 
-#include "engine/layers/layer_run.hpp"
+#include "engine/layers/layer_box_run.hpp"
 #include "engine/layers/layer_scenes.hpp"
 
 #include <array>
@@ -12,15 +12,6 @@
 
 namespace abut::testing {
 namespace {
-
-/// In layers without that many coarse ones, or in tiles where there are none.
-template <int Dim>
-void expect_right_beside(std::size_t coarse, const Spheres<Dim>& spheres, double margin = 0.0) {
-  const engine::RowsSettings settings{margin, 1, Simd::scalar, always_beside_coarse};
-  EXPECT_EQ(run_rows<Dim>(spheres, settings).coarse, coarse);
-  const Way way = coarse > 0 ? Way::layers : Way::tiles;
-  expect_right_in_layers<Dim>(spheres, margin, way, always_beside_coarse);
-}
 
 template <class Dimension>
 class LayerCoarseOf : public ::testing::Test {

@@ -177,7 +177,8 @@ auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace
   const SizeClasses classes(at.histogram, sizes);
   const SizePlan plan = plan_sizes<Dim>(classes, sizes);
   if (at.worker != nullptr) return {plan.cut};
-  const SizePlan coarse = plan_coarse<Dim>(classes, sizes);
+  const SizePlan coarse =
+      plan_coarse<Dim>(classes, sizes, input_->layer_limits.most_in_cell_beside_coarse);
   const CellBySize by_size = choose_cell_by_size<Dim>(classes, sizes, set.bounds);
   const double other_cost = by_size.cell == 0.0 ? plan.cost : std::min(plan.cost, by_size.cost);
   const bool costs_less = coarse.cost < input_->layer_limits.most_beside_coarse * other_cost;

@@ -44,9 +44,14 @@ class Estimate {
   /// Elements of the classes [first, last) in cells of one size.
   [[nodiscard]] double alone(std::size_t first, std::size_t last) const {
     const double count = count_of(first, last);
+    return count * (cost_of_element + half_stencil<Dim> * in_cell(first, last));
+  }
+
+  /// The same that share a cell.
+  [[nodiscard]] double in_cell(std::size_t first, std::size_t last) const {
+    const double count = count_of(first, last);
     const double cell = 2.0 * classes_[last - 1].radius + margin_;
-    const double in_cell = std::min(count * power<Dim>(cell) / volume_, count);
-    return count * (cost_of_element + half_stencil<Dim> * in_cell);
+    return std::min(count * power<Dim>(cell) / volume_, count);
   }
 
   /// Elements from class `cut` on visit those below it.
@@ -102,13 +107,14 @@ SizePlan plan_sizes(const SizeClasses& classes, const SizeDistribution& sizes) {
 }
 
 template <int Dim>
-SizePlan plan_coarse(const SizeClasses& classes, const SizeDistribution& sizes) {
+SizePlan plan_coarse(const SizeClasses& classes, const SizeDistribution& sizes,
+                     double most_in_cell) {
   const Estimate<Dim> estimate(classes, sizes.margin / sizes.reach(), sizes.volume);
   const double count = estimate.count();
   SizePlan plan{std::nullopt, std::numeric_limits<double>::infinity()};
   for (std::size_t k = 1; k < estimate.size(); ++k) {
     const double coarse = estimate.count_above(k);
-    if (coarse * coarse > count) continue;
+    if (coarse * coarse > count || estimate.in_cell(0, k) > most_in_cell) continue;
     const double cost = cost_of_look * count + part_in_layers * estimate.alone(0, k) +
                         estimate.cross_level(k) + cost_of_coarse_pair * coarse * coarse / 2.0;
     if (cost >= plan.cost) continue;
@@ -120,7 +126,7 @@ SizePlan plan_coarse(const SizeClasses& classes, const SizeDistribution& sizes) 
 
 template SizePlan plan_sizes<2>(const SizeClasses&, const SizeDistribution&);
 template SizePlan plan_sizes<3>(const SizeClasses&, const SizeDistribution&);
-template SizePlan plan_coarse<2>(const SizeClasses&, const SizeDistribution&);
-template SizePlan plan_coarse<3>(const SizeClasses&, const SizeDistribution&);
+template SizePlan plan_coarse<2>(const SizeClasses&, const SizeDistribution&, double);
+template SizePlan plan_coarse<3>(const SizeClasses&, const SizeDistribution&, double);
 
 }  // namespace abut::engine

@@ -20,8 +20,10 @@ template <int Dim>
 [[nodiscard]] SizePlan plan_sizes(const SizeClasses& classes, const SizeDistribution& sizes);
 
 /// The same of a search in layers without the elements above a cut, which then meet all others and
-/// each other one by one: no cut if it leaves more of them than is worth that.
+/// each other one by one: no cut if it leaves more of them than is worth that, or if more of the
+/// others than `most_in_cell` would share a cell.
 template <int Dim>
-[[nodiscard]] SizePlan plan_coarse(const SizeClasses& classes, const SizeDistribution& sizes);
+[[nodiscard]] SizePlan plan_coarse(const SizeClasses& classes, const SizeDistribution& sizes,
+                                   double most_in_cell);
 
 }  // namespace abut::engine

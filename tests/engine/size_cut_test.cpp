@@ -88,7 +88,7 @@ TEST(CoarseCut, LeavesUpToTheRootOfAll) {
     const auto histogram =
         histogram_of({{1.0, 10000 - large - larger}, {8.0, large}, {64.0, larger}});
     const engine::SizeDistribution sizes{64.0, 1.0, 0.0, 100.0};
-    return engine::plan_coarse<3>({histogram, sizes}, sizes).cut.value_or(0.0);
+    return engine::plan_coarse<3>({histogram, sizes}, sizes, 1e300).cut.value_or(0.0);
   };
   EXPECT_EQ(cut_with(90, 10), 1.5);
   EXPECT_EQ(cut_with(91, 10), 12.0);
@@ -102,10 +102,22 @@ TEST(CoarseCut, CostsWhatItSaves) {
     const auto histogram = histogram_of({{1.0, 10000}, {large, 1}});
     const engine::SizeDistribution sizes{large, 1.0, 0.0, 3e4 / std::pow(large, 3.0)};
     const engine::SizeClasses classes(histogram, sizes);
-    return engine::plan_sizes<3>(classes, sizes).cost / engine::plan_coarse<3>(classes, sizes).cost;
+    return engine::plan_sizes<3>(classes, sizes).cost /
+           engine::plan_coarse<3>(classes, sizes, 5.0).cost;
   };
   EXPECT_GT(gain(8.0), 1.5);
   EXPECT_EQ(gain(1.01), 0.0);
+}
+
+/// Others that crowd are not for layers.
+TEST(CoarseCut, NoneWhereOthersCrowd) {
+  const auto histogram = histogram_of({{1.0, 10000}, {8.0, 10}});
+  // Of radius 1, which may be 1.5, 5 others share a cell.
+  const double volume = 10000.0 * std::pow(1.5 / 8.0, 3.0) / 5.0;
+  for (const double wider : {0.99, 1.01}) {
+    const engine::SizeDistribution sizes{8.0, 1.0, 0.0, volume * wider};
+    EXPECT_EQ(engine::plan_coarse<3>({histogram, sizes}, sizes, 5.0).cut.has_value(), wider > 1.0);
+  }
 }
 
 }  // namespace

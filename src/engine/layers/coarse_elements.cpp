@@ -55,18 +55,16 @@ template <int Dim>
 void CoarseElements<Dim>::include(const LayerSpheres<Dim>& all,
                                   const kernels::ElementKernels& kernels, const Block& block,
                                   grid::Bounds<Dim>& bounds) {
-  for (const auto& [columns, begin, end, number_of_first] :
-       all.given().some(block.begin, block.end)) {
-    std::size_t k = begin;
+  for (const auto& some : all.given().some(block.begin, block.end)) {
+    std::size_t k = some.begin;
     if (all.have_radii()) {
-      k += grid::widen(bounds,
-                       [&, first = begin, count = end - begin](kernels::ElementBounds& packed) {
-                         return kernels.check(columns, first, count, Dim, packed);
-                       });
+      k += grid::widen(bounds, [&](kernels::ElementBounds& packed) {
+        return kernels.check(some.columns, some.begin, some.end - some.begin, Dim, packed);
+      });
     }
-    for (; k < end; ++k) {
-      bounds.include_center(kernels::sphere_at<Dim>(columns, k));
-      bounds.include_radius(all.radius(number_of_first + k));
+    for (; k < some.end; ++k) {
+      bounds.include_center(kernels::sphere_at<Dim>(some.columns, k));
+      bounds.include_radius(all.radius(some.number_of_first + k));
     }
   }
 }

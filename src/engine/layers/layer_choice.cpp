@@ -117,7 +117,8 @@ bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const La
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
   if (input.spheres.are_moved() || elements >= limits.least_sparse_elements) return true;
-  if (are_boxes(input)) return true;  // fewer than are worth it were refused before
+  // Fewer than are worth it were refused before.
+  if (are_boxes(input) || !input.spheres.coarse().empty()) return true;
   if (grid.cell() >= limits.least_sparse_cell * least_cell) return false;
   if (elements >= limits.least_elements) return true;
   return elements >= limits.least_elements_of_tiles &&

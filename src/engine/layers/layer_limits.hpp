@@ -31,6 +31,8 @@ struct LayerLimits {
   /// cost to that of other searches, up to which these layers are taken: both are estimates.
   std::size_t least_elements_beside_coarse = 5'000;
   double most_beside_coarse = 1.0;
+  /// Of the others in a cell, as far as classes of radii tell, up to which layers may suit them.
+  double most_in_cell_beside_coarse = 5.0;
   /// Elements whose clusters are worth a move, and cells of the size of the reach, for each
   /// element, from which on clusters are looked for: the box is mostly empty.
   std::size_t least_moved_elements = 20'000;

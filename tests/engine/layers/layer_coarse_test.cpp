@@ -231,6 +231,7 @@ TYPED_TEST(LayerCoarseOf, Clusters) {
   engine::LayerLimits limits = always_moved;
   limits.least_elements_beside_coarse = 0;
   limits.most_beside_coarse = always_beside_coarse.most_beside_coarse;
+  limits.most_in_cell_beside_coarse = always_beside_coarse.most_in_cell_beside_coarse;
   for (const double radius : {3.0, 100.0, 2000.0}) {
     SCOPED_TRACE(radius);
     auto spheres = clumps<dim>(this->random_, 2000, 60, {900.0, 900.0, 900.0}, 6.0);

@@ -62,6 +62,7 @@ inline constexpr engine::LayerLimits always_beside_coarse{
     .least_rectangles = 0,
     .least_elements_beside_coarse = 0,
     .most_beside_coarse = std::numeric_limits<double>::infinity(),
+    .most_in_cell_beside_coarse = std::numeric_limits<double>::infinity(),
     .least_moved_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),

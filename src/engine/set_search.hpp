@@ -83,6 +83,8 @@ class SetSearch {
   void count_radii_of(const SearchSet<Dim>& set, const SearchPlace& at);
   void share_radii(std::size_t elements, const SearchPlace& at);
   [[nodiscard]] SizeChoice choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at);
+  [[nodiscard]] bool search_beside_coarse(const SearchSet<Dim>& set, const SizeClasses& classes,
+                                          const SizeDistribution& sizes, double other_cost);
   [[nodiscard]] bool search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
                                     const SizeDistribution& sizes, double other_cost);
   void search(const SearchSet<Dim>& set, const SearchPlace& at);

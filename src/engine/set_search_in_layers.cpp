@@ -1,5 +1,5 @@
-// The part of SetSearch that searches whole sets in layers: as they are, by size, or with their
-// clusters moved side by side.
+// The part of SetSearch that searches whole sets in layers: as they are, by size, without their
+// coarse elements, or with their clusters moved side by side.
 
 #include "base/asking_workers.hpp"
 #include "engine/layers/cell_by_size.hpp"
@@ -105,16 +105,11 @@ bool SetSearch<Dim>::take_clusters(const SearchSet<Dim>& set) {
 
 /// Searches the set in layers that suit it without its coarse elements, those whose radius is `cut`
 /// or larger, if there are such layers and single precision holds distances of all coarse elements.
-/// Not where clusters are moved: a coarse element may meet several of them.
 template <int Dim>
 bool SetSearch<Dim>::take_without_coarse(const SearchSet<Dim>& set, double cut) {
-  const LayerLimits& limits = input_->layer_limits;
-  if (set.locals.size() < limits.least_elements_beside_coarse) return false;
-  if (input_->spheres.are_moved()) return false;
   CoarseElements<Dim>& coarse = workspace_.coarse;
   coarse.take(input_->spheres.first(set.locals.size()), cut, input_->element_kernels, worker_count_,
               work_at(place_of_all()));
-  if (coarse.numbers().size() == set.locals.size()) return false;
   SearchSet<Dim> others = set;
   others.bounds = coarse.bounds_of_others();
   SearchInput<Dim> input = *input_;
@@ -177,16 +172,25 @@ auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace
   const SizeClasses classes(at.histogram, sizes);
   const SizePlan plan = plan_sizes<Dim>(classes, sizes);
   if (at.worker != nullptr) return {plan.cut};
-  const SizePlan coarse =
-      plan_coarse<Dim>(classes, sizes, input_->layer_limits.most_in_cell_beside_coarse);
-  const CellBySize by_size = choose_cell_by_size<Dim>(classes, sizes, set.bounds);
-  const double other_cost = by_size.cell == 0.0 ? plan.cost : std::min(plan.cost, by_size.cost);
-  const bool costs_less = coarse.cost < input_->layer_limits.most_beside_coarse * other_cost;
-  if (coarse.cut && costs_less && take_without_coarse(set, *coarse.cut)) {
-    return {std::nullopt, true};
-  }
-  if (search_by_size(set, classes, sizes, plan.cost)) return {std::nullopt, true};
+  const bool is_searched = search_beside_coarse(set, classes, sizes, plan.cost) ||
+                           search_by_size(set, classes, sizes, plan.cost);
+  if (is_searched) return {std::nullopt, true};
   return {plan.cut};
+}
+
+/// Searches the set without its coarse elements if that is estimated to cost less than the other
+/// search, and than one by size.
+template <int Dim>
+bool SetSearch<Dim>::search_beside_coarse(const SearchSet<Dim>& set, const SizeClasses& classes,
+                                          const SizeDistribution& sizes, double other_cost) {
+  if (!may_leave_out_coarse(set, *input_)) return false;
+  const LayerLimits& limits = input_->layer_limits;
+  const SizePlan plan = plan_coarse<Dim>(classes, sizes, limits.most_in_cell_beside_coarse);
+  if (!plan.cut || !(plan.cost < limits.most_beside_coarse * other_cost)) return false;
+  const CellBySize by_size = choose_cell_by_size<Dim>(classes, sizes, set.bounds);
+  const bool costs_less =
+      by_size.cell == 0.0 || plan.cost < limits.most_beside_coarse * by_size.cost;
+  return costs_less && take_without_coarse(set, *plan.cut);
 }
 
 /// Searches the set in layers by size if that is estimated to cost less than the other search. What

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 namespace abut::engine {
+
 template <int Dim>
 CoarseElements<Dim>::CoarseElements(base::MemoryMeter& memory)
     : memory_(memory),

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 namespace abut::engine {
+
 template <int Dim>
 void FarSpheres<Dim>::start(std::size_t workers) {
   while (noted_.size() < workers) noted_.push_back(empty(memory_));

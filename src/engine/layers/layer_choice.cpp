@@ -188,6 +188,13 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
 }
 
 template <int Dim>
+bool may_leave_out_coarse(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
+  if (input.spheres.are_moved()) return false;
+  return set.locals.size() >= input.layer_limits.least_elements_beside_coarse &&
+         may_have_places(set);
+}
+
+template <int Dim>
 bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double reach,
                        OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
@@ -243,6 +250,8 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
   return grid;
 }
 
+template bool may_leave_out_coarse(const SearchSet<2>&, const SearchInput<2>&);
+template bool may_leave_out_coarse(const SearchSet<3>&, const SearchInput<3>&);
 template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const SearchInput<2>&,
                                                    double, OccupancySample&);
 template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const SearchInput<3>&,

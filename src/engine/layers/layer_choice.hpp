@@ -23,6 +23,12 @@ template <int Dim>
                                                           double least_cell,
                                                           OccupancySample& sample);
 
+/// Tells whether a search set may be searched in layers without its coarse elements: it is large,
+/// its elements pair with none but each other, and they are where they are given. A coarse element
+/// may meet several clusters, and these are moved apart.
+template <int Dim>
+[[nodiscard]] bool may_leave_out_coarse(const SearchSet<Dim>& set, const SearchInput<Dim>& input);
+
 /// Tells whether a search set may be moved cluster by cluster: in cells of the size of the reach
 /// nearly all of its box is empty, and where it is not, elements do not crowd.
 template <int Dim>

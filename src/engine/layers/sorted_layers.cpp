@@ -214,23 +214,21 @@ kernels::LayerPair SortedLayers<Dim>::pair(const LayerGrid<Dim>& grid,
 }
 
 template <int Dim>
-kernels::ThreeLayers SortedLayers<Dim>::three_layers(const LayerGrid<Dim>& grid,
-                                                     std::size_t k) const noexcept {
-  kernels::ThreeLayers layers{};
-  static_cast<kernels::LayerPair&>(layers) = pair(grid, k);
-  layers.to_below = static_cast<std::int32_t>(table(before(k)) - layers.own);
-  layers.to_next = static_cast<std::int32_t>(layers.next - layers.own);
-  grid.set_layers(layers, k);
-  return layers;
-}
-
-template <int Dim>
 kernels::ThreeLayers SortedLayers<Dim>::layer_alone(const LayerGrid<Dim>& grid,
                                                     std::size_t k) const noexcept {
   kernels::ThreeLayers layers{};
   static_cast<kernels::LayerPair&>(layers) = pair(grid, k);
   layers.copies = nullptr;
   grid.set_layers(layers, k);
+  return layers;
+}
+
+template <int Dim>
+kernels::ThreeLayers SortedLayers<Dim>::three_layers(const LayerGrid<Dim>& grid,
+                                                     std::size_t k) const noexcept {
+  kernels::ThreeLayers layers = layer_alone(grid, k);
+  layers.to_below = static_cast<std::int32_t>(table(before(k)) - layers.own);
+  layers.to_next = static_cast<std::int32_t>(layers.next - layers.own);
   return layers;
 }
 

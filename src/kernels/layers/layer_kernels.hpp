@@ -173,7 +173,8 @@ struct FarSphere {
   std::uint32_t number;
   float radius;               ///< in units
   float nearest;              ///< of a sphere the radius and the margin, of a box the margin, less
-  float farthest;             ///< and plus the slack; of a coarse one what bounds its reach
+  float farthest;             ///< and plus the slack; of a coarse sphere among equal ones the
+                              ///< squares of the whole reach
   std::uint32_t first_layer;  ///< in which it looks
   std::uint32_t last_layer;   ///< and the last one
   float width[3];             ///< of a box, in units

@@ -133,12 +133,7 @@ LayerRun run_in_place(const Boxes<Dim>& boxes, BoxLayout layout,
   KeptPairs sink;
   const bool in_layers = engine::rows_in_place<Dim>(laid_out.columns(), bounds_of_boxes<Dim>(boxes),
                                                     settings, workspace, sink, context);
-  return {sink.pairs(),
-          in_layers,
-          workspace.clusters_moved > 0,
-          workspace.beside_layers,
-          context.candidate_tests,
-          context.exact_decisions};
+  return layer_run<Dim>(sink, in_layers, workspace, context);
 }
 
 template <int Dim>
@@ -149,12 +144,7 @@ LayerRun run_rows(const Boxes<Dim>& boxes, const engine::RowsSettings& settings)
   const Spheres<Dim> spheres = stand_ins<Dim>(boxes);
   const grid::Bounds<Dim> bounds = bounds_of_boxes<Dim>(boxes);
   engine::rows<Dim>({spheres, boxes}, bounds, settings, workspace, sink, context);
-  return {sink.pairs(),
-          workspace.layer_records.largest_layer() > 0,
-          workspace.clusters_moved > 0,
-          workspace.beside_layers,
-          context.candidate_tests,
-          context.exact_decisions};
+  return layer_run<Dim>(sink, workspace.layer_records.largest_layer() > 0, workspace, context);
 }
 
 /// The contact pairs in canonical order, each decided on the numbers of the boxes.

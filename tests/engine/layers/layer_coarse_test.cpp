@@ -131,8 +131,9 @@ TYPED_TEST(LayerCoarseOf, BoxesOfAllShapes) {
   for (const auto& ratios : box_shapes(100.0)) {
     SCOPED_TRACE(std::to_string(ratios[0]) + " : " + std::to_string(ratios[1]));
     auto spheres = this->gas(1200, ratios);
-    for (std::size_t k = 0; k < 6; ++k)
+    for (std::size_t k = 0; k < 6; ++k) {
       spheres[100 * k].radius = std::exp2(static_cast<double>(k + 2));
+    }
     expect_right_beside<dim>(6, spheres);
   }
 }
@@ -144,8 +145,9 @@ TYPED_TEST(LayerCoarseOf, LongAxes) {
     SCOPED_TRACE(length);
     const auto count = static_cast<std::size_t>(length / 2.7);
     auto spheres = uniform_spheres<dim>(this->random_, count, {0.6, length, 0.5});
-    for (std::size_t k = 0; k < 10; ++k)
+    for (std::size_t k = 0; k < 10; ++k) {
       spheres[k * (count / 10)].radius = 20.0 + static_cast<double>(7 * k);
+    }
     expect_right_beside<dim>(10, spheres);
   }
 }

@@ -55,22 +55,14 @@ inline constexpr engine::LayerLimits always_by_size{
     .most_crowded_by_size = std::numeric_limits<double>::infinity()};
 
 /// Layers hold all but the few coarse elements, whatever that costs.
-inline constexpr engine::LayerLimits always_beside_coarse{
-    .least_elements = 0,
-    .least_sparse_elements = 0,
-    .least_boxes = 0,
-    .least_rectangles = 0,
-    .least_elements_beside_coarse = 0,
-    .most_beside_coarse = std::numeric_limits<double>::infinity(),
-    .most_in_cell_beside_coarse = std::numeric_limits<double>::infinity(),
-    .least_moved_elements = 0,
-    .least_elements_of_layer = 0.0,
-    .most_joined = std::numeric_limits<double>::infinity(),
-    .most_joined_beyond_caches = std::numeric_limits<double>::infinity(),
-    .most_joined_of_discs = std::numeric_limits<double>::infinity(),
-    .most_joined_of_clusters = std::numeric_limits<double>::infinity(),
-    .radii_alike = 1.0,
-    .most_by_size = 0.0};
+inline constexpr engine::LayerLimits always_beside_coarse = [] {
+  engine::LayerLimits limits = always_in_layers;
+  limits.least_elements_beside_coarse = 0;
+  limits.most_beside_coarse = std::numeric_limits<double>::infinity();
+  limits.most_in_cell_beside_coarse = std::numeric_limits<double>::infinity();
+  limits.radii_alike = 1.0;
+  return limits;
+}();
 
 /// Clusters are moved wherever their cells would be crowded otherwise.
 inline constexpr engine::LayerLimits always_moved{
@@ -129,6 +121,18 @@ struct LayerRun {
   std::uint64_t exact_decisions = 0;
 };
 
+/// What came of a search.
+template <int Dim>
+LayerRun layer_run(const KeptPairs& sink, bool in_layers, const engine::Workspace<Dim>& workspace,
+                   const base::DetectionContext& context) {
+  return {sink.pairs(),
+          in_layers,
+          workspace.clusters_moved > 0,
+          workspace.beside_layers,
+          context.candidate_tests,
+          context.exact_decisions};
+}
+
 template <int Dim>
 LayerRun run_rows(const Spheres<Dim>& spheres, const engine::RowsSettings& settings) {
   base::DetectionContext context;
@@ -136,12 +140,7 @@ LayerRun run_rows(const Spheres<Dim>& spheres, const engine::RowsSettings& setti
   KeptPairs sink;
   engine::rows<Dim>({spheres, {}}, bounds_of<Dim>(spheres), settings, workspace, sink, context);
   // What was never sorted has no largest layer.
-  return {sink.pairs(),
-          workspace.layer_records.largest_layer() > 0,
-          workspace.clusters_moved > 0,
-          workspace.beside_layers,
-          context.candidate_tests,
-          context.exact_decisions};
+  return layer_run<Dim>(sink, workspace.layer_records.largest_layer() > 0, workspace, context);
 }
 
 /// The same where the spheres lie, which is not done at all but in layers.
@@ -154,12 +153,7 @@ LayerRun run_in_place(const Spheres<Dim>& spheres, Layout layout,
   KeptPairs sink;
   const bool in_layers = engine::rows_in_place<Dim>(laid_out.columns(), bounds_of<Dim>(spheres),
                                                     settings, workspace, sink, context);
-  return {sink.pairs(),
-          in_layers,
-          workspace.clusters_moved > 0,
-          workspace.beside_layers,
-          context.candidate_tests,
-          context.exact_decisions};
+  return layer_run<Dim>(sink, in_layers, workspace, context);
 }
 
 inline void expect_same(const LayerRun& first, const LayerRun& other) {

@@ -21,19 +21,23 @@ constexpr std::size_t wide_lanes = hn::MaxLanes(WideTag());
 using Bits = std::uint32_t;
 constexpr Bits all_lanes = (1u << lanes) - 1;
 
-HWY_INLINE Bits bits_of(Mask mask) {
+template <class Tag>
+HWY_INLINE Bits bits_of(Tag tag, hn::Mask<Tag> mask) {
   std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(floats, mask, bits);
-  return bits[0];
-}
-
-HWY_INLINE Bits wide_bits_of(hn::Mask<WideTag> mask) {
-  static_assert(wide_lanes <= 16);
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(wide_floats, mask, bits);
+  hn::StoreMaskBits(tag, mask, bits);
+  if constexpr (hn::MaxLanes(Tag()) <= 8) return bits[0];
+  static_assert(hn::MaxLanes(Tag()) <= 16);
   std::uint16_t of_all = 0;
   std::memcpy(&of_all, bits, sizeof(of_all));
   return of_all;
+}
+
+HWY_INLINE Bits bits_of(Mask mask) {
+  return bits_of(floats, mask);
+}
+
+HWY_INLINE Bits wide_bits_of(hn::Mask<WideTag> mask) {
+  return bits_of(wide_floats, mask);
 }
 
 /// The lanes of the set, in order, then the others.

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -54,6 +55,10 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/simd_joined_runs-inl.hpp"
 
+#include "kernels/layers/simd_all_runs-inl.hpp"
+
+#include "kernels/layers/simd_run_vectors-inl.hpp"
+
 #include "kernels/layers/simd_layer_reach-inl.hpp"
 
 #include "kernels/layers/simd_layer_distance-inl.hpp"
@@ -67,6 +72,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 #include "kernels/layers/simd_near_batch-inl.hpp"
 
 #include "kernels/layers/simd_run_pieces-inl.hpp"
+
+#include "kernels/layers/simd_careful_tester-inl.hpp"
 
 #include "kernels/layers/simd_layer_tester-inl.hpp"
 

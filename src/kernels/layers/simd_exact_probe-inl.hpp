@@ -8,10 +8,8 @@ template <int Dim>
 class ExactProbe {
  public:
   HWY_INLINE ExactProbe(const LayerPair& layers, std::uint32_t p)
-      : layers_(layers), beyond_(hn::Set(integers, layers.largest_square + 1)) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      position_[axis] = hn::Set(integers, layers.position[axis][p]);
-    }
+      : layers_(layers), beyond_(layers.largest_square + 1) {
+    for (int axis = 0; axis < Dim; ++axis) position_[axis] = layers.position[axis][p];
   }
 
   /// The element at place p.
@@ -19,23 +17,28 @@ class ExactProbe {
     return {layers, p};
   }
 
-  /// The candidates within reach, if there are no more than fit; writes down the numbers of all.
-  template <class Runs>
-  HWY_INLINE Bits test(const Runs& runs, std::uint32_t* number) const {
-    Bits within = 0;
-    for (std::size_t k = 0; k < candidates; k += lanes) {
-      within |= hits(runs, k, distance(runs, k)) << k;
-      hn::StoreU(runs.load(numbers, layers_.number, k), numbers, number + k);
-    }
-    return within & ((Bits{1} << std::min(runs.size(), candidates)) - 1);
-  }
+  /// None is undecided.
+  template <class Lanes>
+  struct Nearest {
+    [[nodiscard]] HWY_INLINE bool is_decided(float) const { return true; }
+  };
 
-  [[nodiscard]] HWY_INLINE bool is_decided(Numbers) const { return true; }
+  /// The candidates within reach, of runs that fit.
+  template <class Runs, class Lanes>
+  [[nodiscard]] HWY_INLINE Bits test(const Runs& runs, Nearest<Lanes>&) const {
+    Bits within = 0;
+    for (std::size_t k = 0; k < Runs::capacity; k += Runs::at_once) {
+      within |= hits(runs, k, distance(runs, k)) << k;
+    }
+    return within & ((Bits{1} << std::min(runs.size(), Runs::capacity)) - 1);
+  }
 
   /// The candidates from lane k on that are within reach.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Bits hits(const Runs&, std::size_t, Integers squares) const {
-    return bits_of(hn::RebindMask(floats, hn::Lt(squares, beyond_)));
+  [[nodiscard]] HWY_INLINE Bits hits(const Runs&, std::size_t,
+                                     hn::Vec<typename Runs::IntegerTag> squares) const {
+    const auto beyond = hn::Set(Runs::integers, beyond_);
+    return bits_of(Runs::floats, hn::RebindMask(Runs::floats, hn::Lt(squares, beyond)));
   }
   template <class Runs>
   [[nodiscard]] HWY_INLINE Mask is_sure(const Runs&, std::size_t, Integers squares) const {
@@ -44,12 +47,12 @@ class ExactProbe {
 
   /// The squares of distances.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Integers distance(const Runs& runs, std::size_t k) const {
-    Integers sum = hn::Zero(integers);
+  [[nodiscard]] HWY_INLINE auto distance(const Runs& runs, std::size_t k) const {
+    auto sum = hn::Zero(Runs::integers);
     for (int axis = 0; axis < Dim; ++axis) {
-      const Integers difference =
-          hn::Sub(runs.load(integers, layers_.position[axis], k), position_[axis]);
-      const Integers square = hn::Mul(difference, difference);
+      const auto difference = hn::Sub(runs.load(Runs::integers, layers_.position[axis], k),
+                                      hn::Set(Runs::integers, position_[axis]));
+      const auto square = hn::Mul(difference, difference);
       sum = axis == 0 ? square : hn::Add(sum, square);
     }
     return sum;
@@ -57,6 +60,6 @@ class ExactProbe {
 
  private:
   const LayerPair& layers_;
-  Integers beyond_;
-  Integers position_[Dim];
+  std::int32_t beyond_;
+  std::int32_t position_[Dim];
 };

@@ -2,6 +2,23 @@
 // for each instruction set into the namespace of layer_search_simd.cpp, whose names it uses: no
 // include guard, and no includes.
 
+/// What runs are loaded into: a vector of eight lanes, or two of four.
+struct EightLanes {
+  static constexpr std::uint32_t capacity = candidates;
+  static constexpr std::uint32_t at_once = static_cast<std::uint32_t>(lanes);
+  using FloatTag = kernels::HWY_NAMESPACE::FloatTag;
+  using IntegerTag = kernels::HWY_NAMESPACE::IntegerTag;
+  using NumberTag = kernels::HWY_NAMESPACE::NumberTag;
+  static constexpr FloatTag floats{};
+  static constexpr IntegerTag integers{};
+  static constexpr NumberTag numbers{};
+
+  /// The lanes of the set, in order, then others.
+  [[nodiscard]] static HWY_INLINE Numbers compress(Numbers values, Bits set) {
+    return kernels::HWY_NAMESPACE::compress(values, set);
+  }
+};
+
 /// Up to eight candidates: lanes 0 .. first - 1 are the first run, the lanes behind it the second.
 /// An unaligned load of the one, one of the other that begins `first` places early, and a blend:
 ///
@@ -12,7 +29,7 @@
 /// What follows the second run is a reach or more away along the row, or padding. Where the first
 /// run alone is longer than a vector, the second one is loaded to no end, from a vector before its
 /// begin: not from further ahead, which may be before the arrays.
-class JoinedRuns {
+class JoinedRuns : public EightLanes {
  public:
   HWY_INLINE JoinedRuns(const Run& first, const Run& second)
       : begin_(first.begin),
@@ -21,6 +38,9 @@ class JoinedRuns {
         size_(first.end - first.begin + (second.end - second.begin)) {}
 
   [[nodiscard]] HWY_INLINE std::uint32_t size() const { return size_; }
+
+  /// The lanes that candidates have, of a set of hits: all.
+  [[nodiscard]] HWY_INLINE Bits inside(Bits hits) const { return hits; }
 
   template <class Tag, class Number>
   [[nodiscard]] HWY_INLINE hn::Vec<Tag> load(Tag tag, const Number* column,
@@ -49,11 +69,16 @@ class JoinedRuns {
 };
 
 /// Up to eight candidates of a single run.
-class SingleRun {
+class SingleRun : public EightLanes {
  public:
   HWY_INLINE explicit SingleRun(const Run& run) : begin_(run.begin), size_(run.end - run.begin) {}
 
   [[nodiscard]] HWY_INLINE std::uint32_t size() const { return size_; }
+
+  /// Behind an empty run may be what the next one has. A run that does not fit has any.
+  [[nodiscard]] HWY_INLINE Bits inside(Bits hits) const {
+    return hits & ((Bits{1} << size_ % 32) - 1);
+  }
 
   template <class Tag, class Number>
   [[nodiscard]] HWY_INLINE hn::Vec<Tag> load(Tag tag, const Number* column,

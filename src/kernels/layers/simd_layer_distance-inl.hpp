@@ -6,26 +6,24 @@ template <int Dim>
 class PlaceInLayers {
  public:
   HWY_INLINE explicit PlaceInLayers(const FarSphere& far) {
-    for (int axis = 0; axis < Dim; ++axis) position_[axis] = hn::Set(integers, far.position[axis]);
+    for (int axis = 0; axis < Dim; ++axis) position_[axis] = far.position[axis];
   }
 
   /// Of the element at place p.
   HWY_INLINE PlaceInLayers(const LayerPair& layers, std::uint32_t p) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      position_[axis] = hn::Set(integers, layers.position[axis][p]);
-    }
+    for (int axis = 0; axis < Dim; ++axis) position_[axis] = layers.position[axis][p];
   }
 
   /// From it to candidates along an axis.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats difference(const LayerPair& layers, const Runs& runs,
-                                             std::size_t k, int axis) const {
-    return hn::ConvertTo(floats,
-                         hn::Sub(runs.load(integers, layers.position[axis], k), position_[axis]));
+  [[nodiscard]] HWY_INLINE auto difference(const LayerPair& layers, const Runs& runs, std::size_t k,
+                                           int axis) const {
+    const auto position = runs.load(Runs::integers, layers.position[axis], k);
+    return hn::ConvertTo(Runs::floats, hn::Sub(position, hn::Set(Runs::integers, position_[axis])));
   }
 
  private:
-  Integers position_[Dim];
+  std::int32_t position_[Dim];
 };
 
 /// The same of an element that may lie beyond it.
@@ -33,18 +31,19 @@ template <int Dim>
 class CoarsePlace {
  public:
   HWY_INLINE explicit CoarsePlace(const FarSphere& coarse) : in_layers_(coarse) {
-    for (int axis = 0; axis < Dim; ++axis) beyond_[axis] = hn::Set(floats, coarse.beyond[axis]);
+    for (int axis = 0; axis < Dim; ++axis) beyond_[axis] = coarse.beyond[axis];
   }
 
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats difference(const LayerPair& layers, const Runs& runs,
-                                             std::size_t k, int axis) const {
-    return hn::Sub(in_layers_.difference(layers, runs, k, axis), beyond_[axis]);
+  [[nodiscard]] HWY_INLINE auto difference(const LayerPair& layers, const Runs& runs, std::size_t k,
+                                           int axis) const {
+    return hn::Sub(in_layers_.difference(layers, runs, k, axis),
+                   hn::Set(Runs::floats, beyond_[axis]));
   }
 
  private:
   PlaceInLayers<Dim> in_layers_;
-  Floats beyond_[Dim];
+  float beyond_[Dim];
 };
 
 /// Of spheres: the squares of the distances of their centers.
@@ -57,12 +56,11 @@ class DistanceSquares {
   HWY_INLINE DistanceSquares(const LayerPair& layers, std::uint32_t p) : place_(layers, p) {}
 
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats to(const LayerPair& layers, const Runs& runs,
-                                     std::size_t k) const {
-    Floats sum = hn::Zero(floats);
+  [[nodiscard]] HWY_INLINE auto to(const LayerPair& layers, const Runs& runs, std::size_t k) const {
+    auto sum = hn::Zero(Runs::floats);
     for (int axis = 0; axis < Dim; ++axis) {
-      const Floats difference = place_.difference(layers, runs, k, axis);
-      const Floats square = hn::Mul(difference, difference);
+      const auto difference = place_.difference(layers, runs, k, axis);
+      const auto square = hn::Mul(difference, difference);
       sum = axis == 0 ? square : hn::Add(sum, square);
     }
     return sum;
@@ -82,26 +80,24 @@ template <int Dim, class Place = PlaceInLayers<Dim>>
 class BoxGaps {
  public:
   HWY_INLINE explicit BoxGaps(const FarSphere& far) : place_(far) {
-    for (int axis = 0; axis < Dim; ++axis) width_[axis] = hn::Set(floats, far.width[axis]);
+    for (int axis = 0; axis < Dim; ++axis) width_[axis] = far.width[axis];
   }
 
   /// Of the element at place p.
   HWY_INLINE BoxGaps(const LayerPair& layers, std::uint32_t p) : place_(layers, p) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      width_[axis] = hn::Set(floats, layers.width[axis][p]);
-    }
+    for (int axis = 0; axis < Dim; ++axis) width_[axis] = layers.width[axis][p];
   }
 
   /// A zero is +0: it is a difference of equal numbers.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats to(const LayerPair& layers, const Runs& runs,
-                                     std::size_t k) const {
-    Floats largest = hn::Zero(floats);
+  [[nodiscard]] HWY_INLINE auto to(const LayerPair& layers, const Runs& runs, std::size_t k) const {
+    const auto zero = hn::Zero(Runs::floats);
+    auto largest = zero;
     for (int axis = 0; axis < Dim; ++axis) {
-      const Floats difference = place_.difference(layers, runs, k, axis);
-      const Floats width = runs.load(floats, layers.width[axis], k);
-      const Floats gap = hn::Max(hn::Sub(difference, width_[axis]),
-                                 hn::Sub(hn::Sub(hn::Zero(floats), difference), width));
+      const auto difference = place_.difference(layers, runs, k, axis);
+      const auto width = runs.load(Runs::floats, layers.width[axis], k);
+      const auto gap = hn::Max(hn::Sub(difference, hn::Set(Runs::floats, width_[axis])),
+                               hn::Sub(hn::Sub(zero, difference), width));
       largest = axis == 0 ? gap : hn::Max(largest, gap);
     }
     return largest;
@@ -109,5 +105,5 @@ class BoxGaps {
 
  private:
   Place place_;
-  Floats width_[Dim];
+  float width_[Dim];
 };

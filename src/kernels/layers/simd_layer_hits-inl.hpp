@@ -1,8 +1,5 @@
 // The hits of a search in layers, included like simd_joined_runs-inl.hpp.
 
-/// Hits among the candidates of an element, of some vectors.
-using HitBits = std::uint64_t;
-
 class LayerHits {
  public:
   HWY_INLINE LayerHits(const LayerPair& layers, SearchJob& job)
@@ -35,36 +32,37 @@ class LayerHits {
     return hits_.found;
   }
 
-  /// Writes those of `most` candidates that hit to that place of the buffer and returns how many
-  /// there are. Whole vectors: the excess is overwritten.
-  template <std::size_t most>
-  HWY_INLINE std::size_t write(std::uint32_t element, HitBits hits, const std::uint32_t* number,
-                               std::size_t place) const {
-    const std::size_t count = write_partners<most>(hits, number, place);
-    write_element(element, place, count);
-    return count;
-  }
-
-  /// The same of the partners alone.
-  template <std::size_t most>
-  HWY_INLINE std::size_t write_partners(HitBits hits, const std::uint32_t* number,
+  /// Writes the partners of an element that hit, of one vector and with numbers of that column, to
+  /// that place of the buffer and returns where they end. Whole vectors: the excess is overwritten.
+  template <class Runs>
+  HWY_INLINE std::size_t write_partners(const std::uint32_t* number, const Runs& runs, Bits hits,
                                         std::size_t place) const {
-    std::uint32_t* const begin = hits_.partner + place;
-    std::uint32_t* end = begin;
-    for (std::size_t k = 0; k < most; k += lanes) {
-      const Bits set = static_cast<Bits>(hits >> k) & all_lanes;
-      hn::StoreU(compress(hn::LoadU(numbers, number + k), set), numbers, end);
-      end += std::popcount(set);
+    for (std::uint32_t k = 0; k < Runs::capacity; k += Runs::at_once) {
+      place = write_set<Runs>(runs.load(Runs::numbers, number, k), hits >> k, place);
     }
-    return static_cast<std::size_t>(end - begin);
+    return place;
   }
 
-  /// The same of the element alone, which has so many partners.
-  HWY_INLINE void write_element(std::uint32_t element, std::size_t place, std::size_t count) const {
-    const Numbers own = hn::Set(numbers, element);
-    for (std::size_t k = 0; k < count; k += lanes) {
-      hn::StoreU(own, numbers, hits_.element + place + k);
+  /// The same of an element with its partners, of candidates whose numbers are in memory.
+  template <std::size_t most>
+  HWY_INLINE std::size_t write(std::uint32_t element, HitBits hits,
+                               const std::uint32_t (&number)[most], std::size_t place) const {
+    std::size_t end = place;
+    for (std::size_t k = 0; k < most; k += lanes) {
+      end =
+          write_set<EightLanes>(hn::LoadU(numbers, number + k), static_cast<Bits>(hits >> k), end);
     }
+    write_element(element, place, end);
+    return end;
+  }
+
+  /// The same of the element alone, whose partners are there.
+  HWY_INLINE void write_element(std::uint32_t element, std::size_t place, std::size_t end) const {
+    const Numbers own = hn::Set(numbers, element);
+    do {
+      hn::StoreU(own, numbers, hits_.element + place);
+      place += lanes;
+    } while (place < end);
   }
 
   /// Adds the hits among the candidates in the lanes from k on, with notes of those that are not
@@ -91,6 +89,15 @@ class LayerHits {
   }
 
  private:
+  /// Writes the numbers of the first lanes of the set, of which there may be more.
+  template <class Lanes>
+  HWY_INLINE std::size_t write_set(hn::Vec<typename Lanes::NumberTag> partners, Bits set,
+                                   std::size_t place) const {
+    set &= (Bits{1} << Lanes::at_once) - 1;
+    hn::StoreU(Lanes::compress(partners, set), Lanes::numbers, hits_.partner + place);
+    return place + static_cast<std::size_t>(std::popcount(set));
+  }
+
   /// Notes the places of the undecided ones among the hits that are about to be written. Without a
   /// branch: the excess is overwritten.
   HWY_INLINE void note_undecided(Bits hits, Numbers is_undecided, std::uint32_t p,

@@ -11,25 +11,25 @@ class CommonReach {
 
   /// These bounds instead.
   HWY_INLINE CommonReach(const LayerPair&, float inner, float outer)
-      : inner_(hn::Set(floats, inner)), outer_(hn::Set(floats, outer)) {}
+      : inner_(inner), outer_(outer) {}
 
   HWY_INLINE CommonReach(const LayerPair& layers, const FarSphere& far)
       : CommonReach(layers, far.nearest, far.farthest) {}
 
   /// The reach, less the slack, of the candidates from lane k on: of spheres the square.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats inner(const Runs&, std::size_t) const {
-    return inner_;
+  [[nodiscard]] HWY_INLINE auto inner(const Runs&, std::size_t) const {
+    return hn::Set(Runs::floats, inner_);
   }
   /// The same plus the slack.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats outer(const Runs&, std::size_t) const {
-    return outer_;
+  [[nodiscard]] HWY_INLINE auto outer(const Runs&, std::size_t) const {
+    return hn::Set(Runs::floats, outer_);
   }
 
  private:
-  Floats inner_;
-  Floats outer_;
+  float inner_;
+  float outer_;
 };
 
 /// Spheres: the sum of the radii and the margin.
@@ -43,29 +43,28 @@ class SummedReach {
 
   /// An element whose radius and margin come to that, less and plus its slack.
   HWY_INLINE SummedReach(const LayerPair& layers, float nearest, float farthest)
-      : radius_(layers.radius),
-        nearest_(hn::Set(floats, nearest)),
-        farthest_(hn::Set(floats, farthest)) {}
+      : radius_(layers.radius), nearest_(nearest), farthest_(farthest) {}
 
   HWY_INLINE SummedReach(const LayerPair& layers, const FarSphere& far)
       : SummedReach(layers, far.nearest, far.farthest) {}
 
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats inner(const Runs& runs, std::size_t k) const {
-    const Floats sum = hn::Add(nearest_, runs.load(floats, radius_, k));
-    const Floats nearest = hn::Max(sum, hn::Zero(floats));
+  [[nodiscard]] HWY_INLINE auto inner(const Runs& runs, std::size_t k) const {
+    const auto sum = hn::Add(hn::Set(Runs::floats, nearest_), runs.load(Runs::floats, radius_, k));
+    const auto nearest = hn::Max(sum, hn::Zero(Runs::floats));
     return hn::Mul(nearest, nearest);
   }
   template <class Runs>
-  [[nodiscard]] HWY_INLINE Floats outer(const Runs& runs, std::size_t k) const {
-    const Floats farthest = hn::Add(farthest_, runs.load(floats, radius_, k));
+  [[nodiscard]] HWY_INLINE auto outer(const Runs& runs, std::size_t k) const {
+    const auto farthest =
+        hn::Add(hn::Set(Runs::floats, farthest_), runs.load(Runs::floats, radius_, k));
     return hn::Mul(farthest, farthest);
   }
 
  private:
   const float* radius_;
-  Floats nearest_;
-  Floats farthest_;
+  float nearest_;
+  float farthest_;
 };
 
 /// A reach of an element that looks for smaller ones only: those with a smaller radius, or with
@@ -87,20 +86,21 @@ class SmallerReach : public Reach {
 
   /// As whole numbers radii are ordered as they are; a lower number makes the other one less by 1.
   template <class Runs>
-  [[nodiscard]] HWY_INLINE hn::Mask<IntegerTag> counts(const Runs& runs, std::size_t k) const {
-    const Integers radius = hn::BitCast(integers, runs.load(floats, layers_.radius, k));
-    const Integers number = hn::BitCast(integers, runs.load(numbers, layers_.number, k));
-    const Integers is_lower = hn::VecFromMask(integers, hn::Lt(number, number_));
-    return hn::Lt(hn::Add(radius, is_lower), size_);
+  [[nodiscard]] HWY_INLINE auto counts(const Runs& runs, std::size_t k) const {
+    constexpr auto tag = Runs::integers;
+    const auto radius = hn::BitCast(tag, runs.load(Runs::floats, layers_.radius, k));
+    const auto number = hn::BitCast(tag, runs.load(Runs::numbers, layers_.number, k));
+    const auto is_lower = hn::VecFromMask(tag, hn::Lt(number, hn::Set(tag, number_)));
+    return hn::Lt(hn::Add(radius, is_lower), hn::BitCast(tag, hn::Set(Runs::floats, radius_)));
   }
 
  private:
   HWY_INLINE void set_size(float radius, std::uint32_t number) {
-    size_ = hn::BitCast(integers, hn::Set(floats, radius));
-    number_ = hn::Set(integers, static_cast<std::int32_t>(number));
+    radius_ = radius;
+    number_ = static_cast<std::int32_t>(number);
   }
 
   const ThreeLayers& layers_;
-  Integers size_;
-  Integers number_;
+  float radius_;
+  std::int32_t number_;
 };

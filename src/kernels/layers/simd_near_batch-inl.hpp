@@ -19,6 +19,8 @@ class NearBatch {
 
   class RunsAt {
    public:
+    static constexpr std::size_t size = runs;
+
     HWY_INLINE RunsAt(const NearBatch& batch, std::uint32_t at) : batch_(batch), at_(at) {}
     template <std::size_t k>
     [[nodiscard]] HWY_INLINE Run run() const {

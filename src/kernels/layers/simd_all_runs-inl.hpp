@@ -26,19 +26,20 @@ struct SixteenLanes {
   }
 };
 
-/// Runs one behind the other. Each is loaded from as many places before its begin as there are
-/// lanes before its own, and what is in the lanes behind it is replaced by the next one:
+/// Some runs of an element, from the first of them on, one behind the other. Each is loaded from as
+/// many places before its begin as there are lanes before its own, and what is in the lanes behind
+/// it is replaced by the next one:
 ///
 ///   lane     0   1   2   3   4   5   6   7   8  ...
 ///   run 0    a   b   c   .   .   .   .   .   .
 ///   run 1                p   q   .   .   .   .
 ///   run 2                        u   v   w   .
-template <std::size_t runs>
-class AllRuns : public SixteenLanes {
+template <std::size_t first, std::size_t count>
+class RunsInSixteen : public SixteenLanes {
  public:
   template <class RunsOfElement>
-  HWY_INLINE explicit AllRuns(const RunsOfElement& its) {
-    add(its, std::make_index_sequence<runs>());
+  HWY_INLINE explicit RunsInSixteen(const RunsOfElement& its) {
+    add(its, std::make_index_sequence<count>());
   }
 
   [[nodiscard]] HWY_INLINE std::uint32_t size() const { return size_; }
@@ -53,7 +54,7 @@ class AllRuns : public SixteenLanes {
   template <class Tag, class Number>
   [[nodiscard]] HWY_INLINE hn::Vec<Tag> load(Tag tag, const Number* column, std::size_t) const {
     auto all = hn::LoadU(tag, column + shifted_[0]);
-    for (std::size_t r = 1; r < runs; ++r) {
+    for (std::size_t r = 1; r < count; ++r) {
       const auto from_run = lanes_of(tag, 0xffffU << before_[r]);
       all = hn::IfThenElse(from_run, hn::LoadU(tag, column + shifted_[r]), all);
     }
@@ -63,7 +64,7 @@ class AllRuns : public SixteenLanes {
  private:
   template <class RunsOfElement, std::size_t... r>
   HWY_INLINE void add(const RunsOfElement& its, std::index_sequence<r...>) {
-    (add(r, its.template run<r>()), ...);
+    (add(r, its.template run<first + r>()), ...);
   }
 
   HWY_INLINE void add(std::size_t r, const Run& run) {
@@ -73,21 +74,26 @@ class AllRuns : public SixteenLanes {
   }
 
   std::uint32_t size_ = 0;
-  std::uint32_t before_[runs];   ///< candidates of the runs before it
-  std::uint32_t shifted_[runs];  ///< place from which it is loaded
+  std::uint32_t before_[count];   ///< candidates of the runs before it
+  std::uint32_t shifted_[count];  ///< place from which it is loaded
 };
 
 /// The two runs of a disc or rectangle, which fit eight lanes as well.
-template <>
-class AllRuns<2> : public JoinedRuns {
+class BothRuns : public JoinedRuns {
  public:
   template <class RunsOfElement>
-  HWY_INLINE explicit AllRuns(const RunsOfElement& its)
+  HWY_INLINE explicit BothRuns(const RunsOfElement& its)
       : JoinedRuns(its.template run<0>(), its.template run<1>()) {}
 
   [[nodiscard]] HWY_INLINE bool fit() const { return size() <= capacity; }
 };
 
-/// Tells whether the processor has vectors for so many runs.
+/// Vectors that hold all runs of an element: one, or two for elements with more candidates.
+template <std::size_t runs>
+using AllRuns = std::conditional_t<runs == 2, BothRuns, RunsInSixteen<0, runs>>;
+using FirstHalf = RunsInSixteen<0, 3>;
+using SecondHalf = RunsInSixteen<3, 2>;
+
+/// Tells whether the processor has such vectors for so many runs.
 template <std::size_t runs>
 constexpr bool fit_one_vector = runs == 2 ? lanes == candidates : wide_lanes == 16;

@@ -96,6 +96,12 @@ class SimdLayerTester {
 
   /// Tells whether all runs of most elements go into one vector, instead of two into each.
   static constexpr bool takes_all = fit_one_vector<Search::runs> && !Search::some_have_hits;
+  /// The same of two vectors, where many elements have too many candidates for one.
+  static constexpr bool takes_halves = takes_all && Search::runs == 5;
+
+  /// Ways to test a batch: as suits most elements, or crowds, each way denser ones than the one
+  /// before it.
+  enum class Way { usual, in_halves, run_by_run, with_care };
 
   template <Filling filling>
   static constexpr std::size_t most_hits = vectors_of<filling, Search::runs>* candidates;
@@ -112,8 +118,9 @@ class SimdLayerTester {
 
   /// The elements of a batch by what they are like.
   struct BatchCounts {
-    std::uint32_t crowded = 0;
-    std::uint32_t with_care = 0;  ///< those that vectors of single runs do not settle
+    std::uint32_t crowded = 0;             ///< those that the usual vectors do not hold
+    std::uint32_t crowded_for_halves = 0;  ///< those that two halves do not, where that is known
+    std::uint32_t with_care = 0;           ///< those that vectors of single runs do not settle
     std::uint32_t undecided = 0;
 
     HWY_INLINE void add(const ElementRuns& its) {
@@ -123,49 +130,67 @@ class SimdLayerTester {
   };
 
   HWY_INLINE void test_batch(const Elements& elements) {
-    if (HWY_UNLIKELY(expects_care_)) return test_batch_with_care(elements);
-    if (HWY_UNLIKELY(expects_crowd_)) return test_crowded_batch(elements);
+    if (HWY_UNLIKELY(way_ != Way::usual)) return test_crowded_batch(elements);
     if constexpr (takes_all) {
-      test_batch_of_all(elements);
+      test_batch_of_all<AllRuns<Search::runs>>(elements);
     } else {
       test_batch_as<Filling::joined>(elements);
     }
   }
 
   HWY_NOINLINE void test_crowded_batch(const Elements& elements) {
+    if (way_ == Way::with_care) return test_batch_with_care(elements);
+    if constexpr (takes_halves) {
+      if (way_ == Way::in_halves) return test_batch_of_all<FirstHalf, SecondHalf>(elements);
+    }
     test_batch_as<Filling::single>(elements);
   }
 
-  /// An element's runs in one vector, whose hits are written as soon as they are known.
+  /// Writes hits as soon as all vectors of an element have been tested.
+  template <class... Vectors>
   HWY_INLINE void test_batch_of_all(const Elements& elements) {
-    using All = AllRuns<Search::runs>;
     BatchCounts counts;
     std::uint64_t tests = 0;
     std::size_t found = hits_.found();
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
-      const All runs(elements.runs_of(k));
-      if (HWY_UNLIKELY(!runs.fit())) {
-        ++counts.crowded;
-        found = test_apart(elements, k, found, counts);
-        continue;
-      }
-      const std::uint32_t p = elements.place(k);
-      const Probe probe = Probe::at(layers_, p);
-      Nearest<All> nearest;
-      const Bits hits = probe.test(runs, nearest);
-      if (HWY_UNLIKELY(!nearest.is_decided(layers_.band))) {
-        found = test_undecided(elements, k, found, counts);
-        continue;
-      }
-      tests += runs.size();
-      found = hits_.make_room(found, runs.capacity);
-      const std::size_t end = hits_.write_partners(layers_.number, runs, hits, found);
-      hits_.write_element(layers_.number[p], found, end);
-      found = end;
+      const auto runs = elements.runs_of(k);
+      found = test_all(elements, k, found, tests, counts, Vectors(runs)...);
     }
     hits_.count_tests(tests);
     hits_.set_found(found);
     expect(counts, elements);
+  }
+
+  /// An element whose runs are in these vectors. Returns how many hits there are then.
+  template <class... Vectors>
+  HWY_INLINE std::size_t test_all(const Elements& elements, std::uint32_t k, std::size_t found,
+                                  std::uint64_t& tests, BatchCounts& counts,
+                                  const Vectors&... vectors) {
+    using Usual = AllRuns<Search::runs>;
+    constexpr bool are_halves = sizeof...(Vectors) > 1;
+    const std::uint32_t size = (vectors.size() + ...);
+    if (are_halves) counts.crowded += size > Usual::capacity ? 1 : 0;
+    if (HWY_UNLIKELY(!(vectors.fit() && ...))) {
+      ++(are_halves ? counts.crowded_for_halves : counts.crowded);
+      return test_apart(elements, k, found, counts);
+    }
+    const std::uint32_t p = elements.place(k);
+    const Probe probe = Probe::at(layers_, p);
+    Nearest<Usual> nearest;
+    HitBits hits = 0;
+    std::uint32_t first = 0;
+    ((hits |= HitBits{probe.test(vectors, nearest)} << first, first += Vectors::capacity), ...);
+    if (HWY_UNLIKELY(!nearest.is_decided(layers_.band))) {
+      return test_undecided(elements, k, found, counts);
+    }
+    tests += size;
+    const std::size_t begin = hits_.make_room(found, (Vectors::capacity + ...));
+    std::size_t end = begin;
+    ((end = hits_.write_partners(layers_.number, vectors, static_cast<Bits>(hits), end),
+      hits >>= Vectors::capacity),
+     ...);
+    hits_.write_element(layers_.number[p], begin, end);
+    return end;
   }
 
   template <Filling filling>
@@ -196,7 +221,7 @@ class SimdLayerTester {
         sizes.add(v, runs.size());
         end = hits_.write_partners(layers_.number, runs, probe.test(runs, nearest), end);
       });
-      if (is_crowded<filling>(sizes)) ++counts.crowded;
+      count_crowded<filling>(sizes, counts);
       if (HWY_UNLIKELY(!sizes.fit())) {
         found = test_apart(elements, k, found, counts);
       } else if (HWY_UNLIKELY(!nearest.is_decided(layers_.band))) {
@@ -254,7 +279,7 @@ class SimdLayerTester {
       hits |= HitBits{probe.test(runs, nearest)} << (v * candidates);
       write_numbers(runs, number + v * candidates);
     });
-    if (filling == Filling::single) counts.crowded += is_crowded<filling>(sizes) ? 1 : 0;
+    if (filling == Filling::single) count_crowded<filling>(sizes, counts);
     const auto has_too_many = static_cast<std::uint32_t>(!sizes.fit());
     const auto has_undecided = static_cast<std::uint32_t>(!nearest.is_decided(layers_.band));
     const std::uint32_t needs_care = has_too_many | has_undecided;
@@ -269,11 +294,16 @@ class SimdLayerTester {
     }
   }
 
-  /// Tells whether the usual vectors would not hold the candidates of an element.
+  /// Counts an element for which the usual vectors are too short, or would be.
   template <Filling filling>
-  [[nodiscard]] static HWY_INLINE bool is_crowded(const VectorSizes& sizes) {
-    if constexpr (takes_all) return sizes.total() > AllRuns<Search::runs>::capacity;
-    return filling == Filling::joined ? !sizes.fit() : !sizes.fit_if_joined();
+  static HWY_INLINE void count_crowded(const VectorSizes& sizes, BatchCounts& counts) {
+    if constexpr (takes_all) {
+      counts.crowded += sizes.total() > AllRuns<Search::runs>::capacity ? 1 : 0;
+      if (takes_halves) counts.crowded_for_halves += sizes.fit_halves() ? 0 : 1;
+    } else {
+      const bool fits = filling == Filling::joined ? sizes.fit() : sizes.fit_if_joined();
+      counts.crowded += fits ? 0 : 1;
+    }
   }
 
   /// Tests an element with more candidates than its vectors hold, or with an undecided one, and
@@ -304,9 +334,15 @@ class SimdLayerTester {
 
   /// From most of a batch to the next one.
   HWY_INLINE void expect(const BatchCounts& counts, const Elements& elements) {
-    expects_care_ = 2 * counts.with_care > elements.size();
-    expects_crowd_ = crowded_share * counts.crowded > elements.size();
+    way_ = way_after(counts, elements.size());
     has_many_undecided_ = 2 * counts.undecided > elements.size();
+  }
+
+  [[nodiscard]] static HWY_INLINE Way way_after(const BatchCounts& counts, std::uint32_t elements) {
+    if (HWY_UNLIKELY(2 * counts.with_care > elements)) return Way::with_care;
+    if (HWY_LIKELY(crowded_share * counts.crowded <= elements)) return Way::usual;
+    const bool fit_halves = crowded_share * counts.crowded_for_halves <= elements;
+    return takes_halves && fit_halves ? Way::in_halves : Way::run_by_run;
   }
 
   /// An element that the vectors of its batch do not settle.
@@ -320,7 +356,6 @@ class SimdLayerTester {
   SearchJob& job_;
   LayerHits hits_;
   CarefulTester<Search> careful_;
-  bool expects_care_ = false;
-  bool expects_crowd_ = false;
+  Way way_ = Way::usual;
   bool has_many_undecided_ = false;
 };

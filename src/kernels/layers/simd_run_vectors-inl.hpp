@@ -39,6 +39,8 @@ class VectorSizes {
     excess_ |= size + (candidates - 1);
     if (v % 2 == 1) joined_excess_ |= last_ + size + (candidates - 1);
     last_ = size;
+    half_ += size;
+    if (v == 2 || v == 4) halves_excess_ |= std::exchange(half_, 0) + (2 * candidates - 1);
   }
 
   /// Candidates of all.
@@ -50,9 +52,14 @@ class VectorSizes {
   /// The same of single runs if two were joined in each.
   [[nodiscard]] HWY_INLINE bool fit_if_joined() const { return joined_excess_ < 2 * candidates; }
 
+  /// The same if three and two of them shared a vector of twice as many.
+  [[nodiscard]] HWY_INLINE bool fit_halves() const { return halves_excess_ < 4 * candidates; }
+
  private:
   std::uint32_t total_ = 0;
   std::uint32_t last_ = 0;
   std::uint32_t excess_ = 0;  ///< two vectors or more where one of them is to hold too many
   std::uint32_t joined_excess_ = 0;
+  std::uint32_t half_ = 0;
+  std::uint32_t halves_excess_ = 0;
 };

@@ -35,6 +35,10 @@ constexpr WholeTag wholes{};
 
 /// As many spheres as there are lanes.
 struct SphereLanes {
+  /// For the instruction set of this namespace: g++ would make one for every processor, into which
+  /// vectors of NEON cannot be inlined.
+  HWY_INLINE SphereLanes() {}
+
   Doubles center[3];
   Doubles radius;
 };

@@ -4,14 +4,14 @@
 
 /// What runs are loaded into: a vector of eight lanes, or two of four.
 struct EightLanes {
-  static constexpr std::uint32_t capacity = candidates;
-  static constexpr std::uint32_t at_once = static_cast<std::uint32_t>(lanes);
   using FloatTag = kernels::HWY_NAMESPACE::FloatTag;
   using IntegerTag = kernels::HWY_NAMESPACE::IntegerTag;
   using NumberTag = kernels::HWY_NAMESPACE::NumberTag;
   static constexpr FloatTag floats{};
   static constexpr IntegerTag integers{};
   static constexpr NumberTag numbers{};
+  static constexpr std::uint32_t capacity = candidates;
+  static constexpr std::uint32_t at_once = static_cast<std::uint32_t>(lanes);
 
   /// The lanes of the set, in order, then others.
   [[nodiscard]] static HWY_INLINE Numbers compress(Numbers values, Bits set) {

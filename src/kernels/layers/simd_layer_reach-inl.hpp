@@ -75,14 +75,16 @@ class SmallerReach : public Reach {
   static constexpr bool counts_all = false;
 
   HWY_INLINE SmallerReach(const ThreeLayers& layers, std::uint32_t p)
-      : Reach(layers, p), layers_(layers) {
-    set_size(layers.radius[p], layers.number[p]);
-  }
+      : Reach(layers, p),
+        layers_(layers),
+        own_radius_(layers.radius[p]),
+        own_number_(static_cast<std::int32_t>(layers.number[p])) {}
 
   HWY_INLINE SmallerReach(const ThreeLayers& layers, const FarSphere& far)
-      : Reach(layers, far), layers_(layers) {
-    set_size(far.radius, far.number);
-  }
+      : Reach(layers, far),
+        layers_(layers),
+        own_radius_(far.radius),
+        own_number_(static_cast<std::int32_t>(far.number)) {}
 
   /// As whole numbers radii are ordered as they are; a lower number makes the other one less by 1.
   template <class Runs>
@@ -90,17 +92,12 @@ class SmallerReach : public Reach {
     constexpr auto tag = Runs::integers;
     const auto radius = hn::BitCast(tag, runs.load(Runs::floats, layers_.radius, k));
     const auto number = hn::BitCast(tag, runs.load(Runs::numbers, layers_.number, k));
-    const auto is_lower = hn::VecFromMask(tag, hn::Lt(number, hn::Set(tag, number_)));
-    return hn::Lt(hn::Add(radius, is_lower), hn::BitCast(tag, hn::Set(Runs::floats, radius_)));
+    const auto is_lower = hn::VecFromMask(tag, hn::Lt(number, hn::Set(tag, own_number_)));
+    return hn::Lt(hn::Add(radius, is_lower), hn::BitCast(tag, hn::Set(Runs::floats, own_radius_)));
   }
 
  private:
-  HWY_INLINE void set_size(float radius, std::uint32_t number) {
-    radius_ = radius;
-    number_ = static_cast<std::int32_t>(number);
-  }
-
   const ThreeLayers& layers_;
-  float radius_;
-  std::int32_t number_;
+  float own_radius_;
+  std::int32_t own_number_;
 };

@@ -49,6 +49,9 @@ void shuffle(Scene& scene, std::uint64_t seed);
 [[nodiscard]] Scene make_clusters_30(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_two_far_clusters(std::size_t count, std::uint64_t seed);
 
+[[nodiscard]] Scene make_shell(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_graded_by_place(std::size_t count, std::uint64_t seed);
+
 [[nodiscard]] Scene make_bidisperse(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_polydisperse(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_log_uniform(std::size_t count, std::uint64_t seed);

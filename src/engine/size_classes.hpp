@@ -36,6 +36,9 @@ struct SizeClass {
 /// of its own.
 class SizeClasses {
  public:
+  /// Up to one more where the largest radius begins a class.
+  static constexpr std::size_t most = 128;
+
   SizeClasses(const RadiusHistogram& histogram, const SizeDistribution& sizes);
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -44,8 +47,6 @@ class SizeClasses {
   [[nodiscard]] const SizeClass* end() const noexcept { return classes_.data() + size_; }
 
  private:
-  static constexpr std::size_t most = 128;
-
   std::array<SizeClass, most + 1> classes_;
   std::size_t size_ = 0;
 };

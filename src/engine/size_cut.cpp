@@ -39,7 +39,11 @@ template <int Dim>
 class Estimate {
  public:
   Estimate(const SizeClasses& classes, double margin, double volume)
-      : classes_(classes), margin_(margin), volume_(volume) {}
+      : classes_(classes), margin_(margin), volume_(volume) {
+    for (std::size_t k = 0; k < classes.size(); ++k) {
+      count_below_[k + 1] = count_below_[k] + classes[k].count;
+    }
+  }
 
   /// Elements of the classes [first, last) in cells of one size.
   [[nodiscard]] double alone(std::size_t first, std::size_t last) const {
@@ -60,10 +64,11 @@ class Estimate {
     const double small_radius = classes_[cut - 1].radius;
     const double cell =
         std::max(2.0 * small_radius + margin_, exact::root<Dim>(volume_ / small_count));
+    const double cells_along_axis = exact::root<Dim>(small_count);
     double sum = 0.0;
     for (std::size_t k = cut; k < classes_.size(); ++k) {
       const double reached = 2.0 * (classes_[k].radius + small_radius + margin_);
-      const double wide = std::min(reached / cell, exact::root<Dim>(small_count)) + 1.0;
+      const double wide = std::min(reached / cell, cells_along_axis) + 1.0;
       const double rows = Dim == 2 ? wide : wide * wide;
       const double tests = std::min(small_count * power<Dim>(reached) / volume_, small_count);
       sum += classes_[k].count * (cost_of_cross_level + cost_of_row * rows + tests);
@@ -78,14 +83,13 @@ class Estimate {
 
  private:
   [[nodiscard]] double count_of(std::size_t first, std::size_t last) const {
-    double sum = 0.0;
-    for (std::size_t k = first; k < last; ++k) sum += classes_[k].count;
-    return sum;
+    return count_below_[last] - count_below_[first];
   }
 
   const SizeClasses& classes_;
   double margin_;
   double volume_;
+  std::array<double, SizeClasses::most + 2> count_below_{};  ///< of elements in smaller classes
 };
 
 }  // namespace

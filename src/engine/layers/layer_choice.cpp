@@ -3,6 +3,7 @@
 #include "engine/box_in_cells.hpp"
 #include "engine/layers/cell_by_size.hpp"
 #include "engine/layers/coordinate_step.hpp"
+#include "engine/layers/long_cells.hpp"
 #include "engine/set_cells.hpp"
 
 #include <algorithm>
@@ -81,6 +82,12 @@ bool may_be_narrow(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
   return grid.has_wide_cells() && !is_nearly_empty(set, input.layer_limits, least_cell);
 }
 
+/// Tells whether cells that were widened may be long instead. A coarse element looks in cubes.
+template <int Dim>
+bool may_be_long(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
+  return grid.has_wide_cells() && input.spheres.coarse().empty();
+}
+
 /// The fewest spheres, but for those whose distances are exact.
 std::size_t fewest_spheres(const LayerLimits& limits) {
   return std::min(
@@ -131,8 +138,26 @@ double elements_joined(const LayerGrid<Dim>& grid, double occupancy) {
   return (occupancy - 1.0) * grid.cells_joined();
 }
 
-/// Returns the grid, or a narrower one, whose joined runs have few enough elements, if there is
-/// one.
+/// Returns long cells, if there are some, whose runs have so few elements that they are worth more
+/// than the grid.
+template <int Dim>
+std::optional<LayerGrid<Dim>> longer(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
+                                     const SearchInput<Dim>& input, double least_cell,
+                                     OccupancySample& sample) {
+  const LayerLimits& limits = input.layer_limits;
+  const std::size_t elements = set.locals.size();
+  const LayerSpheres<Dim> spheres = input.spheres.first(elements);
+  const auto rods = choose_long_cells(set.bounds, input.margin, least_cell, spheres, sample);
+  if (!rods) return std::nullopt;
+  const double joined = joined_in_runs(*rods, spheres, SampleSize::full, sample);
+  if (joined > most_joined(*rods, input, elements)) return std::nullopt;
+  const double joined_before = joined_in_runs(grid, spheres, SampleSize::full, sample);
+  if (limits.least_gain_of_long * joined > joined_before) return std::nullopt;
+  return for_elements(rods, input);
+}
+
+/// Returns the grid, or one of narrower or longer cells, whose joined runs have few enough
+/// elements, if there is one.
 template <int Dim>
 std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occupancy,
                                         const SearchSet<Dim>& set, const SearchInput<Dim>& input,
@@ -142,17 +167,23 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
   const auto suits = [&](const LayerGrid<Dim>& cells, double its_occupancy) {
     return elements_joined(cells, its_occupancy) <= most_joined(cells, input, elements);
   };
-  const bool are_crowded = elements_joined(grid, occupancy) > limits.most_joined;
-  if (are_crowded && may_be_narrow(grid, set, input, least_cell)) {
+  std::optional<LayerGrid<Dim>> best;
+  if (suits(grid, occupancy)) best = grid;
+  if (elements_joined(grid, occupancy) <= limits.most_joined) return best;
+  if (may_be_narrow(grid, set, input, least_cell)) {
     const auto narrow =
         for_elements(LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements), input);
     if (narrow && has_full_layers(*narrow, limits, elements)) {
       const double its =
           sample.mean_occupancy(*narrow, input.spheres.first(elements), SampleSize::full);
-      if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) return narrow;
+      if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) best = narrow;
     }
   }
-  return suits(grid, occupancy) ? std::optional(grid) : std::nullopt;
+  if (may_be_long(grid, input)) {
+    const auto rods = longer(best ? *best : grid, set, input, least_cell, sample);
+    if (rods) best = rods;
+  }
+  return best;
 }
 
 }  // namespace
@@ -215,7 +246,9 @@ std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
                                               const SearchInput<Dim>& input,
                                               const LayerGrid<Dim>& grid, std::size_t workers,
                                               base::WorkCounter& work) {
-  if (grid.shape() != kernels::ElementShape::equal_spheres) return std::nullopt;
+  if (grid.shape() != kernels::ElementShape::equal_spheres || grid.has_long_cells()) {
+    return std::nullopt;
+  }
   const auto step = coordinate_step<Dim>(input.given.spheres, steps_for(grid, input),
                                          input.layer_kernels, workers, work);
   if (!step) return std::nullopt;

@@ -21,8 +21,9 @@ constexpr float most_units = 0x1p60f;
 
 /// Elements of a strip in 2D, at most, which is sorted within the nearest caches; the same of up to
 /// four long rows, for a table has two rows besides; and strips, at least, that workers may share
-/// out.
+/// out, if these have so many elements.
 constexpr double most_elements_of_strip = 4096.0;
+constexpr double least_elements_of_strip = 512.0;
 constexpr double most_elements_of_four_rows = 32768.0;
 constexpr double least_strips = 24.0;
 
@@ -55,15 +56,21 @@ constexpr double most_units_of_step = 0x1p24;
 /// A position has 31 bits: with one for its cell, an axis has two of these.
 constexpr int most_bits_of_cell = 30;
 
+template <int Dim>
+double longest_axis(const grid::Bounds<Dim>& bounds) {
+  double longest = 0.0;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    longest = std::max(longest, bounds.upper[axis] - bounds.lower[axis]);
+  }
+  return longest;
+}
+
 /// Returns the finest units in which positions fit, if there are any: the finer, the fewer pairs
 /// are left undecided. A cell has up to 2^22 of them, or more by the power of two by which it is
 /// wider than needed, and on the longest axes as few as 2^16.
 template <int Dim>
 LayerUnits units_for(const grid::Bounds<Dim>& bounds, double cell, double least) {
-  double longest = 0.0;
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    longest = std::max(longest, bounds.upper[axis] - bounds.lower[axis]);
-  }
+  const double longest = longest_axis(bounds);
   int wider = 0;
   for (double half = 0.5 * cell; half >= least && wider < most_bits_of_cell; half *= 0.5) ++wider;
   int shift = std::min(kernels::most_cell_bits + wider, most_bits_of_cell);
@@ -76,6 +83,23 @@ LayerUnits units_for(const grid::Bounds<Dim>& bounds, double cell, double least)
   return {std::max(shift, kernels::least_cell_bits), reach_bits};
 }
 
+/// Rows of all layers, layers, and columns with those beside a row, that long cells have for each
+/// element, at most. Each row ends with eight places; where cells are rods, that is worth more
+/// rows.
+constexpr double most_rods_of_element = 0.5;
+constexpr double most_rows_of_element = 0.125;
+constexpr double most_layers_of_element = 0.125;
+constexpr double most_columns_of_element = 12.0;
+
+/// Layers of long cells, in 2D rows, at least: two of them must be a small part of all.
+constexpr double least_layers_of_long = 24.0;
+
+/// Cells of an axis that positions have bits for: a little fewer.
+constexpr double most_cells_of_axis = 32730.0;
+
+/// What a run reaches beyond the reach, for positions are rounded.
+constexpr double slack_of_runs = 2.0 * double{kernels::layer_slack};
+
 /// The axes, the shortest first; of equal ones the first.
 template <int Dim>
 std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
@@ -85,6 +109,21 @@ std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
   std::sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
     return extent(a) != extent(b) ? extent(a) < extent(b) : a < b;
   });
+  return axes;
+}
+
+/// The same for long cells: all but the long axis remain in this order.
+template <int Dim>
+std::array<std::size_t, Dim> axes_of(const LongCells& shape, const grid::Bounds<Dim>& bounds) {
+  const std::size_t its_place = shape.along == LongCells::Along::rows ? Dim - 2 : 0;
+  std::array<std::size_t, Dim> axes{};
+  axes[its_place] = shape.axis;
+  std::size_t place = its_place == 0 ? 1 : 0;
+  for (const std::size_t axis : axes_by_extent(bounds)) {
+    if (axis == shape.axis) continue;
+    axes[place] = axis;
+    place = Dim - 1;
+  }
   return axes;
 }
 
@@ -112,9 +151,63 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_reach(const grid::Bounds<Dim>& 
   const LayerUnits units = units_for(bounds, cell, least_cell);
   if (!grid.lay_out(bounds, std::ldexp(1.0, units.cell_shift) / cell, units)) return std::nullopt;
   grid.has_wide_cells_ = cell > least_cell;
-  grid.cut_rows(bounds, margin, 2.0 * double{kernels::layer_slack});
+  grid.cut_rows(bounds, margin, slack_of_runs);
   if constexpr (Dim == 2) grid.join_rows(elements);
   return grid;
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_long_cells(const grid::Bounds<Dim>& bounds,
+                                                            double margin, double least_cell,
+                                                            std::size_t elements,
+                                                            const LongCells& shape) {
+  const double cell = std::max(least_cell, longest_axis(bounds) / most_cells_of_axis);
+  const LayerUnits units = units_for(bounds, cell, least_cell);
+  LayerGrid grid;
+  if (!grid.lay_out(bounds, std::ldexp(1.0, units.cell_shift) / cell, units)) return std::nullopt;
+  grid.has_wide_cells_ = true;
+  grid.has_long_cells_ = true;
+  grid.turn(axes_of(shape, bounds));
+  grid.cut_rows(bounds, margin, slack_of_runs);
+  grid.widen_cells(elements, shape.along);
+  if (grid.layers_ < least_layers_of_long) return std::nullopt;
+  if constexpr (Dim == 2) grid.join_rows(elements);
+  return grid;
+}
+
+/// Widens layers, rows and columns until there are few enough for the elements. Where cells are
+/// long from row to row, rows are widened before columns; where they are rods, rows and layers
+/// alike, and columns take what is left.
+template <int Dim>
+void LayerGrid<Dim>::widen_cells(std::size_t elements, LongCells::Along along) noexcept {
+  const auto count = static_cast<double>(elements);
+  const bool are_rods = Dim == 3 && along == LongCells::Along::rows;
+  const double most_rows = count * (are_rods ? most_rods_of_element : most_rows_of_element);
+  const auto have_long_tables = [&] {
+    return rows_of_all() * (columns_ + 2.0 * columns_in_reach_) > most_columns_of_element * count;
+  };
+  while (layers_ > 1 && layers_ > most_layers_of_element * count) widen_layers();
+  while (rows_ > 1 &&
+         (rows_of_all() > most_rows || (Dim == 3 && !are_rods && have_long_tables()))) {
+    widen_rows();
+    if (are_rods) widen_layers();
+  }
+  while (columns_ > 1 && have_long_tables()) cut_columns(column_shift_ + 1, slack_of_runs);
+}
+
+/// In 2D a layer is a row until rows are joined.
+template <int Dim>
+void LayerGrid<Dim>::widen_layers() noexcept {
+  ++map_.layer_shift;
+  layers_ = ((layers_ - 1) >> 1) + 1;
+  if constexpr (Dim == 2) row_shift_ = map_.layer_shift;
+  if constexpr (Dim == 2) rows_ = layers_;
+}
+
+template <int Dim>
+void LayerGrid<Dim>::widen_rows() noexcept {
+  ++row_shift_;
+  rows_ = ((rows_ - 1) >> 1) + 1;
 }
 
 template <int Dim>
@@ -166,47 +259,55 @@ bool LayerGrid<Dim>::lay_out(const grid::Bounds<Dim>& bounds, double units_of_on
   // Exact positions have fewer units to a cell, but no more cells.
   const double end = std::ldexp(kernels::end_of_positions(reach_bits_),
                                 std::min(cell_shift_ - kernels::least_cell_bits, 0));
-  std::array<std::uint32_t, Dim> cells{};
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     map_.lower[axis] = bounds.lower[axis];
     const double last = (bounds.upper[axis] - bounds.lower[axis]) * map_.units_of_one;
     if (!(last < end)) return false;
-    cells[axis] = (static_cast<std::uint32_t>(last) >> cell_shift_) + 1;
+    cells_[axis] = (static_cast<std::uint32_t>(last) >> cell_shift_) + 1;
   }
-  const std::array<std::size_t, Dim> axes = axes_by_extent(bounds);
+  turn(axes_by_extent(bounds));
+  return true;
+}
+
+/// Lets the last axis go from layer to layer, and the one before it along the rows.
+template <int Dim>
+void LayerGrid<Dim>::turn(const std::array<std::size_t, Dim>& axes) {
   const std::size_t layer_axis = axes[Dim - 1];
   map_.layer_axis = static_cast<int>(layer_axis);
   map_.layer_shift = cell_shift_;
+  row_shift_ = cell_shift_;
   row_axis_ = axes[Dim - 2];
   next_row_axis_ = Dim == 2 ? layer_axis : axes[0];
-  layers_ = cells[layer_axis];
-  rows_ = cells[next_row_axis_];
-  columns_ = cells[row_axis_];
-  return true;
+  layers_ = cells_[layer_axis];
+  rows_ = cells_[next_row_axis_];
 }
 
 template <int Dim>
 void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, double slack) {
   const double reach = bounds.largest_radius + bounds.second_largest_radius + margin;
   const double cell = std::ldexp(1.0, cell_shift_);
-  const bool is_wide = cell > wide_cell * (reach * map_.units_of_one);
-  const int halvings = is_wide ? most_halvings - 1 : most_halvings;
-  column_shift_ = cell_shift_ - halvings;
-  columns_ <<= halvings;
-  const double units = reach * map_.units_of_one;
-  const double column = std::ldexp(1.0, column_shift_);
-  columns_in_reach_ = static_cast<std::uint32_t>((units + slack) / column) + 1;
-  reach_ = static_cast<float>(units);
+  reach_ = reach * map_.units_of_one;
+  const bool is_wide = cell > wide_cell * reach_;
+  cut_columns(cell_shift_ - (is_wide ? most_halvings - 1 : most_halvings), slack);
   margin_ = units_of(margin);
   largest_size_ = units_of(bounds.largest_radius);
   shape_ = bounds.smallest_radius == bounds.largest_radius ? kernels::ElementShape::equal_spheres
                                                            : kernels::ElementShape::spheres;
 }
 
+/// Cuts rows into columns of 2^shift units.
+template <int Dim>
+void LayerGrid<Dim>::cut_columns(int shift, double slack) noexcept {
+  column_shift_ = shift;
+  const int halvings = cell_shift_ - shift;
+  const std::uint32_t cells = cells_[row_axis_];
+  columns_ = halvings >= 0 ? cells << halvings : ((cells - 1) >> -halvings) + 1;
+  columns_in_reach_ = static_cast<std::uint32_t>(std::ldexp(reach_ + slack, -column_shift_)) + 1;
+}
+
 template <int Dim>
 void LayerGrid<Dim>::cut_rows_by_size(double margin) {
-  column_shift_ = cell_shift_ - most_halvings;
-  columns_ <<= most_halvings;
+  cut_columns(cell_shift_ - most_halvings, 0.0);
   columns_in_reach_ = kernels::near_columns;
   reach_ = kernels::near_reach;
   margin_ = units_of(margin);
@@ -254,12 +355,13 @@ void LayerGrid<Dim>::set_reach(kernels::LayerPair& layers) const noexcept {
     layers.band = band_of_boxes;
     return;
   }
-  const float nearest = std::max(reach_ - slack, 0.0f);
-  const float farthest = reach_ + slack;
+  const auto reach = static_cast<float>(reach_);
+  const float nearest = std::max(reach - slack, 0.0f);
+  const float farthest = reach + slack;
   layers.inner = nearest * nearest;
   layers.outer = farthest * farthest;
   // (s + 4)^2 - (s - 4)^2 = 16 s; roundings add less than 4 s, and s below the slack 64.
-  layers.band = !has_radii() ? layers.outer - layers.inner : 20.0f * reach_ + 64.0f;
+  layers.band = !has_radii() ? layers.outer - layers.inner : 20.0f * reach + 64.0f;
 }
 
 /// Joins rows to strips of 2^k rows each.
@@ -269,8 +371,9 @@ void LayerGrid<Dim>::join_rows(std::size_t elements) {
   const double in_row = count / static_cast<double>(rows_);
   const double in_four = std::min(4.0 * in_row, most_elements_of_four_rows);
   const double most = std::max(most_elements_of_strip, in_four);
-  const double in_strip = std::min(most, count / least_strips);
-  // A strip is a 24th of an axis at most, or one row, so that shifts by its bits stay below 31.
+  const double least = std::min(least_elements_of_strip, 0.5 * count);
+  const double in_strip = std::min(most, std::max(count / least_strips, least));
+  // A strip has half of the rows at most, or is one, so that shifts by its bits stay below 31.
   int bits = 0;
   while (in_row * std::ldexp(1.0, bits + 1) <= in_strip) ++bits;
   layers_ = ((rows_ - 1) >> bits) + 1;

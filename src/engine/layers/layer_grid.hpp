@@ -20,6 +20,13 @@ struct LayerUnits {
   int reach_bits;
 };
 
+/// Cells that are longer on one axis than on others: along their rows, or from row to row.
+struct LongCells {
+  enum class Along { rows, next_rows };
+  std::size_t axis;
+  Along along;
+};
+
 /// Positions, columns, rows and layers of elements of one reach. A box is where its stand-in is
 /// (exact::Elements).
 ///
@@ -39,6 +46,14 @@ class LayerGrid {
   [[nodiscard]] static std::optional<LayerGrid> narrow(const grid::Bounds<Dim>& bounds,
                                                        double margin, double least_cell,
                                                        std::size_t elements);
+
+  /// Returns a grid of cells that are long on one axis, and as narrow as the reach and the number
+  /// of elements allow on the others: elements on a surface, or a curve, share fewer of these than
+  /// of cubes. None where it would have too many cells along an axis.
+  [[nodiscard]] static std::optional<LayerGrid> of_long_cells(const grid::Bounds<Dim>& bounds,
+                                                              double margin, double least_cell,
+                                                              std::size_t elements,
+                                                              const LongCells& shape);
 
   /// Returns the grid for elements that each look for smaller ones, in cells of any size, or none
   /// where it would have too many cells along an axis.
@@ -85,7 +100,7 @@ class LayerGrid {
   }
 
   [[nodiscard]] std::uint32_t row(const kernels::PositionRecord& record) const noexcept {
-    return static_cast<std::uint32_t>(record.position[next_row_axis_]) >> cell_shift_ & row_mask_;
+    return static_cast<std::uint32_t>(record.position[next_row_axis_]) >> row_shift_ & row_mask_;
   }
   [[nodiscard]] std::uint32_t column(const kernels::PositionRecord& record) const noexcept {
     return static_cast<std::uint32_t>(record.position[row_axis_]) >> column_shift_;
@@ -100,6 +115,20 @@ class LayerGrid {
       cell = cell << bits_of_cells | along;
     }
     return cell;
+  }
+
+  /// The same of pieces of a row as long as a run.
+  [[nodiscard]] std::uint64_t piece(const exact::Sphere<Dim>& sphere) const noexcept {
+    const auto along = [&](std::size_t axis) {
+      return std::uint64_t{static_cast<std::uint32_t>(position(sphere.center[axis], axis))};
+    };
+    std::uint64_t piece = (along(row_axis_) >> column_shift_) / (2 * columns_in_reach_ + 1);
+    piece = piece << bits_of_cells | along(next_row_axis_) >> row_shift_;
+    if constexpr (Dim == 3) {
+      piece = piece << bits_of_cells |
+              along(static_cast<std::size_t>(map_.layer_axis)) >> map_.layer_shift;
+    }
+    return piece;
   }
 
   [[nodiscard]] std::uint32_t layer_count() const noexcept { return layers_; }
@@ -185,6 +214,8 @@ class LayerGrid {
 
   /// Tells whether cells are wider than the reach needs.
   [[nodiscard]] bool has_wide_cells() const noexcept { return has_wide_cells_; }
+  /// Tells whether they are wider on some axes than on others.
+  [[nodiscard]] bool has_long_cells() const noexcept { return has_long_cells_; }
   /// Cells of two runs that are joined in a vector.
   [[nodiscard]] double cells_joined() const noexcept;
   /// Width of a cell as the elements are given.
@@ -208,11 +239,21 @@ class LayerGrid {
                                                          double cell, std::size_t elements);
   [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double units_of_one,
                              const LayerUnits& units);
+  void turn(const std::array<std::size_t, Dim>& axes);
+  /// Rows of all layers; in 2D before they are joined.
+  [[nodiscard]] double rows_of_all() const noexcept {
+    return static_cast<double>(rows_) * (Dim == 2 ? 1.0 : static_cast<double>(layers_));
+  }
+  void widen_layers() noexcept;
+  void widen_rows() noexcept;
+  void widen_cells(std::size_t elements, LongCells::Along along) noexcept;
   void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double slack);
+  void cut_columns(int shift, double slack) noexcept;
   void cut_rows_by_size(double margin);
   void join_rows(std::size_t elements);
 
   kernels::PositionMap map_{};
+  std::array<std::uint32_t, Dim> cells_{};  ///< along each axis
   std::size_t row_axis_ = 0;
   std::size_t next_row_axis_ = 1;  ///< from row to row
   std::uint32_t layers_ = 0;
@@ -221,15 +262,27 @@ class LayerGrid {
   std::uint32_t columns_in_reach_ = 0;
   std::uint32_t row_mask_ = ~std::uint32_t{0};
   int cell_shift_ = kernels::cell_bits;
+  int row_shift_ = kernels::cell_bits;  ///< bits of a position below its row
   int reach_bits_ = kernels::cell_bits;
   int column_shift_ = kernels::cell_bits;
-  float reach_ = 0.0f;   ///< the largest, in units
+  double reach_ = 0.0;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units
   float largest_size_ = 0.0f;
   std::int32_t largest_square_ = -1;
   kernels::ElementShape shape_ = kernels::ElementShape::equal_spheres;
   bool is_by_size_ = false;
   bool has_wide_cells_ = false;
+  bool has_long_cells_ = false;
+};
+
+/// The pieces of rows of a grid, each as long as a run, as cells of a sample.
+template <int Dim>
+struct PiecesOfRows {
+  const LayerGrid<Dim>& grid;
+
+  [[nodiscard]] std::uint64_t cell(const exact::Sphere<Dim>& sphere) const noexcept {
+    return grid.piece(sphere);
+  }
 };
 
 }  // namespace abut::engine

@@ -55,6 +55,8 @@ struct LayerLimits {
   double most_joined_of_moved = 24.0;
   /// So many times less crowded cells are better, though most are empty.
   double least_gain_of_narrow = 2.0;
+  /// The same of elements in the runs of long cells, whose rows have padding.
+  double least_gain_of_long = 2.0;
   /// The largest radius in smallest ones up to which radii count as equal: cells for the smaller
   /// ones would be hardly narrower.
   double radii_alike = 1.125;

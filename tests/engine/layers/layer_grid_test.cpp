@@ -150,8 +150,9 @@ TYPED_TEST(LayerGridOf, LayersHoldRowAfterRow) {
     // A strip has as many rows, a power of two, as fit into that many elements: up to four even if
     // they are long.
     const double in_four = std::min(4.0 * in_row, 32768.0);
-    const double in_strip =
-        std::min(std::max(4096.0, in_four), static_cast<double>(elements) / 24.0);
+    const auto count = static_cast<double>(elements);
+    const double least = std::min(512.0, 0.5 * count);
+    const double in_strip = std::min(std::max(4096.0, in_four), std::max(count / 24.0, least));
     EXPECT_LE(in_row * in_layer, std::max(in_strip, in_row));
     EXPECT_GT(2.0 * in_row * in_layer, in_strip);
   }

@@ -48,6 +48,7 @@ SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspa
   workspace.most_in_layers = 0;
   workspace.clusters_moved = 0;
   workspace.beside_layers = 0;
+  workspace.levels_of_sizes = 0;
   start_workers(input);
 }
 
@@ -77,7 +78,7 @@ void SetSearch<Dim>::search(const SearchSet<Dim>& set, const SearchPlace& at) {
   if (set.locals.empty()) return;
   if (set.wanted == Wanted::pairs_of_coarse && set.coarse_elements.empty()) return;
   const SizeChoice choice = choose_by_size(set, at);
-  if (at.worker == nullptr && (take_layers(set, choice) || take_clusters(set))) return;
+  if (at.worker == nullptr && take_whole(set, choice)) return;
   if (choice.cut) return search_divided(set, *choice.cut, at);
   search_tiles(set, at);
 }

@@ -68,6 +68,12 @@ class SetSearch {
     bool is_searched = false;  ///< in layers, by size
   };
 
+  /// A level of sizes and the layers that suit it.
+  struct LevelInLayers {
+    std::size_t number;
+    LayerGrid<Dim> layers;
+  };
+
   void start_workers(const SearchInput<Dim>& input);
   void finish();
   [[nodiscard]] SearchPlace place_of_all() {
@@ -76,6 +82,11 @@ class SetSearch {
   [[nodiscard]] std::optional<LayerGrid<Dim>> layers_for(const SearchSet<Dim>& set);
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set, const SizeChoice& choice);
+  [[nodiscard]] bool take_whole(const SearchSet<Dim>& set, const SizeChoice& choice);
+  [[nodiscard]] bool take_levels(const SearchSet<Dim>& set);
+  [[nodiscard]] SearchInput<Dim> input_of_level(const SearchSet<Dim>& set, std::size_t level) const;
+  [[nodiscard]] std::optional<std::vector<LevelInLayers>> layers_of_levels(
+      const SearchSet<Dim>& set);
   [[nodiscard]] bool take_clusters(const SearchSet<Dim>& set);
   [[nodiscard]] bool take_without_coarse(const SearchSet<Dim>& set, double cut);
   void search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);

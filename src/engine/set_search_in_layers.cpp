@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace abut::engine {
 namespace {
@@ -51,7 +52,7 @@ template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
   if (set.locals.empty() || !may_be_in_layers(set.locals.size(), input_->layer_limits))
     return false;
-  if (!take_layers(set, choose_by_size(set, place_of_all())) && !take_clusters(set)) return false;
+  if (!take_whole(set, choose_by_size(set, place_of_all()))) return false;
   finish();
   return true;
 }
@@ -76,6 +77,73 @@ bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
 template <int Dim>
 bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set, const SizeChoice& choice) {
   return choice.is_searched || (!choice.cut && take_layers(set));
+}
+
+/// Searches the set in layers of any kind, if one suits it.
+template <int Dim>
+bool SetSearch<Dim>::take_whole(const SearchSet<Dim>& set, const SizeChoice& choice) {
+  return take_layers(set, choice) || take_levels(set) || take_clusters(set);
+}
+
+/// The input of a level of sizes, which larger elements visit: any number of its elements may stand
+/// in layers, but no crowds.
+template <int Dim>
+SearchInput<Dim> SetSearch<Dim>::input_of_level(const SearchSet<Dim>& set,
+                                                std::size_t level) const {
+  const SizeLevels<Dim>& levels = workspace_.size_levels;
+  SearchInput<Dim> input = *input_;
+  input.spheres = input_->spheres.first(set.locals.size())
+                      .with_only(levels.members(level))
+                      .with_coarse(levels.visitors(level));
+  input.layer_limits.require_little();
+  return input;
+}
+
+/// Returns the layers of each level that has elements, if layers suit all of them.
+template <int Dim>
+auto SetSearch<Dim>::layers_of_levels(const SearchSet<Dim>& set)
+    -> std::optional<std::vector<LevelInLayers>> {
+  std::vector<LevelInLayers> levels;
+  SearchSet<Dim> its = set;
+  for (std::size_t level = 0; level < SizeLevels<Dim>::most; ++level) {
+    if (workspace_.size_levels.members(level).empty()) continue;
+    const SearchInput<Dim> input = input_of_level(set, level);
+    its.bounds = workspace_.size_levels.bounds(level);
+    const auto layers =
+        choose_layers(its, input, cell_size_for(its.bounds, input), workspace_.occupancy);
+    if (!layers ||
+        !hold_squares_of_visitors(*layers, workspace_.size_levels.largest_visitor(level))) {
+      return std::nullopt;
+    }
+    levels.push_back({level, *layers});
+  }
+  return levels;
+}
+
+/// Searches the set by levels of sizes, the largest first, if layers suit all of them and few
+/// elements visit smaller ones: sizes follow the place.
+template <int Dim>
+bool SetSearch<Dim>::take_levels(const SearchSet<Dim>& set) {
+  if (!may_be_in_levels(set, *input_)) return false;
+  SizeLevels<Dim>& sizes = workspace_.size_levels;
+  const LayerSpheres<Dim> all = input_->spheres.first(set.locals.size());
+  const auto estimate = sizes.estimate(all, set.bounds, input_->margin);
+  if (!input_->layer_limits.levels_pay(set.locals.size(), estimate.levels, estimate.visitors)) {
+    return false;
+  }
+  const double slack = position_slack * least_cell_for(set.bounds, *input_);
+  sizes.sort(all, set.bounds, input_->margin, slack, work_at(place_of_all()));
+  const auto levels = layers_of_levels(set);
+  if (!levels) return false;
+  for (const LevelInLayers& level : *levels) {
+    workspace_.coarse.take(all, sizes.visitors(level.number));
+    const SearchInput<Dim> input = input_of_level(set, level.number);
+    LayerSearch<Dim> search(input, workspace_, worker_count_, context_);
+    next_unit_ = search.search(set, level.layers, next_unit_, CoarsePairs::left_out);
+  }
+  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
+  workspace_.levels_of_sizes = levels->size();
+  return true;
 }
 
 /// Searches the set in layers if these suit it when its clusters are moved side by side.
@@ -218,6 +286,8 @@ template bool SetSearch<2>::search_in_layers(const SearchSet<2>&);
 template bool SetSearch<3>::search_in_layers(const SearchSet<3>&);
 template bool SetSearch<2>::take_layers(const SearchSet<2>&, const SizeChoice&);
 template bool SetSearch<3>::take_layers(const SearchSet<3>&, const SizeChoice&);
+template bool SetSearch<2>::take_whole(const SearchSet<2>&, const SizeChoice&);
+template bool SetSearch<3>::take_whole(const SearchSet<3>&, const SizeChoice&);
 template bool SetSearch<2>::take_clusters(const SearchSet<2>&);
 template bool SetSearch<3>::take_clusters(const SearchSet<3>&);
 template auto SetSearch<2>::choose_by_size(const SearchSet<2>&, const SearchPlace&) -> SizeChoice;

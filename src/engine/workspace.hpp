@@ -6,6 +6,7 @@
 #include "engine/layers/far_spheres.hpp"
 #include "engine/layers/layer_records.hpp"
 #include "engine/layers/occupancy_sample.hpp"
+#include "engine/layers/size_levels.hpp"
 #include "engine/tile_searcher.hpp"
 #include "engine/worker_scratch.hpp"
 
@@ -25,6 +26,7 @@ struct Workspace {
         layer_records(meter),
         far_spheres(meter),
         coarse(meter),
+        size_levels(meter),
         occupancy(meter),
         clusters(meter) {}
 
@@ -39,6 +41,7 @@ struct Workspace {
   LayerRecords<Dim> layer_records;
   FarSpheres<Dim> far_spheres;
   CoarseElements<Dim> coarse;
+  SizeLevels<Dim> size_levels;
   OccupancySample occupancy;
   Clusters<Dim> clusters;
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
@@ -46,6 +49,7 @@ struct Workspace {
   std::size_t most_in_layers = 0;  ///< in the last search, elements of the largest set in layers
   std::size_t clusters_moved = 0;  ///< in the last search; 0 where elements stayed in their places
   std::size_t beside_layers = 0;  ///< in the last search, coarse elements without which it was done
+  std::size_t levels_of_sizes = 0;  ///< in the last search; 0 where there were none
   bool had_many_undecided = false;  ///< the last search in layers, as on lattices
   std::vector<std::unique_ptr<Members>>
       deferred;  ///< large search sets that wait until all are free

@@ -73,15 +73,29 @@ void CoarseElements<Dim>::include(const LayerSpheres<Dim>& all,
 template <int Dim>
 void CoarseElements<Dim>::join_shares(const LayerSpheres<Dim>& all, std::size_t workers) {
   numbers_.clear();
-  spheres_.clear();
-  boxes_.clear();
-  largest_radius_ = 0.0;
   others_ = {};
   for (const CoarseShare& share : std::span(shares_).first(workers)) {
     numbers_.insert(numbers_.end(), share.numbers.begin(), share.numbers.end());
     others_.include(share.others);
   }
   if (all.stand_for_boxes()) others_.count_largest_twice();
+  copy(all);
+}
+
+template <int Dim>
+void CoarseElements<Dim>::take(const LayerSpheres<Dim>& all,
+                               std::span<const std::uint32_t> numbers) {
+  numbers_.clear();
+  numbers_.insert(numbers_.end(), numbers.begin(), numbers.end());
+  copy(all);
+}
+
+/// Copies those whose numbers are there.
+template <int Dim>
+void CoarseElements<Dim>::copy(const LayerSpheres<Dim>& all) {
+  spheres_.clear();
+  boxes_.clear();
+  largest_radius_ = 0.0;
   for (const std::uint32_t number : numbers_) {
     spheres_.push_back(all[number]);
     spheres_.back().radius = all.radius(number);

@@ -26,7 +26,10 @@ class CoarseElements {
   void take(const LayerSpheres<Dim>& all, double cut, const kernels::ElementKernels& kernels,
             std::size_t workers, base::WorkCounter& work);
 
-  /// Their numbers, ascending.
+  /// Takes those with these numbers.
+  void take(const LayerSpheres<Dim>& all, std::span<const std::uint32_t> numbers);
+
+  /// Their numbers, ascending unless they were given.
   [[nodiscard]] std::span<const std::uint32_t> numbers() const noexcept {
     return std::span(numbers_);
   }
@@ -73,6 +76,7 @@ class CoarseElements {
   static void include(const LayerSpheres<Dim>& all, const kernels::ElementKernels& kernels,
                       const Block& block, grid::Bounds<Dim>& bounds);
   void join_shares(const LayerSpheres<Dim>& all, std::size_t workers);
+  void copy(const LayerSpheres<Dim>& all);
 
   base::MemoryMeter& memory_;
   std::vector<CoarseShare> shares_;

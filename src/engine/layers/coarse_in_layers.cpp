@@ -95,6 +95,15 @@ bool hold_squares_of(const LayerGrid<Dim>& grid, const exact::Elements<Dim>& coa
   return true;
 }
 
+template <int Dim>
+bool hold_squares_of_visitors(const LayerGrid<Dim>& grid, double largest_radius) {
+  // A box is two radii wide, and its lower corner as far from the grid's box, and the margin.
+  return 4.0 * largest_radius * grid.map().units_of_one < 0.5 * most_units &&
+         grid.margin() < 0.25 * most_units;
+}
+
+template bool hold_squares_of_visitors(const LayerGrid<2>&, double);
+template bool hold_squares_of_visitors(const LayerGrid<3>&, double);
 template bool hold_squares_of(const LayerGrid<2>&, const exact::Elements<2>&);
 template bool hold_squares_of(const LayerGrid<3>&, const exact::Elements<3>&);
 template std::optional<kernels::FarSphere> coarse_in_layers(const LayerGrid<2>&,

@@ -24,4 +24,9 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] bool hold_squares_of(const LayerGrid<Dim>& grid, const exact::Elements<Dim>& coarse);
 
+/// Tells the same of spheres or boxes with radii up to that which are within reach of the grid's
+/// box.
+template <int Dim>
+[[nodiscard]] bool hold_squares_of_visitors(const LayerGrid<Dim>& grid, double largest_radius);
+
 }  // namespace abut::engine

@@ -31,6 +31,12 @@ bool are_boxes(const SearchInput<Dim>& input) {
   return input.spheres.stand_for_boxes();
 }
 
+/// Elements of a set that stand in layers: not the coarse ones, and in a level of sizes no others.
+template <int Dim>
+std::size_t elements_in_layers(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
+  return input.spheres.first(set.locals.size()).count_in_layers();
+}
+
 /// Tells whether elements pair with none but each other, and have places.
 template <int Dim>
 bool may_have_places(const SearchSet<Dim>& set) {
@@ -122,7 +128,7 @@ template <int Dim>
 bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const LayerGrid<Dim>& grid,
               double least_cell) {
   const LayerLimits& limits = input.layer_limits;
-  const std::size_t elements = set.locals.size();
+  const std::size_t elements = elements_in_layers(set, input);
   if (input.spheres.are_moved() || elements >= limits.least_sparse_elements) return true;
   // Fewer than are worth it were refused before.
   if (are_boxes(input) || !input.spheres.coarse().empty()) return true;
@@ -145,8 +151,8 @@ std::optional<LayerGrid<Dim>> longer(const LayerGrid<Dim>& grid, const SearchSet
                                      const SearchInput<Dim>& input, double least_cell,
                                      OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
-  const std::size_t elements = set.locals.size();
-  const LayerSpheres<Dim> spheres = input.spheres.first(elements);
+  const std::size_t elements = elements_in_layers(set, input);
+  const LayerSpheres<Dim> spheres = input.spheres.first(set.locals.size());
   const auto rods = choose_long_cells(set.bounds, input.margin, least_cell, spheres, sample);
   if (!rods) return std::nullopt;
   const double joined = joined_in_runs(*rods, spheres, SampleSize::full, sample);
@@ -175,7 +181,7 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
         for_elements(LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements), input);
     if (narrow && has_full_layers(*narrow, limits, elements)) {
       const double its =
-          sample.mean_occupancy(*narrow, input.spheres.first(elements), SampleSize::full);
+          sample.mean_occupancy(*narrow, input.spheres.first(set.locals.size()), SampleSize::full);
       if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) best = narrow;
     }
   }
@@ -189,9 +195,9 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
 }  // namespace
 
 bool may_be_in_layers(std::size_t elements, const LayerLimits& limits) noexcept {
-  return elements >=
-         std::min({fewest_spheres(limits), limits.least_elements_in_steps,
-                   limits.least_elements_by_size, limits.least_boxes, limits.least_rectangles});
+  return elements >= std::min({fewest_spheres(limits), limits.least_elements_in_steps,
+                               limits.least_elements_by_size, limits.least_elements_of_many_levels,
+                               limits.least_boxes, limits.least_rectangles});
 }
 
 template <int Dim>
@@ -199,7 +205,7 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
                                             const SearchInput<Dim>& input, double least_cell,
                                             OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
-  const std::size_t elements = set.locals.size();
+  const std::size_t elements = elements_in_layers(set, input);
   if (!may_have_places(set) || !may_be_in_layers(elements, limits)) return std::nullopt;
   const bool may_be_exact = elements >= limits.least_elements_in_steps &&
                             elements < limits.least_elements &&
@@ -213,7 +219,8 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
       elements >= limits.least_elements_of_clusters && grid->has_wide_cells();
   if (!are_enough && !may_be_clusters) return std::nullopt;
   const auto size = are_enough ? SampleSize::full : SampleSize::small;
-  const double occupancy = sample.mean_occupancy(*grid, input.spheres.first(elements), size);
+  const double occupancy =
+      sample.mean_occupancy(*grid, input.spheres.first(set.locals.size()), size);
   if (!are_enough && occupancy < limits.least_occupancy_of_clusters) return std::nullopt;
   return uncrowded(*grid, occupancy, set, input, least_cell, sample);
 }
@@ -223,6 +230,15 @@ bool may_leave_out_coarse(const SearchSet<Dim>& set, const SearchInput<Dim>& inp
   if (input.spheres.are_moved()) return false;
   return set.locals.size() >= input.layer_limits.least_elements_beside_coarse &&
          may_have_places(set);
+}
+
+template <int Dim>
+bool may_be_in_levels(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
+  const grid::Bounds<Dim>& bounds = set.bounds;
+  const double smallest = 2.0 * bounds.smallest_radius + input.margin;
+  return !input.spheres.are_moved() && may_have_places(set) &&
+         set.locals.size() >= input.layer_limits.least_elements_of_many_levels &&
+         2.0 * smallest <= 2.0 * bounds.largest_radius + input.margin;
 }
 
 template <int Dim>
@@ -236,8 +252,8 @@ bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
   }
   // Those that differ much in size are not searched in such cells.
   if (set.bounds.largest_radius > 2.0 * set.bounds.smallest_radius) return true;
-  const double occupancy = sample.mean_occupancy(ReachCells<Dim>(set.bounds, reach),
-                                                 input.spheres.first(elements), SampleSize::full);
+  const double occupancy = sample.mean_occupancy(
+      ReachCells<Dim>(set.bounds, reach), input.spheres.first(set.locals.size()), SampleSize::full);
   return (occupancy - 1.0) * cells_joined_at_reach <= limits.most_joined_of_moved;
 }
 
@@ -278,11 +294,13 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
       for_elements(LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements), input);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
   const double occupancy =
-      sample.mean_occupancy(*grid, input.spheres.first(elements), SampleSize::full);
+      sample.mean_occupancy(*grid, input.spheres.first(set.locals.size()), SampleSize::full);
   if (occupancy - 1.0 > limits.most_crowded_by_size) return std::nullopt;
   return grid;
 }
 
+template bool may_be_in_levels(const SearchSet<2>&, const SearchInput<2>&);
+template bool may_be_in_levels(const SearchSet<3>&, const SearchInput<3>&);
 template bool may_leave_out_coarse(const SearchSet<2>&, const SearchInput<2>&);
 template bool may_leave_out_coarse(const SearchSet<3>&, const SearchInput<3>&);
 template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const SearchInput<2>&,

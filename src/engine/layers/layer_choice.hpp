@@ -29,6 +29,10 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] bool may_leave_out_coarse(const SearchSet<Dim>& set, const SearchInput<Dim>& input);
 
+/// Tells whether a search set may be searched in levels of sizes, each in layers of its own.
+template <int Dim>
+[[nodiscard]] bool may_be_in_levels(const SearchSet<Dim>& set, const SearchInput<Dim>& input);
+
 /// Tells whether a search set may be moved cluster by cluster: in cells of the size of the reach
 /// nearly all of its box is empty, and where it is not, elements do not crowd.
 template <int Dim>

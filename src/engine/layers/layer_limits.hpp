@@ -33,6 +33,14 @@ struct LayerLimits {
   double most_beside_coarse = 1.0;
   /// Of the others in a cell, as far as classes of radii tell, up to which layers may suit them.
   double most_in_cell_beside_coarse = 5.0;
+  /// Elements whose levels of sizes are worth layers of their own, and fewer of many levels;
+  /// levels, at least, for a division by size makes two; and larger elements that visit rows of
+  /// layers, for each element, up to which levels are worth it.
+  std::size_t least_elements_of_levels = 50'000;
+  std::size_t least_elements_of_many_levels = 5'000;
+  std::size_t least_levels = 3;
+  std::size_t many_levels = 6;
+  double most_visitors_of_element = 0.5;
   /// Elements whose clusters are worth a move, and cells of the size of the reach, for each
   /// element, from which on clusters are looked for: the box is mostly empty.
   std::size_t least_moved_elements = 20'000;
@@ -71,6 +79,23 @@ struct LayerLimits {
   /// Elements from which on spheres are sorted by layer along with their records, where most pairs
   /// must be decided: fewer are in the caches wherever they lie.
   std::size_t least_elements_with_spheres = 400000;
+
+  /// Tells whether so many levels of so many elements are worth layers of their own.
+  [[nodiscard]] bool levels_pay(std::size_t elements, std::size_t levels,
+                                double visitors) const noexcept {
+    if (levels < least_levels || visitors > most_visitors_of_element) return false;
+    return elements >=
+           (levels < many_levels ? least_elements_of_levels : least_elements_of_many_levels);
+  }
+
+  /// Any number of elements may stand in layers, and crowd as small clusters may.
+  void require_little() noexcept {
+    least_elements = least_sparse_elements = least_boxes = least_rectangles = 0;
+    least_elements_of_clusters = least_elements_of_tiles = 0;
+    least_elements_of_layer = 0.0;
+    most_joined_beyond_caches = most_joined_of_discs = most_joined_of_clusters;
+    most_joined = most_joined_of_clusters;
+  }
 
   /// The fewest boxes of so many dimensions, searched with one reach for all.
   [[nodiscard]] std::size_t least_boxes_in(int dimensions) const noexcept {

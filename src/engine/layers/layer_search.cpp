@@ -72,7 +72,7 @@ class Stretches {
 
 template <int Dim>
 std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGrid<Dim>& grid,
-                                       std::uint64_t unit) {
+                                       std::uint64_t unit, CoarsePairs coarse_pairs) {
   LayerRecords<Dim>& records = workspace_.layer_records;
   base::WorkCounter& work = workspace_.workers[0]->work();
   const LayerSpheres<Dim> spheres = input_.spheres.first(set.locals.size());
@@ -80,7 +80,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                work, workspace_.far_spheres);
   if (has_coarse()) {
     sort_coarse(grid);
-    unit = search_coarse_pairs(grid, unit);
+    if (coarse_pairs == CoarsePairs::searched) unit = search_coarse_pairs(grid, unit);
   }
   const std::size_t workers = workers_for(grid, set.locals.size());
   const Stretches stretches(grid.layer_count(), workers);

@@ -12,6 +12,9 @@
 
 namespace abut::engine {
 
+/// Who finds the pairs of two coarse elements: the search to which these belong, or another one.
+enum class CoarsePairs { searched, left_out };
+
 /// Searches a search set layer by layer, by all workers, each of which takes stretches of layers
 /// that follow each other.
 template <int Dim>
@@ -23,7 +26,8 @@ class LayerSearch {
 
   /// Units of work are counted on from `unit`; returns the next one.
   [[nodiscard]] std::uint64_t search(const SearchSet<Dim>& set, const LayerGrid<Dim>& grid,
-                                     std::uint64_t unit);
+                                     std::uint64_t unit,
+                                     CoarsePairs coarse_pairs = CoarsePairs::searched);
 
  private:
   [[nodiscard]] LayerItems what_to_sort(const LayerSpheres<Dim>& spheres,

@@ -60,9 +60,23 @@ class LayerSpheres {
   }
   [[nodiscard]] std::span<const std::uint32_t> coarse() const noexcept { return coarse_; }
 
-  /// Calls visit(first, last) with the stretches [first, last) of [begin, end) that are not coarse.
+  /// The same spheres, of which those alone stand in layers that have these numbers, which ascend:
+  /// the coarse ones are of the others.
+  [[nodiscard]] LayerSpheres with_only(std::span<const std::uint32_t> numbers) const noexcept {
+    LayerSpheres spheres = *this;
+    spheres.only_ = numbers;
+    return spheres;
+  }
+
+  [[nodiscard]] std::size_t count_in_layers() const noexcept {
+    return only_.empty() ? size() - coarse_.size() : only_.size();
+  }
+
+  /// Calls visit(first, last) with the stretches [first, last) of [begin, end) that stand in
+  /// layers.
   template <class Visit>
   void for_each_stretch(std::size_t begin, std::size_t end, const Visit& visit) const {
+    if (!only_.empty()) return for_each_stretch_of_some(begin, end, visit);
     auto next = std::lower_bound(coarse_.begin(), coarse_.end(), begin);
     for (; next != coarse_.end() && *next < end; ++next) {
       if (begin < *next) visit(begin, std::size_t{*next});
@@ -71,9 +85,13 @@ class LayerSpheres {
     if (begin < end) visit(begin, end);
   }
 
-  /// The first sphere from number k on that is not coarse, or behind the last one, the first of
+  /// The first sphere from number k on that stands in layers, or behind the last one, the first of
   /// all; there is one.
   [[nodiscard]] std::size_t in_layers(std::size_t k) const noexcept {
+    if (!only_.empty()) {
+      const auto next = std::lower_bound(only_.begin(), only_.end(), k);
+      return next != only_.end() ? *next : only_.front();
+    }
     while (std::binary_search(coarse_.begin(), coarse_.end(), k)) {
       if (++k == size()) k = 0;
     }
@@ -120,11 +138,23 @@ class LayerSpheres {
   }
 
  private:
+  template <class Visit>
+  void for_each_stretch_of_some(std::size_t begin, std::size_t end, const Visit& visit) const {
+    auto next = std::lower_bound(only_.begin(), only_.end(), begin);
+    while (next != only_.end() && *next < end) {
+      const std::size_t first = *next;
+      std::size_t last = first;
+      while (next != only_.end() && *next == last && last < end) ++next, ++last;
+      visit(first, last);
+    }
+  }
+
   kernels::SphereParts given_;
   kernels::StridedBoxes boxes_{};
   const std::uint32_t* labels_ = nullptr;
   const ClusterMove<Dim>* moves_ = nullptr;
   std::span<const std::uint32_t> coarse_{};
+  std::span<const std::uint32_t> only_{};
 };
 
 }  // namespace abut::engine

@@ -18,7 +18,7 @@ std::optional<LayerGrid<Dim>> choose_long_cells(const grid::Bounds<Dim>& bounds,
   double least = 0.0;
   const auto attempt = [&](const LongCells& shape) {
     const auto grid =
-        LayerGrid<Dim>::of_long_cells(bounds, margin, least_cell, spheres.size(), shape);
+        LayerGrid<Dim>::of_long_cells(bounds, margin, least_cell, spheres.count_in_layers(), shape);
     if (!grid) return;
     const double joined = joined_in_runs(*grid, spheres, SampleSize::small, sample);
     if (best && joined >= least) return;

@@ -43,7 +43,7 @@ OccupancySample::OccupancySample(base::MemoryMeter& memory)
 template <int Dim, class Cells>
 double OccupancySample::mean_occupancy(const Cells& cells, const LayerSpheres<Dim>& spheres,
                                        SampleSize size) {
-  const auto count = static_cast<double>(spheres.size());
+  const auto count = static_cast<double>(spheres.count_in_layers());
   const auto draws = static_cast<std::size_t>(draws_for_root(size) * std::sqrt(count));
   base::make_room(drawn_, draws);
   const auto number = [&](std::size_t k) {

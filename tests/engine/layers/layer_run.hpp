@@ -83,6 +83,19 @@ inline constexpr engine::LayerLimits always_moved{
     .most_joined_of_moved = std::numeric_limits<double>::infinity(),
     .most_by_size = 0.0};
 
+/// Each octave of sizes stands in layers of its own, whatever that costs.
+inline constexpr engine::LayerLimits always_in_levels = [] {
+  engine::LayerLimits limits = always_in_layers;
+  constexpr std::size_t never = std::size_t{1} << 40;
+  limits.least_elements = limits.least_elements_of_tiles = limits.least_sparse_elements = never;
+  limits.least_elements_of_clusters = limits.least_elements_in_steps = never;
+  limits.least_boxes = limits.least_rectangles = limits.least_elements_beside_coarse = never;
+  limits.least_elements_of_levels = limits.least_elements_of_many_levels = 0;
+  limits.least_levels = 2;
+  limits.most_visitors_of_element = std::numeric_limits<double>::infinity();
+  return limits;
+}();
+
 /// Keeps all pairs in their `as_found` order.
 class KeptPairs final : public base::PairSink {
  public:
@@ -119,6 +132,7 @@ struct LayerRun {
   std::size_t coarse = 0;  ///< elements beside the layers
   std::uint64_t candidate_tests = 0;
   std::uint64_t exact_decisions = 0;
+  std::size_t levels = 0;  ///< of sizes, each in layers of its own
 };
 
 /// What came of a search.
@@ -130,7 +144,8 @@ LayerRun layer_run(const KeptPairs& sink, bool in_layers, const engine::Workspac
           workspace.clusters_moved > 0,
           workspace.beside_layers,
           context.candidate_tests,
-          context.exact_decisions};
+          context.exact_decisions,
+          workspace.levels_of_sizes};
 }
 
 template <int Dim>

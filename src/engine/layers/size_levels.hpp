@@ -21,17 +21,18 @@ class LevelOfRadius {
   static constexpr std::size_t levels = 32;
 
   LevelOfRadius(double largest_radius, double margin)
-      : margin_(margin), inverse_((1.0 - 0x1p-18) / (2.0 * largest_radius + margin)) {}
+      : margin_(margin), largest_(2.0 * largest_radius + margin) {}
 
+  /// A quotient, for a largest reach may have no inverse, and no part of it is above 1.
   [[nodiscard]] std::size_t operator()(double radius) const noexcept {
     constexpr double least_part = 0x1p-31;
-    const double part = (2.0 * radius + margin_) * inverse_;
+    const double part = (1.0 - 0x1p-18) * ((2.0 * radius + margin_) / largest_);
     return part > least_part ? static_cast<std::size_t>(-1 - std::ilogb(part)) : levels - 1;
   }
 
  private:
   double margin_;
-  double inverse_;
+  double largest_;
 };
 
 /// How many levels have elements, and how many larger ones these have in their boxes, for each

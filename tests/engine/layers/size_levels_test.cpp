@@ -147,6 +147,21 @@ TYPED_TEST(SizeLevelsOf, RadiiOfAllMagnitudes) {
   expect_right_in_layers<dim>(spheres, 0.0, Way::layers, always_in_levels);
 }
 
+/// A reach of 2^-1060 has no inverse, and may be searched in any way.
+TYPED_TEST(SizeLevelsOf, NumbersOfAllScales) {
+  constexpr int dim = TypeParam::value;
+  for (const double scale : {0x1p-1060, 0x1p-900, 0x1p900}) {
+    auto spheres = this->graded(600, 40.0);
+    for (auto& sphere : spheres) {
+      for (double& x : sphere.center) x *= scale;
+      sphere.radius *= scale;
+    }
+    const engine::RowsSettings settings{0.0, 1, Simd::scalar, always_in_levels};
+    EXPECT_TRUE(
+        same_pairs(directly_checked<dim>(spheres, 0.0), run_rows<dim>(spheres, settings).pairs));
+  }
+}
+
 /// Single precision does not hold the squares of visitors that are 2^38 reaches of a level large:
 /// these are searched otherwise.
 TYPED_TEST(SizeLevelsOf, VisitorsBeyondAllUnits) {

@@ -88,10 +88,15 @@ bool may_be_narrow(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
   return grid.has_wide_cells() && !is_nearly_empty(set, input.layer_limits, least_cell);
 }
 
-/// Tells whether cells that were widened may be long instead. A coarse element looks in cubes.
+/// Tells whether cells that were widened may be long instead: the wider they are, the more elements
+/// share them. A coarse element looks in cubes.
 template <int Dim>
-bool may_be_long(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
-  return grid.has_wide_cells() && input.spheres.coarse().empty();
+bool may_be_long(const LayerGrid<Dim>& grid, double occupancy, const SearchSet<Dim>& set,
+                 const SearchInput<Dim>& input, OccupancySample& sample) {
+  if (!grid.has_wide_cells() || !input.spheres.coarse().empty()) return false;
+  const double wider = sample.mean_occupancy(
+      CellsTwiceAsWide<Dim>{grid}, input.spheres.first(set.locals.size()), SampleSize::small);
+  return wider - 1.0 >= input.layer_limits.least_growth_of_long * (occupancy - 1.0);
 }
 
 /// The fewest spheres, but for those whose distances are exact.
@@ -185,7 +190,7 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
       if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) best = narrow;
     }
   }
-  if (may_be_long(grid, input)) {
+  if (may_be_long(grid, occupancy, set, input, sample)) {
     const auto rods = longer(best ? *best : grid, set, input, least_cell, sample);
     if (rods) best = rods;
   }

@@ -106,12 +106,12 @@ class LayerGrid {
     return static_cast<std::uint32_t>(record.position[row_axis_]) >> column_shift_;
   }
 
-  /// Number of the cell of a sphere, which no other cell has.
-  [[nodiscard]] std::uint64_t cell(const exact::Sphere<Dim>& sphere) const noexcept {
+  /// Number of the cell of a sphere, which no other cell has; or of one 2^wider times as wide.
+  [[nodiscard]] std::uint64_t cell(const exact::Sphere<Dim>& sphere, int wider = 0) const noexcept {
     std::uint64_t cell = 0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       const auto along =
-          static_cast<std::uint32_t>(position(sphere.center[axis], axis)) >> cell_shift_;
+          static_cast<std::uint32_t>(position(sphere.center[axis], axis)) >> (cell_shift_ + wider);
       cell = cell << bits_of_cells | along;
     }
     return cell;
@@ -273,6 +273,16 @@ class LayerGrid {
   bool is_by_size_ = false;
   bool has_wide_cells_ = false;
   bool has_long_cells_ = false;
+};
+
+/// Cells twice as wide as those of a grid, as cells of a sample.
+template <int Dim>
+struct CellsTwiceAsWide {
+  const LayerGrid<Dim>& grid;
+
+  [[nodiscard]] std::uint64_t cell(const exact::Sphere<Dim>& sphere) const noexcept {
+    return grid.cell(sphere, 1);
+  }
 };
 
 /// The pieces of rows of a grid, each as long as a run, as cells of a sample.

@@ -63,6 +63,9 @@ struct LayerLimits {
   double most_joined_of_moved = 24.0;
   /// So many times less crowded cells are better, though most are empty.
   double least_gain_of_narrow = 2.0;
+  /// The same of elements in cells twice as wide, from which on long cells are tried: on a curve
+  /// they are twice as many, in clusters smaller than a cell hardly more.
+  double least_growth_of_long = 1.6;
   /// The same of elements in the runs of long cells, whose rows have padding.
   double least_gain_of_long = 2.0;
   /// The largest radius in smallest ones up to which radii count as equal: cells for the smaller

@@ -82,6 +82,10 @@ template double OccupancySample::mean_occupancy(const LayerGrid<2>&, const Layer
                                                 SampleSize);
 template double OccupancySample::mean_occupancy(const LayerGrid<3>&, const LayerSpheres<3>&,
                                                 SampleSize);
+template double OccupancySample::mean_occupancy(const CellsTwiceAsWide<2>&, const LayerSpheres<2>&,
+                                                SampleSize);
+template double OccupancySample::mean_occupancy(const CellsTwiceAsWide<3>&, const LayerSpheres<3>&,
+                                                SampleSize);
 template double OccupancySample::mean_occupancy(const PiecesOfRows<2>&, const LayerSpheres<2>&,
                                                 SampleSize);
 template double OccupancySample::mean_occupancy(const PiecesOfRows<3>&, const LayerSpheres<3>&,

@@ -63,20 +63,31 @@ class SizeLevelsOf : public ::testing::Test {
     EXPECT_EQ(run_rows<its_dim>(spheres, settings).levels, levels);
   }
 
+  static engine::LayerSpheres<its_dim> in_layers(const Spheres<its_dim>& spheres) {
+    return engine::LayerSpheres<its_dim>(
+        kernels::SphereParts(kernels::strided_spheres(std::span(spheres))));
+  }
+
+  engine::SizeLevels<its_dim>& levels_of(const Spheres<its_dim>& spheres, double margin) {
+    base::WorkCounter work(context_.progress, 0);
+    levels_.sort(in_layers(spheres), bounds_of<its_dim>(spheres), margin, 0.0, work);
+    return levels_;
+  }
+
   Random random_{static_cast<std::uint64_t>(191 + its_dim)};
+
+ private:
+  base::DetectionContext context_;
+  engine::SizeLevels<its_dim> levels_{context_.memory};
 };
 
 TYPED_TEST_SUITE(SizeLevelsOf, Dimensions);
 
 TYPED_TEST(SizeLevelsOf, EachElementIsAMemberOfOneLevel) {
   constexpr int dim = TypeParam::value;
-  base::DetectionContext context;
-  engine::SizeLevels<dim> levels(context.memory);
   const auto spheres = this->graded(3000, 1e4);
   const auto bounds = bounds_of<dim>(spheres);
-  const kernels::SphereParts given(kernels::strided_spheres(std::span(spheres)));
-  base::WorkCounter work(context.progress, 0);
-  levels.sort(engine::LayerSpheres<dim>(given), bounds, 0.5, 0.0, work);
+  const auto& levels = this->levels_of(spheres, 0.5);
   std::vector<std::uint32_t> all;
   for (std::size_t level = 0; level < engine::SizeLevels<dim>::most; ++level) {
     const auto members = levels.members(level);
@@ -97,13 +108,8 @@ TYPED_TEST(SizeLevelsOf, EachElementIsAMemberOfOneLevel) {
 
 TYPED_TEST(SizeLevelsOf, LargerElementsWithinReachAreVisitors) {
   constexpr int dim = TypeParam::value;
-  base::DetectionContext context;
-  engine::SizeLevels<dim> levels(context.memory);
   const auto spheres = this->graded(3000, 1e3);
-  const auto bounds = bounds_of<dim>(spheres);
-  const kernels::SphereParts given(kernels::strided_spheres(std::span(spheres)));
-  base::WorkCounter work(context.progress, 0);
-  levels.sort(engine::LayerSpheres<dim>(given), bounds, 0.0, 0.0, work);
+  auto& levels = this->levels_of(spheres, 0.0);
   std::vector<std::size_t> level_of(spheres.size());
   std::size_t visitors = 0;
   for (std::size_t level = 0; level < engine::SizeLevels<dim>::most; ++level) {
@@ -119,7 +125,7 @@ TYPED_TEST(SizeLevelsOf, LargerElementsWithinReachAreVisitors) {
     EXPECT_TRUE(std::ranges::binary_search(levels.visitors(level_of[smaller]), larger));
   }
   EXPECT_LT(visitors, spheres.size());
-  const auto estimate = levels.estimate(engine::LayerSpheres<dim>(given), bounds, 0.0);
+  const auto estimate = levels.estimate(this->in_layers(spheres), bounds_of<dim>(spheres), 0.0);
   EXPECT_LE(estimate.levels, 10U);
   EXPECT_GE(estimate.levels, 8U);
   const double counted = static_cast<double>(visitors) / static_cast<double>(spheres.size());

@@ -2,10 +2,10 @@
 // lies across the faces of a huge cell, changes nothing of the pairs.
 
 #include "engine/layers/layer_scenes.hpp"
+#include "support/each_result.hpp"
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>
-#include <abut/neighbor_list.hpp>
 
 #include <array>
 #include <cmath>
@@ -134,14 +134,7 @@ TEST_F(RowsClusters, EachKindOfResult) {
   Scene scene = cluster({5.0, 6.0, 7.0});
   const std::size_t pairs = pairs_of(scene, Domain::open(), 1).size();
   add(scene, {1e12, -1e12, 0.0});
-  const ElementView elements = view_of(scene);
-  const Options rows{.algorithm = Algorithm::rows};
-  const auto neighbors = [&](NeighborListKind kind) {
-    return build_neighbor_list(elements, Domain::open(), kind, rows).neighbors().size();
-  };
-  EXPECT_EQ(count_contact_pairs(elements, Domain::open(), rows).contact_pairs, pairs);
-  EXPECT_EQ(neighbors(NeighborListKind::half), pairs);
-  EXPECT_EQ(neighbors(NeighborListKind::full), 2 * pairs);
+  expect_in_each_result(scene, pairs);
 }
 
 /// Beside 24 bytes for each record, label and share of coarse cells.

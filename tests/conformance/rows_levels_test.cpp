@@ -2,10 +2,10 @@
 // result, beside another algorithm.
 
 #include "scenes/random.hpp"
+#include "support/each_result.hpp"
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>
-#include <abut/neighbor_list.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -81,16 +81,8 @@ TEST(RowsLevels, InEachDomainThePairsOfADirectCheck) {
 
 TEST(RowsLevels, EachKindOfResult) {
   const Scene scene = graded_scene();
-  const ElementView elements = view_of(scene);
-  const std::size_t pairs =
-      pairs_of(scene, Domain::open(), Algorithm::binary_tree, 1, 0.0).pairs.size();
-  const Options rows{.algorithm = Algorithm::rows};
-  const auto neighbors = [&](NeighborListKind kind) {
-    return build_neighbor_list(elements, Domain::open(), kind, rows).neighbors().size();
-  };
-  EXPECT_EQ(count_contact_pairs(elements, Domain::open(), rows).contact_pairs, pairs);
-  EXPECT_EQ(neighbors(NeighborListKind::half), pairs);
-  EXPECT_EQ(neighbors(NeighborListKind::full), 2 * pairs);
+  expect_in_each_result(
+      scene, pairs_of(scene, Domain::open(), Algorithm::binary_tree, 1, 0.0).pairs.size());
 }
 
 /// Beside the records of layers: the level of each element, its number, and those of visitors.
@@ -100,6 +92,15 @@ TEST(RowsLevels, TakeFewBytesForEachElement) {
                                                     {.algorithm = Algorithm::rows, .threads = 1});
   EXPECT_LE(statistics.candidate_tests, 40 * scene.x.size());
   EXPECT_LE(statistics.working_bytes, 80 * scene.x.size());
+}
+
+/// Long cells have tables and padding for two layers at a time.
+TEST(RowsLongCells, TakeFewBytesForEachElement) {
+  const Scene scene = scenes::scene_named("shell").make(300000, 1);
+  const Statistics statistics = count_contact_pairs(view_of(scene), Domain::open(),
+                                                    {.algorithm = Algorithm::rows, .threads = 1});
+  EXPECT_LE(statistics.candidate_tests, 40 * scene.x.size());
+  EXPECT_LE(statistics.working_bytes, 26 * scene.x.size() + 1048576);
 }
 
 }  // namespace

@@ -191,6 +191,27 @@ TEST(Clusters, AreAsLargeAsTheirNamesSay) {
   }
 }
 
+TEST(AroundAPoint, HaveTwoPairsEach) {
+  for (const char* const name : {"shell", "graded_by_place"}) {
+    const Scene scene = made(name, 2000);
+    EXPECT_NEAR(static_cast<double>(oracle_pairs(scene).size()), 4000.0, 400.0) << name;
+  }
+}
+
+TEST(GradedByPlace, HasRadiiThatGrowWithTheDistance) {
+  const Scene scene = made("graded_by_place", 2000);
+  const auto [least, most] = std::ranges::minmax(scene.radius);
+  EXPECT_GE(least, 1.0);
+  EXPECT_LT(least, 2.0);
+  EXPECT_GT(most, 20.0);
+  EXPECT_LE(most, 21.0);
+  const double unit = std::hypot(scene.x[0], scene.y[0], scene.z[0]) / (scene.radius[0] - 1.0);
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    const double distance = std::hypot(scene.x[k], scene.y[k], scene.z[k]);
+    EXPECT_NEAR(distance, unit * (scene.radius[k] - 1.0), 1e-9 * unit);
+  }
+}
+
 TEST(DenseSpread, IsDenseWithRadiiWithinFivePercent) {
   const Scene dense = made("dense", 1000);
   const Scene spread = made("dense_spread", 1000);

@@ -138,6 +138,16 @@ TYPED_TEST(SizeLevelsOf, AllPairsOfGradedElements) {
   this->expect_right_in_levels(this->graded(1500, 1e6), 20);
 }
 
+/// Some in one place, some inside of larger ones, and one alone in its level.
+TYPED_TEST(SizeLevelsOf, CrowdsAndLonelyElements) {
+  constexpr int dim = TypeParam::value;
+  auto spheres = this->graded(900, 30.0);
+  append<dim>(spheres, Spheres<dim>(300, sphere_at<dim>({3.0, 4.0, 5.0}, 1.5)));
+  append<dim>(spheres, uniform_spheres<dim>(this->random_, 100, {300.0, 300.0, 300.0}, 0.5));
+  append<dim>(spheres, Spheres<dim>(1, sphere_at<dim>({3.0, 4.0, 5.0}, 0.01)));
+  expect_right_in_layers<dim>(spheres, 0.0, Way::layers, always_in_levels);
+}
+
 /// More octaves than levels: the last one has the rest, radii of 0 among them.
 TYPED_TEST(SizeLevelsOf, RadiiOfAllMagnitudes) {
   constexpr int dim = TypeParam::value;

@@ -52,6 +52,9 @@ void shuffle(Scene& scene, std::uint64_t seed);
 [[nodiscard]] Scene make_shell(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_graded_by_place(std::size_t count, std::uint64_t seed);
 
+[[nodiscard]] Scene make_sph(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_sph_lattice(std::size_t count, std::uint64_t seed);
+
 [[nodiscard]] Scene make_bidisperse(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_polydisperse(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_log_uniform(std::size_t count, std::uint64_t seed);

@@ -7,11 +7,11 @@ import os
 from benchmarks.common import tables
 
 # In the order of the plots and tables; a scene that is missing here comes last.
-SCENES = ["dense", "dense_spread", "dense_stray", "boulders", "ordered", "gas", "sparse",
-          "clusters", "clusters_100", "clusters_30", "shell", "bidisperse", "polydisperse",
-          "log_uniform", "log_uniform_1000", "graded", "graded_1000", "graded_by_place",
-          "hexagonal_2d", "touching_cubic", "touching_fcc", "touching_cubic_shuffled",
-          "touching_fcc_shuffled", "one_giant"]
+SCENES = ["dense", "dense_spread", "dense_stray", "boulders", "ordered", "gas", "sph",
+          "sph_lattice", "sparse", "clusters", "clusters_100", "clusters_30", "shell",
+          "bidisperse", "polydisperse", "log_uniform", "log_uniform_1000", "graded",
+          "graded_1000", "graded_by_place", "hexagonal_2d", "touching_cubic", "touching_fcc",
+          "touching_cubic_shuffled", "touching_fcc_shuffled", "one_giant"]
 
 YARDSTICKS = ["memcpy", "control_loop", "plain_grid"]
 DEFAULT = "abut_auto"

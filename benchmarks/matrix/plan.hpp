@@ -16,6 +16,8 @@ struct Plan {
                                   "boulders",
                                   "ordered",
                                   "gas",
+                                  "sph",
+                                  "sph_lattice",
                                   "sparse",
                                   "clusters",
                                   "clusters_100",

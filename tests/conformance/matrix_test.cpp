@@ -29,10 +29,11 @@ constexpr std::array<std::string_view, 7> wide_scenes{"sparse",          "dense_
                                                       "two_far_clusters"};
 
 /// Scenes made to be undecidable in floating point.
-constexpr std::array<std::string_view, 8> borderline_scenes{"pack_1",
+constexpr std::array<std::string_view, 9> borderline_scenes{"pack_1",
                                                             "pack_4",
                                                             "at_reach_2d",
                                                             "at_reach",
+                                                            "sph_lattice",
                                                             "touching_cubic",
                                                             "touching_fcc",
                                                             "touching_cubic_shuffled",

@@ -97,6 +97,8 @@ const std::map<std::string_view, std::uint64_t> recorded_hashes{
     {"boulders", 0x8b6eed5bf5d8505f},
     {"ordered", 0xcd301569b933a8ea},
     {"gas", 0x76a550d165f01d7b},
+    {"sph", 0xf8b1aced703f60d2},
+    {"sph_lattice", 0xde3d778c200c32bd},
     {"sparse", 0x4f5ddc94c7dcddae},
     {"clusters", 0x776f64f443aaf49d},
     {"clusters_100", 0x776f64f443aaf49d},  // `clusters` makes ten clusters, too
@@ -189,6 +191,16 @@ TEST(Clusters, AreAsLargeAsTheirNamesSay) {
       EXPECT_LT(std::abs(scene.x[k] - scene.x[k % clusters]), 200.0) << name;
     }
   }
+}
+
+/// But for those at the faces of the lattice, which have fewer.
+TEST(Particles, HaveManyPairsEach) {
+  const std::size_t inner = 14 * 14 * 14;
+  const double of_sph = static_cast<double>(oracle_pairs(made("sph", inner)).size());
+  EXPECT_NEAR(of_sph / static_cast<double>(inner), 25.0, 1.0);
+  // Neighbors at (1, 0, 0), (1, 1, 0), (1, 1, 1) and (2, 0, 0).
+  const double of_lattice = static_cast<double>(oracle_pairs(made("sph_lattice", inner)).size());
+  EXPECT_EQ(of_lattice, 14 * (3 * 13 * 14 + 6 * 13 * 13) + 4 * 13 * 13 * 13 + 3 * 12 * 14 * 14);
 }
 
 TEST(AroundAPoint, HaveTwoPairsEach) {

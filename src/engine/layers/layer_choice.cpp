@@ -62,14 +62,10 @@ bool has_full_layers(const LayerGrid<Dim>& grid, const LayerLimits& limits, std:
 
 /// Returns how many elements two joined runs may have.
 template <int Dim>
-double most_joined(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input,
-                   std::size_t elements) {
+double most_joined(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
   const LayerLimits& limits = input.layer_limits;
-  if (input.spheres.are_moved()) return limits.most_joined_of_moved;
-  if (grid.has_wide_cells()) return limits.most_joined_of_clusters;
-  if (Dim == 2) return limits.most_joined_of_discs;
-  return elements < limits.least_elements_beyond_caches ? limits.most_joined
-                                                        : limits.most_joined_beyond_caches;
+  const bool are_clusters = grid.has_wide_cells() && !input.spheres.are_moved();
+  return are_clusters ? limits.most_joined_of_clusters : limits.most_joined;
 }
 
 /// Tells whether the box of a set has so many cells that clusters might fill a few of them.
@@ -128,6 +124,17 @@ bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, d
          may_have_step<Dim>(input.given.spheres, range);
 }
 
+/// Tells whether so many elements are so crowded, even if they are spread equally, that tiles would
+/// test many more.
+template <int Dim>
+bool are_crowded(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set, const LayerLimits& limits) {
+  const std::size_t elements = set.locals.size();
+  if (elements < limits.least_elements_of_crowds) return false;
+  const double in_cell =
+      static_cast<double>(elements) / BoxInCells<Dim>(set.bounds, grid.cell()).cells;
+  return in_cell * grid.cells_joined() >= limits.least_joined_of_crowds;
+}
+
 /// Tells whether so many elements take less time than in tiles, whatever is special about them.
 template <int Dim>
 bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const LayerGrid<Dim>& grid,
@@ -138,7 +145,7 @@ bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const La
   // Fewer than are worth it were refused before.
   if (are_boxes(input) || !input.spheres.coarse().empty()) return true;
   if (grid.cell() >= limits.least_sparse_cell * least_cell) return false;
-  if (elements >= limits.least_elements) return true;
+  if (elements >= limits.least_elements || are_crowded(grid, set, limits)) return true;
   return elements >= limits.least_elements_of_tiles &&
          cut_into_tiles(set, least_cell).tiles_in_box() > 1.0;
 }
@@ -156,12 +163,11 @@ std::optional<LayerGrid<Dim>> longer(const LayerGrid<Dim>& grid, const SearchSet
                                      const SearchInput<Dim>& input, double least_cell,
                                      OccupancySample& sample) {
   const LayerLimits& limits = input.layer_limits;
-  const std::size_t elements = elements_in_layers(set, input);
   const LayerSpheres<Dim> spheres = input.spheres.first(set.locals.size());
   const auto rods = choose_long_cells(set.bounds, input.margin, least_cell, spheres, sample);
   if (!rods) return std::nullopt;
   const double joined = joined_in_runs(*rods, spheres, SampleSize::full, sample);
-  if (joined > most_joined(*rods, input, elements)) return std::nullopt;
+  if (joined > most_joined(*rods, input)) return std::nullopt;
   const double joined_before = joined_in_runs(grid, spheres, SampleSize::full, sample);
   if (limits.least_gain_of_long * joined > joined_before) return std::nullopt;
   return for_elements(rods, input);
@@ -176,11 +182,11 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
   const auto suits = [&](const LayerGrid<Dim>& cells, double its_occupancy) {
-    return elements_joined(cells, its_occupancy) <= most_joined(cells, input, elements);
+    return elements_joined(cells, its_occupancy) <= most_joined(cells, input);
   };
   std::optional<LayerGrid<Dim>> best;
   if (suits(grid, occupancy)) best = grid;
-  if (elements_joined(grid, occupancy) <= limits.most_joined) return best;
+  if (elements_joined(grid, occupancy) <= limits.most_joined_in_vectors) return best;
   if (may_be_narrow(grid, set, input, least_cell)) {
     const auto narrow =
         for_elements(LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements), input);
@@ -259,7 +265,7 @@ bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
   if (set.bounds.largest_radius > 2.0 * set.bounds.smallest_radius) return true;
   const double occupancy = sample.mean_occupancy(
       ReachCells<Dim>(set.bounds, reach), input.spheres.first(set.locals.size()), SampleSize::full);
-  return (occupancy - 1.0) * cells_joined_at_reach <= limits.most_joined_of_moved;
+  return (occupancy - 1.0) * cells_joined_at_reach <= limits.most_joined;
 }
 
 template <int Dim>

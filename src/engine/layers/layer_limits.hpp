@@ -20,6 +20,10 @@ struct LayerLimits {
   /// element looks in few of the rows around it then.
   double least_sparse_cell = 4.0;
   std::size_t least_sparse_elements = 20'000;
+  /// The same of crowds, and how many elements two joined runs have there if all are spread
+  /// equally.
+  std::size_t least_elements_of_crowds = 1'500;
+  double least_joined_of_crowds = 30.0;
   /// The same of boxes in all of these cases, in 3D and in 2D: tiles have more columns of them.
   std::size_t least_boxes = 200;
   std::size_t least_rectangles = 1'600;
@@ -47,20 +51,14 @@ struct LayerLimits {
   double least_cells_of_clusters = 64.0;
   /// Beside the work for an element there is work for a row and for a layer.
   double least_elements_of_layer = 8.0;
-  /// Mean number of elements in two runs that are joined in a vector of eight, up to which layers
-  /// are faster than blocks in tiles.
-  double most_joined = 14.0;
-  /// The same from so many elements on: those in tiles are brought into several arrays, at places
-  /// far apart, which then lie in no cache of one core.
-  double most_joined_beyond_caches = 32.0;
-  std::size_t least_elements_beyond_caches = 100'000;
-  /// The same of discs, which have two runs.
-  double most_joined_of_discs = 24.0;
-  /// The same where cells are wider than the reach needs, so that elements share them in clusters,
-  /// and tiles would be cut anew around each.
+  /// Mean number of elements in two runs that are joined, up to which layers are faster than tiles:
+  /// blocks of candidates hold those of all runs.
+  double most_joined = 400.0;
+  /// The same where cells are wider than the reach needs, so that elements share them in clusters.
   double most_joined_of_clusters = 400.0;
-  /// The same of clusters that were moved side by side, which tiles would cut anew as well.
-  double most_joined_of_moved = 24.0;
+  /// The same up to which vectors of joined runs hold most of them, so that other cells are not
+  /// tried.
+  double most_joined_in_vectors = 14.0;
   /// So many times less crowded cells are better, though most are empty.
   double least_gain_of_narrow = 2.0;
   /// The same of elements in cells twice as wide, from which on long cells are tried: on a curve
@@ -91,13 +89,11 @@ struct LayerLimits {
            (levels < many_levels ? least_elements_of_levels : least_elements_of_many_levels);
   }
 
-  /// Any number of elements may stand in layers, and crowd as small clusters may.
+  /// Any number of elements may stand in layers.
   void require_little() noexcept {
     least_elements = least_sparse_elements = least_boxes = least_rectangles = 0;
-    least_elements_of_clusters = least_elements_of_tiles = 0;
+    least_elements_of_clusters = least_elements_of_tiles = least_elements_of_crowds = 0;
     least_elements_of_layer = 0.0;
-    most_joined_beyond_caches = most_joined_of_discs = most_joined_of_clusters;
-    most_joined = most_joined_of_clusters;
   }
 
   /// The fewest boxes of so many dimensions, searched with one reach for all.

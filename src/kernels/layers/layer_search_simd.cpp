@@ -72,7 +72,15 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/simd_run_pieces-inl.hpp"
 
+#include "kernels/layers/simd_element_batches-inl.hpp"
+
+#include "kernels/layers/simd_crowd_block-inl.hpp"
+
+#include "kernels/layers/simd_batch_counts-inl.hpp"
+
 #include "kernels/layers/simd_careful_tester-inl.hpp"
+
+#include "kernels/layers/simd_crowd_tester-inl.hpp"
 
 #include "kernels/layers/simd_layer_tester-inl.hpp"
 

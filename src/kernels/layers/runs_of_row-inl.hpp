@@ -40,6 +40,11 @@ class RunsOfRow {
   /// Places of the row's elements.
   [[nodiscard]] Run elements() const { return {own_[0], own_[length_ - 1]}; }
 
+  /// Place of the first element in a column or behind it.
+  [[nodiscard]] std::uint32_t begin_of(std::uint32_t column) const {
+    return own_[column + (end_ - 1) / 2];
+  }
+
   /// Run k of the element at place p in that column.
   template <std::size_t k>
   [[nodiscard]] Run run(std::uint32_t p, std::uint32_t column) const {

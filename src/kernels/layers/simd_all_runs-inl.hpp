@@ -26,6 +26,19 @@ struct SixteenLanes {
   }
 };
 
+/// Candidates of a single run in the most lanes that the processor has.
+using WidestLanes = std::conditional_t<wide_lanes == 16, SixteenLanes, EightLanes>;
+using WidestRun = RunIn<WidestLanes>;
+
+/// The same where all lanes have candidates.
+class FullVector : public WidestRun {
+ public:
+  HWY_INLINE explicit FullVector(std::uint32_t begin)
+      : WidestRun({begin, begin + WidestRun::capacity}) {}
+
+  [[nodiscard]] HWY_INLINE Bits inside(Bits hits) const { return hits; }
+};
+
 /// Some runs of an element, from the first of them on, one behind the other. Each is loaded from as
 /// many places before its begin as there are lanes before its own, and what is in the lanes behind
 /// it is replaced by the next one:

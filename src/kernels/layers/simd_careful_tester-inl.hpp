@@ -1,12 +1,5 @@
 // Elements that the vectors of their batch do not settle, included like simd_joined_runs-inl.hpp.
 
-/// Runs of an element that was tested with care.
-struct ElementRuns {
-  bool is_crowded = false;     ///< two joined runs are too long for a vector
-  bool has_long_runs = false;  ///< one run is
-  bool has_undecided = false;
-};
-
 /// Tests one element at a time.
 template <class Search>
 class CarefulTester {
@@ -21,22 +14,23 @@ class CarefulTester {
   HWY_NOINLINE bool test_crowded(const Elements& elements, std::uint32_t k, ElementRuns& its) {
     const auto runs = elements.runs_of(k);
     const std::uint32_t p = elements.place(k);
-    RunPieces<Search::runs> pieces;
+    using Pieces = RunPieces<Search::runs>;
+    Pieces pieces;
     add_all(pieces, runs, std::make_index_sequence<Search::runs>());
     if (pieces.is_large()) return false;
     const Probe probe = Probe::at(layers_, p);
-    typename Probe::template Nearest<EightLanes> nearest;
-    const std::size_t found = hits_.make_room(hits_.found(), pieces.most * candidates);
+    typename Probe::template Nearest<WidestLanes> nearest;
+    const std::size_t found = hits_.make_room(hits_.found(), Pieces::most * Pieces::capacity);
     std::size_t end = found;
     for (std::uint32_t n = 0; n < pieces.size(); ++n) {
-      const SingleRun run = pieces[n];
+      const WidestRun run = pieces[n];
       end = hits_.write_partners(layers_.number, run, probe.test(run, nearest), end);
     }
     if (!nearest.is_decided(layers_.band)) return false;
     hits_.write_element(layers_.number[p], found, end);
     hits_.set_found(end);
     hits_.count_tests(pieces.tests());
-    its = {true, pieces.has_long_runs(), false};
+    its = {true, pieces.longest_run(), false};
     return true;
   }
 
@@ -86,7 +80,7 @@ class CarefulTester {
 
   HWY_INLINE void test_single_run(const Probe& probe, std::uint32_t p, const SingleRun& run,
                                   ElementRuns& its) {
-    if (run.size() > candidates) its.has_long_runs = true;
+    its.longest_run = std::max(its.longest_run, run.size());
     if (HWY_UNLIKELY(run.size() > long_run)) return test_long_run(probe, p, run);
     test_lanes(probe, p, run);
   }

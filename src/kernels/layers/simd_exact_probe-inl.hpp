@@ -7,6 +7,9 @@
 template <int Dim>
 class ExactProbe {
  public:
+  /// Squares of what is farther away might overflow.
+  static constexpr bool is_right_beyond_runs = false;
+
   HWY_INLINE ExactProbe(const LayerPair& layers, std::uint32_t p)
       : layers_(layers), beyond_(layers.largest_square + 1) {
     for (int axis = 0; axis < Dim; ++axis) position_[axis] = layers.position[axis][p];

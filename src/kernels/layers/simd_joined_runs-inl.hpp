@@ -68,10 +68,11 @@ class JoinedRuns : public EightLanes {
   std::uint32_t size_;
 };
 
-/// Up to eight candidates of a single run.
-class SingleRun : public EightLanes {
+/// Candidates of a single run: as many as there are lanes, or fewer.
+template <class Lanes>
+class RunIn : public Lanes {
  public:
-  HWY_INLINE explicit SingleRun(const Run& run) : begin_(run.begin), size_(run.end - run.begin) {}
+  HWY_INLINE explicit RunIn(const Run& run) : begin_(run.begin), size_(run.end - run.begin) {}
 
   [[nodiscard]] HWY_INLINE std::uint32_t size() const { return size_; }
 
@@ -94,6 +95,8 @@ class SingleRun : public EightLanes {
   std::uint32_t begin_;
   std::uint32_t size_;
 };
+
+using SingleRun = RunIn<EightLanes>;
 
 /// The first `count` lanes, or all.
 [[nodiscard]] HWY_INLINE Bits lanes_before(std::uint32_t count) {

@@ -37,8 +37,16 @@ class LayerHits {
   template <class Runs>
   HWY_INLINE std::size_t write_partners(const std::uint32_t* number, const Runs& runs, Bits hits,
                                         std::size_t place) const {
+    return write_partners(hits_.partner, number, runs, hits, place);
+  }
+
+  /// The same, to the partners of the buffer as a local variable, which may stay in a register.
+  [[nodiscard]] HWY_INLINE std::uint32_t* partners() const { return hits_.partner; }
+  template <class Runs>
+  static HWY_INLINE std::size_t write_partners(std::uint32_t* to, const std::uint32_t* number,
+                                               const Runs& runs, Bits hits, std::size_t place) {
     for (std::uint32_t k = 0; k < Runs::capacity; k += Runs::at_once) {
-      place = write_set<Runs>(runs.load(Runs::numbers, number, k), hits >> k, place);
+      place = write_set<Runs>(to, runs.load(Runs::numbers, number, k), hits >> k, place);
     }
     return place;
   }
@@ -49,19 +57,20 @@ class LayerHits {
                                const std::uint32_t (&number)[most], std::size_t place) const {
     std::size_t end = place;
     for (std::size_t k = 0; k < most; k += lanes) {
-      end =
-          write_set<EightLanes>(hn::LoadU(numbers, number + k), static_cast<Bits>(hits >> k), end);
+      end = write_set<EightLanes>(hits_.partner, hn::LoadU(numbers, number + k),
+                                  static_cast<Bits>(hits >> k), end);
     }
     write_element(element, place, end);
     return end;
   }
 
   /// The same of the element alone, whose partners are there.
+  template <class Lanes = EightLanes>
   HWY_INLINE void write_element(std::uint32_t element, std::size_t place, std::size_t end) const {
-    const Numbers own = hn::Set(numbers, element);
+    const auto own = hn::Set(Lanes::numbers, element);
     do {
-      hn::StoreU(own, numbers, hits_.element + place);
-      place += lanes;
+      hn::StoreU(own, Lanes::numbers, hits_.element + place);
+      place += Lanes::at_once;
     } while (place < end);
   }
 
@@ -91,10 +100,11 @@ class LayerHits {
  private:
   /// Writes the numbers of the first lanes of the set, of which there may be more.
   template <class Lanes>
-  HWY_INLINE std::size_t write_set(hn::Vec<typename Lanes::NumberTag> partners, Bits set,
-                                   std::size_t place) const {
+  static HWY_INLINE std::size_t write_set(std::uint32_t* to,
+                                          hn::Vec<typename Lanes::NumberTag> partners, Bits set,
+                                          std::size_t place) {
     set &= (Bits{1} << Lanes::at_once) - 1;
-    hn::StoreU(Lanes::compress(partners, set), Lanes::numbers, hits_.partner + place);
+    hn::StoreU(Lanes::compress(partners, set), Lanes::numbers, to + place);
     return place + static_cast<std::size_t>(std::popcount(set));
   }
 

@@ -24,6 +24,9 @@ class NearestBeyond {
 template <class Reach, class Distance>
 class LayerProbe {
  public:
+  /// Tells whether candidates in any columns are decided as well as those of runs.
+  static constexpr bool is_right_beyond_runs = true;
+
   HWY_INLINE LayerProbe(const LayerPair& layers, const Distance& from, const Reach& reach)
       : layers_(layers), from_(from), reach_(reach) {}
 

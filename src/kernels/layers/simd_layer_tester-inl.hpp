@@ -1,79 +1,15 @@
 // The elements of a layer and their candidates in vectors, included like
 // simd_joined_runs-inl.hpp.
 
-/// Elements that meet what is ahead of them: in their own layer and the next one.
-template <int Dim, class ProbeOfElement>
-class AheadSearch {
- public:
-  using Layers = LayerPair;
-  using Probe = ProbeOfElement;
-  using Row = RunsOfRow<Dim>;
-  static constexpr std::size_t runs = Row::size;
-  /// Tells whether it cannot be foreseen which elements have hits, so that they are listed.
-  static constexpr bool some_have_hits = false;
-
-  /// Some elements of a row that stand together.
-  class Batch {
-   public:
-    HWY_INLINE Batch(const LayerPair& layers, const Row& row, const Run& elements)
-        : layers_(layers), row_(row), elements_(elements) {}
-
-    [[nodiscard]] HWY_INLINE std::uint32_t size() const { return elements_.end - elements_.begin; }
-    [[nodiscard]] HWY_INLINE std::uint32_t place(std::uint32_t k) const {
-      return elements_.begin + k;
-    }
-
-    class RunsAhead {
-     public:
-      static constexpr std::size_t size = Row::size;
-
-      HWY_INLINE RunsAhead(const Row& row, std::uint32_t p, std::uint32_t column)
-          : row_(row), p_(p), column_(column) {}
-      template <std::size_t k>
-      [[nodiscard]] HWY_INLINE Run run() const {
-        return row_.template run<k>(p_, column_);
-      }
-
-     private:
-      const Row& row_;
-      std::uint32_t p_;
-      std::uint32_t column_;
-    };
-    [[nodiscard]] HWY_INLINE RunsAhead runs_of(std::uint32_t k) const {
-      return {row_, place(k), layers_.column[place(k)]};
-    }
-
-   private:
-    const LayerPair& layers_;
-    const Row& row_;
-    Run elements_;
-  };
-};
-
-/// Near elements that look for smaller ones around them.
-template <int Dim, class ProbeOfElement>
-class NearSearch {
- public:
-  using Layers = ThreeLayers;
-  using Probe = ProbeOfElement;
-  using Row = ElementsOfRow;
-  static constexpr std::size_t runs = NearBatch<Dim>::runs;
-  static constexpr bool some_have_hits = true;
-
-  class Batch : public NearBatch<Dim> {
-   public:
-    HWY_INLINE Batch(const ThreeLayers& layers, const Row&, const Run& elements)
-        : NearBatch<Dim>(layers, elements) {}
-  };
-};
-
 template <class Search>
 class SimdLayerTester {
  public:
   using Layers = typename Search::Layers;
 
   HWY_INLINE SimdLayerTester(const Layers& layers, SearchJob& job)
-      : layers_(layers), job_(job), hits_(layers, job), careful_(layers, hits_) {}
+      : layers_(layers), job_(job), hits_(layers, job), careful_(layers, hits_) {
+    if (!Search::some_have_hits) way_ = Way{job.way};
+  }
 
   HWY_INLINE void search() {
     for (std::uint32_t row = 1; row <= layers_.rows; ++row) {
@@ -86,52 +22,29 @@ class SimdLayerTester {
     }
     hits_.finish();
     job_.has_many_undecided = has_many_undecided_;
+    if (!Search::some_have_hits) job_.way = static_cast<std::uint8_t>(way_);
   }
 
  private:
   using Probe = typename Search::Probe;
   using Elements = typename Search::Batch;
+  using Counts = BatchCounts<Search>;
 
   static constexpr std::uint32_t batch_size = 64;
-
-  /// Tells whether all runs of most elements go into one vector, instead of two into each.
-  static constexpr bool takes_all = fit_one_vector<Search::runs> && !Search::some_have_hits;
-  /// The same of two vectors, where many elements have too many candidates for one.
-  static constexpr bool takes_halves = takes_all && Search::runs == 5;
-
-  /// Ways to test a batch: as suits most elements, or crowds, each way denser ones than the one
-  /// before it.
-  enum class Way { usual, in_halves, run_by_run, with_care };
 
   template <Filling filling>
   static constexpr std::size_t most_hits = vectors_of<filling, Search::runs>* candidates;
   template <class Lanes>
   using Nearest = typename Probe::template Nearest<Lanes>;
 
-  /// One crowded element in so many costs more than vectors that are not joined.
-  static constexpr std::uint32_t crowded_share = 5;
-
   /// In place of hits: the runs are too long for their vectors, or the filter leaves some
   /// undecided. An element of a crowd has the first bit alone.
   static constexpr HitBits with_care = HitBits{1} << 62;
   static constexpr HitBits with_undecided = HitBits{1} << 63;
 
-  /// The elements of a batch by what they are like.
-  struct BatchCounts {
-    std::uint32_t crowded = 0;             ///< those that the usual vectors do not hold
-    std::uint32_t crowded_for_halves = 0;  ///< those that two halves do not, where that is known
-    std::uint32_t with_care = 0;           ///< those that vectors of single runs do not settle
-    std::uint32_t undecided = 0;
-
-    HWY_INLINE void add(const ElementRuns& its) {
-      with_care += its.has_long_runs || its.has_undecided ? 1 : 0;
-      undecided += its.has_undecided ? 1 : 0;
-    }
-  };
-
   HWY_INLINE void test_batch(const Elements& elements) {
     if (HWY_UNLIKELY(way_ != Way::usual)) return test_crowded_batch(elements);
-    if constexpr (takes_all) {
+    if constexpr (takes_all<Search>) {
       test_batch_of_all<AllRuns<Search::runs>>(elements);
     } else {
       test_batch_as<Filling::joined>(elements);
@@ -140,16 +53,20 @@ class SimdLayerTester {
 
   HWY_NOINLINE void test_crowded_batch(const Elements& elements) {
     if (way_ == Way::with_care) return test_batch_with_care(elements);
-    if constexpr (takes_halves) {
-      if (way_ == Way::in_halves) return test_batch_of_all<FirstHalf, SecondHalf>(elements);
+    if constexpr (!Search::some_have_hits) {
+      if (way_ == Way::in_blocks) return test_batch_in_blocks(elements);
     }
-    test_batch_as<Filling::single>(elements);
+    if constexpr (takes_halves<Search>) {
+      test_batch_of_all<FirstHalf, SecondHalf>(elements);
+    } else {
+      test_batch_as<Filling::single>(elements);
+    }
   }
 
   /// Writes hits as soon as all vectors of an element have been tested.
   template <class... Vectors>
   HWY_INLINE void test_batch_of_all(const Elements& elements) {
-    BatchCounts counts;
+    Counts counts;
     std::uint64_t tests = 0;
     std::size_t found = hits_.found();
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
@@ -164,14 +81,13 @@ class SimdLayerTester {
   /// An element whose runs are in these vectors. Returns how many hits there are then.
   template <class... Vectors>
   HWY_INLINE std::size_t test_all(const Elements& elements, std::uint32_t k, std::size_t found,
-                                  std::uint64_t& tests, BatchCounts& counts,
-                                  const Vectors&... vectors) {
+                                  std::uint64_t& tests, Counts& counts, const Vectors&... vectors) {
     using Usual = AllRuns<Search::runs>;
     constexpr bool are_halves = sizeof...(Vectors) > 1;
     const std::uint32_t size = (vectors.size() + ...);
     if (are_halves) counts.crowded += size > Usual::capacity ? 1 : 0;
     if (HWY_UNLIKELY(!(vectors.fit() && ...))) {
-      ++(are_halves ? counts.crowded_for_halves : counts.crowded);
+      ++(are_halves ? counts.crowded_for_more : counts.crowded);
       return test_apart(elements, k, found, counts);
     }
     const std::uint32_t p = elements.place(k);
@@ -195,7 +111,7 @@ class SimdLayerTester {
 
   template <Filling filling>
   HWY_INLINE void test_batch_as(const Elements& elements) {
-    BatchCounts counts;
+    Counts counts;
     if constexpr (Search::some_have_hits || lanes < candidates) {
       test_batch_by_list<filling>(elements, counts);
     } else {
@@ -207,7 +123,7 @@ class SimdLayerTester {
   /// Writes the hits of a vector before it is known whether an element needs care: what is behind
   /// those found is overwritten.
   template <Filling filling>
-  HWY_INLINE void test_batch_at_once(const Elements& elements, BatchCounts& counts) {
+  HWY_INLINE void test_batch_at_once(const Elements& elements, Counts& counts) {
     std::uint64_t tests = 0;
     std::size_t found = hits_.found();
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
@@ -221,7 +137,7 @@ class SimdLayerTester {
         sizes.add(v, runs.size());
         end = hits_.write_partners(layers_.number, runs, probe.test(runs, nearest), end);
       });
-      count_crowded<filling>(sizes, counts);
+      count<filling>(sizes, counts);
       if (HWY_UNLIKELY(!sizes.fit())) {
         found = test_apart(elements, k, found, counts);
       } else if (HWY_UNLIKELY(!nearest.is_decided(layers_.band))) {
@@ -239,7 +155,7 @@ class SimdLayerTester {
   /// First lists the elements that have hits, which cannot be foreseen, without a branch; then
   /// writes these.
   template <Filling filling>
-  HWY_INLINE void test_batch_by_list(const Elements& elements, BatchCounts& counts) {
+  HWY_INLINE void test_batch_by_list(const Elements& elements, Counts& counts) {
     std::uint32_t number[batch_size][most_hits<filling>];
     HitBits hits[batch_size];
     std::uint32_t with_hits[batch_size + 1];
@@ -269,7 +185,7 @@ class SimdLayerTester {
   /// Returns the hits, or some number from `with_care` on; adds the tests that need no care.
   template <Filling filling>
   HWY_INLINE HitBits filter(const Elements& elements, std::uint32_t k, std::uint32_t* number,
-                            std::uint64_t& tests, BatchCounts& counts) const {
+                            std::uint64_t& tests, Counts& counts) const {
     const Probe probe = Probe::at(layers_, elements.place(k));
     Nearest<EightLanes> nearest;
     VectorSizes sizes;
@@ -279,7 +195,7 @@ class SimdLayerTester {
       hits |= HitBits{probe.test(runs, nearest)} << (v * candidates);
       write_numbers(runs, number + v * candidates);
     });
-    if (filling == Filling::single) count_crowded<filling>(sizes, counts);
+    if (filling == Filling::single) count<filling>(sizes, counts);
     const auto has_too_many = static_cast<std::uint32_t>(!sizes.fit());
     const auto has_undecided = static_cast<std::uint32_t>(!nearest.is_decided(layers_.band));
     const std::uint32_t needs_care = has_too_many | has_undecided;
@@ -294,28 +210,26 @@ class SimdLayerTester {
     }
   }
 
-  /// Counts an element for which the usual vectors are too short, or would be.
+  /// Counts an element with vectors of these sizes.
   template <Filling filling>
-  static HWY_INLINE void count_crowded(const VectorSizes& sizes, BatchCounts& counts) {
-    if constexpr (takes_all) {
-      counts.crowded += sizes.total() > AllRuns<Search::runs>::capacity ? 1 : 0;
-      if (takes_halves) counts.crowded_for_halves += sizes.fit_halves() ? 0 : 1;
+  static HWY_INLINE void count(const VectorSizes& sizes, Counts& counts) {
+    if constexpr (filling == Filling::single) {
+      counts.add(sizes);
     } else {
-      const bool fits = filling == Filling::joined ? sizes.fit() : sizes.fit_if_joined();
-      counts.crowded += fits ? 0 : 1;
+      counts.crowded += sizes.fit() ? 0 : 1;
     }
   }
 
   /// Tests an element with more candidates than its vectors hold, or with an undecided one, and
   /// returns how many hits there are then.
   HWY_NOINLINE std::size_t test_apart(const Elements& elements, std::uint32_t k, std::size_t found,
-                                      BatchCounts& counts) {
+                                      Counts& counts) {
     hits_.set_found(found);
     counts.add(test_runs_of(elements, k));
     return hits_.found();
   }
   HWY_NOINLINE std::size_t test_undecided(const Elements& elements, std::uint32_t k,
-                                          std::size_t found, BatchCounts& counts) {
+                                          std::size_t found, Counts& counts) {
     hits_.set_found(found);
     counts.add(careful_.test_with_care(elements, k));
     return hits_.found();
@@ -323,7 +237,7 @@ class SimdLayerTester {
 
   /// The elements of a batch most of which need care, as on a lattice or in a crowd.
   HWY_NOINLINE void test_batch_with_care(const Elements& elements) {
-    BatchCounts counts;
+    Counts counts;
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
       const ElementRuns its = test_runs_of(elements, k);
       counts.add(its);
@@ -332,17 +246,17 @@ class SimdLayerTester {
     expect(counts, elements);
   }
 
-  /// From most of a batch to the next one.
-  HWY_INLINE void expect(const BatchCounts& counts, const Elements& elements) {
-    way_ = way_after(counts, elements.size());
-    has_many_undecided_ = 2 * counts.undecided > elements.size();
+  /// The elements of a batch most of which are in crowds.
+  HWY_NOINLINE void test_batch_in_blocks(const Elements& elements) {
+    Counts counts;
+    CrowdTester<Search>(layers_, hits_, careful_).test(elements, counts);
+    expect(counts, elements);
   }
 
-  [[nodiscard]] static HWY_INLINE Way way_after(const BatchCounts& counts, std::uint32_t elements) {
-    if (HWY_UNLIKELY(2 * counts.with_care > elements)) return Way::with_care;
-    if (HWY_LIKELY(crowded_share * counts.crowded <= elements)) return Way::usual;
-    const bool fit_halves = crowded_share * counts.crowded_for_halves <= elements;
-    return takes_halves && fit_halves ? Way::in_halves : Way::run_by_run;
+  /// From most of a batch to the next one.
+  HWY_INLINE void expect(const Counts& counts, const Elements& elements) {
+    way_ = counts.next_way(elements.size());
+    has_many_undecided_ = 2 * counts.undecided > elements.size();
   }
 
   /// An element that the vectors of its batch do not settle.

@@ -253,7 +253,7 @@ TYPED_TEST(ClusterSearchOf, SpheresThatAreSortedAlongStayAsGiven) {
 TYPED_TEST(ClusterSearchOf, ClustersOfAllSizes) {
   constexpr int dim = TypeParam::value;
   engine::LayerLimits limits = always_moved;
-  limits.most_joined = limits.most_joined_of_moved = limits.most_joined_of_discs = -10.0;
+  limits.most_joined = -10.0;
   limits.most_by_size = std::numeric_limits<double>::infinity();
   limits.most_crowded_by_size = 60.0;
   for (const double ratio : {3.0, 30.0, 1000.0}) {

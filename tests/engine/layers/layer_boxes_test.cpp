@@ -163,6 +163,21 @@ TYPED_TEST(LayerBoxesOf, Crowds) {
   expect_right_in_layers<dim>(Boxes<dim>(1100, this->dense(1).front()));
 }
 
+/// So wide that all elements share blocks of candidates.
+TYPED_TEST(LayerBoxesOf, AllShareBlocks) {
+  constexpr int dim = TypeParam::value;
+  for (const double times : {1.5, 2.2, 3.0}) {
+    SCOPED_TRACE(std::to_string(times) + " times as wide");
+    auto boxes = this->dense(1500);
+    for (auto& box : boxes) {
+      for (std::size_t axis = 0; axis < std::size_t{dim}; ++axis) {
+        box.upper[axis] = box.lower[axis] + times * (box.upper[axis] - box.lower[axis]);
+      }
+    }
+    expect_right_in_layers<dim>(boxes);
+  }
+}
+
 TYPED_TEST(LayerBoxesOf, ClustersAndFarStrays) {
   constexpr int dim = TypeParam::value;
   for (const double distance : {30.0, 1e9, 0x1p60, 1e300}) {

@@ -134,6 +134,39 @@ TEST(LayerCrowds, CrowdedElementsInTheFirstRow) {
   expect_right_in_layers<3>(spheres);
 }
 
+/// As dense everywhere as elements of smoothed-particle methods are, and denser: all share blocks
+/// of candidates, whose sizes end anywhere in a vector. The largest are too large for a block.
+TYPED_TEST(LayerCrowdsOf, AllShareBlocks) {
+  constexpr int dim = TypeParam::value;
+  for (const double neighbors : {12.0, 30.0, 80.0, 250.0}) {
+    SCOPED_TRACE(std::to_string(neighbors) + " neighbors");
+    auto spheres = uniform_spheres<dim>(this->random_, 2000, box_for<dim>(2000, neighbors));
+    expect_right_in_layers<dim>(spheres);
+    for (auto& sphere : spheres) sphere.radius = this->random_.uniform(0.8 * half, half);
+    expect_right_in_layers<dim>(spheres);
+  }
+}
+
+/// The first block has all elements: as many as it may have, one less or one more.
+TYPED_TEST(LayerCrowdsOf, LargestBlocks) {
+  constexpr int dim = TypeParam::value;
+  for (const std::size_t count : {959U, 960U, 961U}) {
+    SCOPED_TRACE(std::to_string(count) + " elements");
+    expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, count, {0.6, 0.6, 0.6}));
+  }
+}
+
+/// In blocks the filter leaves some pairs undecided: those that touch exactly, or nearly.
+TYPED_TEST(LayerCrowdsOf, UndecidedPairsInBlocks) {
+  constexpr int dim = TypeParam::value;
+  auto spheres = uniform_spheres<dim>(this->random_, 2000, box_for<dim>(2000, 40.0));
+  for (std::size_t k = 9; k < spheres.size(); k += 10) {
+    spheres[k] = spheres[k - 1];
+    spheres[k].center[k % dim] += 1.0;
+  }
+  expect_right_in_layers<dim>(spheres);
+}
+
 /// From thinly spread to so crowded that each element needs care, along the rows of each layer: the
 /// ways in which vectors are filled follow each other.
 TYPED_TEST(LayerCrowdsOf, DensitiesThatChangeAlongRows) {

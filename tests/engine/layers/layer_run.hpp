@@ -31,8 +31,6 @@ inline constexpr engine::LayerLimits always_in_layers{
     .least_moved_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
-    .most_joined_beyond_caches = std::numeric_limits<double>::infinity(),
-    .most_joined_of_discs = std::numeric_limits<double>::infinity(),
     .most_joined_of_clusters = std::numeric_limits<double>::infinity(),
     .most_by_size = 0.0};
 
@@ -47,8 +45,6 @@ inline constexpr engine::LayerLimits always_by_size{
     .least_moved_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = 0.0,
-    .most_joined_beyond_caches = 0.0,
-    .most_joined_of_discs = 0.0,
     .most_joined_of_clusters = 0.0,
     .radii_alike = 1.0,
     .most_by_size = std::numeric_limits<double>::infinity(),
@@ -77,10 +73,7 @@ inline constexpr engine::LayerLimits always_moved{
     .least_cells_of_clusters = 0.0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
-    .most_joined_beyond_caches = std::numeric_limits<double>::infinity(),
-    .most_joined_of_discs = std::numeric_limits<double>::infinity(),
     .most_joined_of_clusters = 0.0,
-    .most_joined_of_moved = std::numeric_limits<double>::infinity(),
     .most_by_size = 0.0};
 
 /// Each octave of sizes stands in layers of its own, whatever that costs.
@@ -88,7 +81,8 @@ inline constexpr engine::LayerLimits always_in_levels = [] {
   engine::LayerLimits limits = always_in_layers;
   constexpr std::size_t never = std::size_t{1} << 40;
   limits.least_elements = limits.least_elements_of_tiles = limits.least_sparse_elements = never;
-  limits.least_elements_of_clusters = limits.least_elements_in_steps = never;
+  limits.least_elements_of_clusters = limits.least_elements_of_crowds = never;
+  limits.least_elements_in_steps = never;
   limits.least_boxes = limits.least_rectangles = limits.least_elements_beside_coarse = never;
   limits.least_elements_of_levels = limits.least_elements_of_many_levels = 0;
   limits.least_levels = 2;

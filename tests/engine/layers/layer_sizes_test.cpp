@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -262,10 +263,9 @@ TYPED_TEST(LayerSizesOf, TestsFollowTheSmallerOnes) {
 /// Radii from 1 to 100, for which tiles and layers cost nearly the same: layers are taken from so
 /// many elements on that the copies that tiles take cost more.
 TYPED_TEST(LayerSizesOf, CopiesOfTilesCostMoreThanTests) {
-  this->expect_layers_from(
-      &engine::LayerLimits::least_elements_of_copies,
-      {.most_joined = 0.0, .most_joined_of_discs = 0.0, .cost_of_copies = 1000.0},
-      this->log_uniform(20000, 100.0, 0.3));
+  this->expect_layers_from(&engine::LayerLimits::least_elements_of_copies,
+                           {.most_joined = 0.0, .cost_of_copies = 1000.0},
+                           this->log_uniform(20000, 100.0, 0.3));
 }
 
 /// Nearly equal radii go to layers of one reach, in which elements are tested against each other
@@ -311,19 +311,14 @@ TYPED_TEST(LayerSizesOf, RadiiOfManyAreCountedByAllWorkers) {
   }
 }
 
-/// Where spheres crowd more, layers of one reach are taken for many of them only; discs, which have
-/// two runs instead of five, may crowd as much however few they are.
-TYPED_TEST(LayerSizesOf, ManyElementsMayCrowdMore) {
+/// Where elements crowd, fewer of them are searched in layers than otherwise.
+TYPED_TEST(LayerSizesOf, FewElementsOfCrowds) {
   constexpr int dim = TypeParam::value;
-  const auto spheres = this->log_uniform(20000, 1.1, 0.3);
-  engine::LayerLimits limits{.most_joined = 0.0, .most_by_size = 0.0};
-  if constexpr (dim == 3) {
-    this->expect_layers_from(&engine::LayerLimits::least_elements_beyond_caches, limits, spheres);
-  } else {
-    EXPECT_TRUE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
-    limits.most_joined_of_discs = 0.0;
-    EXPECT_FALSE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
-  }
+  const auto spheres = this->log_uniform(2000, 1.1, dim == 2 ? 20.0 : 8.0);
+  engine::LayerLimits limits{.least_elements_of_tiles = 1'500'000, .most_by_size = 0.0};
+  this->expect_layers_from(&engine::LayerLimits::least_elements_of_crowds, limits, spheres);
+  limits.least_joined_of_crowds = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));
 }
 
 }  // namespace

@@ -195,11 +195,11 @@ TEST(Clusters, AreAsLargeAsTheirNamesSay) {
 
 /// But for those at the faces of the lattice, which have fewer.
 TEST(Particles, HaveManyPairsEach) {
-  const std::size_t inner = 14 * 14 * 14;
-  const double of_sph = static_cast<double>(oracle_pairs(made("sph", inner)).size());
-  EXPECT_NEAR(of_sph / static_cast<double>(inner), 25.0, 1.0);
+  const std::size_t count = 14 * 14 * 14;
+  const double of_sph = static_cast<double>(oracle_pairs(made("sph", count)).size());
+  EXPECT_NEAR(of_sph / static_cast<double>(count), 25.0, 1.0);
   // Neighbors at (1, 0, 0), (1, 1, 0), (1, 1, 1) and (2, 0, 0).
-  const double of_lattice = static_cast<double>(oracle_pairs(made("sph_lattice", inner)).size());
+  const double of_lattice = static_cast<double>(oracle_pairs(made("sph_lattice", count)).size());
   EXPECT_EQ(of_lattice, 14 * (3 * 13 * 14 + 6 * 13 * 13) + 4 * 13 * 13 * 13 + 3 * 12 * 14 * 14);
 }
 

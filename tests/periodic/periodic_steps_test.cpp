@@ -8,6 +8,7 @@
 #include "kernels/simd_level.hpp"
 #include "periodic/periodic_rows.hpp"
 #include "periodic/periodic_search.hpp"
+#include "support/rows_variants.hpp"
 
 #include <abut/detect.hpp>
 

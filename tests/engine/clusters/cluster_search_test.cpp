@@ -3,6 +3,7 @@
 
 #include "engine/layers/layer_run.hpp"
 #include "engine/layers/layer_scenes.hpp"
+#include "support/rows_variants.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,6 +6,7 @@
 #include "engine/layers/layer_run.hpp"
 #include "engine/layers/layer_scenes.hpp"
 #include "kernels/simd_level.hpp"
+#include "support/rows_variants.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 
 #include "engine/layers/layer_in_grid.hpp"
 #include "engine/layers/layer_scenes.hpp"
+#include "support/rows_variants.hpp"
 
 #include <algorithm>
 #include <array>

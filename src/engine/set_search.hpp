@@ -7,6 +7,7 @@
 #include "engine/workspace.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -66,6 +67,8 @@ class SetSearch {
   struct SizeChoice {
     std::optional<double> cut;
     bool is_searched = false;  ///< in layers, by size
+    /// Of an element in tiles, in candidate tests, if sizes differ.
+    double cost_in_tiles = std::numeric_limits<double>::infinity();
   };
 
   /// A level of sizes and the layers that suit it.
@@ -80,7 +83,6 @@ class SetSearch {
     return {nullptr, workspace_.levels, workspace_.histogram, 0};
   }
   [[nodiscard]] std::optional<LayerGrid<Dim>> layers_for(const SearchSet<Dim>& set);
-  [[nodiscard]] bool take_layers(const SearchSet<Dim>& set);
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set, const SizeChoice& choice);
   [[nodiscard]] bool take_whole(const SearchSet<Dim>& set, const SizeChoice& choice);
   [[nodiscard]] bool take_levels(const SearchSet<Dim>& set);
@@ -94,6 +96,7 @@ class SetSearch {
   void count_radii_of(const SearchSet<Dim>& set, const SearchPlace& at);
   void share_radii(std::size_t elements, const SearchPlace& at);
   [[nodiscard]] SizeChoice choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at);
+  [[nodiscard]] double cost_in_tiles(const SearchSet<Dim>& set, double tests) const;
   [[nodiscard]] bool search_beside_coarse(const SearchSet<Dim>& set, const SizeClasses& classes,
                                           const SizeDistribution& sizes, double other_cost);
   [[nodiscard]] bool search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,

@@ -63,20 +63,18 @@ std::optional<LayerGrid<Dim>> SetSearch<Dim>::layers_for(const SearchSet<Dim>& s
   return choose_layers(set, *input_, cell_size_for(set.bounds, *input_), workspace_.occupancy);
 }
 
+/// Searches the set in layers if these suit it, unless a look at the sizes has led to other layers,
+/// to a cut, or to tiles that cost less.
 template <int Dim>
-bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set) {
+bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set, const SizeChoice& choice) {
+  if (choice.is_searched) return true;
+  if (choice.cut) return false;
   const auto layers = layers_for(set);
-  if (!layers) return false;
+  if (!layers || cost_of_element(*layers, set, *input_) > choice.cost_in_tiles) return false;
   const auto in_steps =
       layers_in_steps(set, *input_, *layers, worker_count_, workspace_.workers[0]->work());
   search_layers(set, in_steps ? *in_steps : *layers);
   return true;
-}
-
-/// The same where a look at the sizes may already have led to layers, or to a cut.
-template <int Dim>
-bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set, const SizeChoice& choice) {
-  return choice.is_searched || (!choice.cut && take_layers(set));
 }
 
 /// Searches the set in layers of any kind, if one suits it.
@@ -243,7 +241,16 @@ auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace
   const bool is_searched = search_beside_coarse(set, classes, sizes, plan.cost) ||
                            search_by_size(set, classes, sizes, plan.cost);
   if (is_searched) return {std::nullopt, true};
-  return {plan.cut};
+  return {plan.cut, false, cost_in_tiles(set, plan.cost) / static_cast<double>(set.locals.size())};
+}
+
+/// What tiles cost beside their tests has a say only where they are the other search.
+template <int Dim>
+double SetSearch<Dim>::cost_in_tiles(const SearchSet<Dim>& set, double tests) const {
+  const LayerLimits& limits = input_->layer_limits;
+  const std::size_t elements = set.locals.size();
+  if (elements < limits.least_elements_of_copies) return tests;
+  return tests + limits.cost_of_copies * static_cast<double>(elements);
 }
 
 /// Searches the set without its coarse elements if that is estimated to cost less than the other
@@ -261,8 +268,8 @@ bool SetSearch<Dim>::search_beside_coarse(const SearchSet<Dim>& set, const SizeC
   return costs_less && take_without_coarse(set, *plan.cut);
 }
 
-/// Searches the set in layers by size if that is estimated to cost less than the other search. What
-/// tiles cost beside their tests has a say only where they are the other search.
+/// Searches the set in layers by size if that is estimated to cost less than the other search, or
+/// than that with its copies and layers of one reach.
 template <int Dim>
 bool SetSearch<Dim>::search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
                                     const SizeDistribution& sizes, double other_cost) {
@@ -271,11 +278,14 @@ bool SetSearch<Dim>::search_by_size(const SearchSet<Dim>& set, const SizeClasses
     return choose_layers_by_size(set, *input_, estimate, workspace_.occupancy);
   };
   auto layers = choose(other_cost);
-  const LayerLimits& limits = input_->layer_limits;
-  const std::size_t elements = set.locals.size();
-  if (!layers && elements >= limits.least_elements_of_copies) {
-    layers = choose(other_cost + limits.cost_of_copies * static_cast<double>(elements));
-    if (layers && layers_for(set)) return false;
+  const double with_copies = cost_in_tiles(set, other_cost);
+  if (!layers && with_copies > other_cost) {
+    layers = choose(with_copies);
+    if (!layers) return false;
+    if (const auto of_one_reach = layers_for(set)) {
+      const double cost = cost_of_element(*of_one_reach, set, *input_);
+      layers = choose(std::min(with_copies, cost * static_cast<double>(set.locals.size())));
+    }
   }
   if (!layers) return false;
   search_layers(set, *layers);

@@ -1,5 +1,7 @@
 #include "lattice/lattice_frame.hpp"
 
+#include "lattice/rounding_factors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,9 +10,6 @@ namespace abut::lattice {
 namespace {
 
 constexpr double most_cells = 0x1p28;
-
-/// Sums of a few doubles are off by much less.
-constexpr double up = 1.0 + 0x1p-40;
 
 template <int Dim>
 double length_of(const double* vector) {

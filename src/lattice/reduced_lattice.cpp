@@ -9,6 +9,7 @@
 #include "exact/numbers/exact_accumulator.hpp"
 #include "lattice/check_lattice.hpp"
 #include "lattice/dot.hpp"
+#include "lattice/rounding_factors.hpp"
 
 #include <abut/error.hpp>
 
@@ -233,10 +234,6 @@ std::array<std::array<double, 3>, 3> inverse_of_gram(const std::array<std::array
   }
   return inverse;
 }
-
-/// Errors of lengths, a few units in the last place, are covered by this.
-constexpr double up = 1.0 + 0x1p-40;
-constexpr double down = 1.0 - 0x1p-40;
 
 /// Dual vectors and all that follows from them. The Gram matrix of unit vectors along a reduced
 /// basis has a determinant of at least 1/2, so that its inverse is accurate.

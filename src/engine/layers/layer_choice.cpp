@@ -124,15 +124,19 @@ bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, d
          may_have_step<Dim>(input.given.spheres, range);
 }
 
+/// Elements in two joined runs of another one, if all are spread equally.
+template <int Dim>
+double joined_if_equal(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set) {
+  const double cells = BoxInCells<Dim>(set.bounds, grid.cell()).cells;
+  return static_cast<double>(set.locals.size()) / cells * grid.cells_joined();
+}
+
 /// Tells whether so many elements are so crowded, even if they are spread equally, that tiles would
 /// test many more.
 template <int Dim>
 bool are_crowded(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set, const LayerLimits& limits) {
-  const std::size_t elements = set.locals.size();
-  if (elements < limits.least_elements_of_crowds) return false;
-  const double in_cell =
-      static_cast<double>(elements) / BoxInCells<Dim>(set.bounds, grid.cell()).cells;
-  return in_cell * grid.cells_joined() >= limits.least_joined_of_crowds;
+  return set.locals.size() >= limits.least_elements_of_crowds &&
+         joined_if_equal(grid, set) >= limits.least_joined_of_crowds;
 }
 
 /// Tells whether so many elements take less time than in tiles, whatever is special about them.
@@ -237,6 +241,15 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
 }
 
 template <int Dim>
+double cost_of_element(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
+                       const SearchInput<Dim>& input) {
+  const LayerLimits& limits = input.layer_limits;
+  const double joined = joined_if_equal(grid, set);
+  if (Dim == 2 || are_boxes(input) || joined <= limits.most_joined_in_vectors) return 0.0;
+  return limits.cost_in_blocks + limits.cost_of_joined * joined;
+}
+
+template <int Dim>
 bool may_leave_out_coarse(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
   if (input.spheres.are_moved()) return false;
   return set.locals.size() >= input.layer_limits.least_elements_beside_coarse &&
@@ -318,6 +331,8 @@ template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const Se
                                                    double, OccupancySample&);
 template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const SearchInput<3>&,
                                                    double, OccupancySample&);
+template double cost_of_element(const LayerGrid<2>&, const SearchSet<2>&, const SearchInput<2>&);
+template double cost_of_element(const LayerGrid<3>&, const SearchSet<3>&, const SearchInput<3>&);
 template bool may_have_clusters(const SearchSet<2>&, const SearchInput<2>&, double,
                                 OccupancySample&);
 template bool may_have_clusters(const SearchSet<3>&, const SearchInput<3>&, double,

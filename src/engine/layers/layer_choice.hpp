@@ -23,6 +23,13 @@ template <int Dim>
                                                           double least_cell,
                                                           OccupancySample& sample);
 
+/// Returns what these layers cost an element of a set whose sizes differ, in candidate tests of
+/// tiles, if all are spread equally. That is nothing where runs are short, as they are in 2D, and
+/// for boxes, which have more candidates in tiles: no other search is faster then.
+template <int Dim>
+[[nodiscard]] double cost_of_element(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
+                                     const SearchInput<Dim>& input);
+
 /// Tells whether a search set may be searched in layers without its coarse elements: it is large,
 /// its elements pair with none but each other, and they are where they are given. A coarse element
 /// may meet several clusters, and these are moved apart.

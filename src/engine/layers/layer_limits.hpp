@@ -72,6 +72,10 @@ struct LayerLimits {
   /// Cost of layers in which elements look for smaller ones, to that of other searches, up to which
   /// they are taken: both are estimates.
   double most_by_size = 0.95;
+  /// What an element costs in blocks of candidates, and each that two of its joined runs have, in
+  /// candidate tests of tiles.
+  double cost_in_blocks = 140.0;
+  double cost_of_joined = 2.7;
   /// The candidate tests that these arrays cost an element of tiles, and from how many elements on.
   double cost_of_copies = 40.0;
   std::size_t least_elements_of_copies = 50'000;

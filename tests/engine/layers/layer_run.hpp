@@ -28,7 +28,9 @@ inline constexpr engine::LayerLimits always_in_layers{
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
     .most_joined_of_clusters = std::numeric_limits<double>::infinity(),
-    .most_by_size = 0.0};
+    .most_by_size = 0.0,
+    .cost_in_blocks = 0.0,
+    .cost_of_joined = 0.0};
 
 /// Elements look for smaller ones, whatever that costs. Elements of one radius are not asked.
 inline constexpr engine::LayerLimits always_by_size{
@@ -70,7 +72,9 @@ inline constexpr engine::LayerLimits always_moved{
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),
     .most_joined_of_clusters = 0.0,
-    .most_by_size = 0.0};
+    .most_by_size = 0.0,
+    .cost_in_blocks = 0.0,
+    .cost_of_joined = 0.0};
 
 /// Each octave of sizes stands in layers of its own, whatever that costs.
 inline constexpr engine::LayerLimits always_in_levels = [] {

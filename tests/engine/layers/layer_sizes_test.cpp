@@ -268,6 +268,29 @@ TYPED_TEST(LayerSizesOf, CopiesOfTilesCostMoreThanTests) {
                            this->log_uniform(20000, 100.0, 0.3));
 }
 
+/// Radii from 1 to 30 and to 100 make crowds in layers of one reach. The smaller ones are searched
+/// in these, the others by size, or where copies of tiles are in the caches, in tiles: the work of
+/// each tells where it was done.
+TYPED_TEST(LayerSizesOf, MixturesAreSearchedWhereTheyCostLeast) {
+  constexpr int dim = TypeParam::value;
+  const auto run = [&](std::size_t count, double ratio) {
+    return run_rows<dim>(this->log_uniform(count, ratio, 0.3), {0.0, 2, Simd::scalar});
+  };
+  if (dim == 2) {
+    // Few elements are in reach whatever their sizes.
+    EXPECT_TRUE(run(10000, 100.0).in_layers);
+    return;
+  }
+  const LayerRun in_blocks = run(60000, 30.0);
+  EXPECT_TRUE(in_blocks.in_layers);
+  EXPECT_GT(in_blocks.candidate_tests, 60000U * 40);
+  const LayerRun by_size = run(60000, 100.0);
+  EXPECT_TRUE(by_size.in_layers);
+  EXPECT_LT(by_size.candidate_tests, 60000U * 20);
+  EXPECT_FALSE(run(10000, 30.0).in_layers);
+  EXPECT_FALSE(run(10000, 100.0).in_layers);
+}
+
 /// Nearly equal radii go to layers of one reach, in which elements are tested against each other
 /// once, whatever copies cost.
 TYPED_TEST(LayerSizesOf, CopiesOfTilesDoNotWeighAgainstLayers) {

@@ -12,10 +12,8 @@ target_link_options(abut_settings INTERFACE ${ABUT_HARDENING_LINK})
 if(ABUT_SANITIZE)
   add_compile_options(-fsanitize=${ABUT_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer -g1)
-  if(ABUT_SANITIZE MATCHES address)
-    # What these would tell of a pointer, the address sanitizer tells where it is read or written
-    # through. They keep the smallest functions from being inlined, and double the time of kernels.
-    add_compile_options(-fno-sanitize=null,object-size,pointer-overflow)
+  if(ABUT_SANITIZE_WITHOUT)
+    add_compile_options(-fno-sanitize=${ABUT_SANITIZE_WITHOUT})
   endif()
   add_link_options(-fsanitize=${ABUT_SANITIZE})
   # Preconditions of the standard library are checked in the core as well.

@@ -244,7 +244,7 @@ auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace
   return {plan.cut, false, cost_in_tiles(set, plan.cost) / static_cast<double>(set.locals.size())};
 }
 
-/// What tiles cost beside their tests has a say only where they are the other search.
+/// The cost of tiles that make so many candidate tests, with the copies of many elements.
 template <int Dim>
 double SetSearch<Dim>::cost_in_tiles(const SearchSet<Dim>& set, double tests) const {
   const LayerLimits& limits = input_->layer_limits;

@@ -1,12 +1,10 @@
 #include "engine/layers/layer_box_run.hpp"
 
 #include "kernels/strided_boxes.hpp"
-#include "support/rows_variants.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -118,23 +116,12 @@ void expect_right_in_layers(const Boxes<Dim>& boxes, double margin, Way way,
   EXPECT_EQ(first.in_layers, way != Way::tiles);
   EXPECT_EQ(first.are_moved, way == Way::moved);
   EXPECT_TRUE(same_pairs(directly_checked<Dim>(boxes, margin), first.pairs));
-  std::size_t turn = boxes.size();
-  for (const Simd level : simd_levels_here()) {
-    for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
-      SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
-      settings.simd = level;
-      settings.workers = workers;
-      expect_same(first, run_rows<Dim>(boxes, settings));
-      const auto layout = static_cast<BoxLayout>(++turn % 3);
-      SCOPED_TRACE("layout " + std::to_string(turn % 3));
-      const LayerRun in_place = run_in_place<Dim>(boxes, layout, settings);
-      if (in_place.in_layers) {
-        expect_same(first, in_place);
-      } else {
-        EXPECT_TRUE(in_place.pairs.empty());
-      }
-    }
-  }
+  expect_same_everywhere(
+      first, settings, [&](const auto& its) { return run_rows<Dim>(boxes, its); },
+      [&](std::size_t turn, const auto& its) {
+        const auto layout = static_cast<BoxLayout>((boxes.size() + turn) % 3);
+        return run_in_place<Dim>(boxes, layout, its);
+      });
 }
 
 template Spheres<2> stand_ins<2>(const Boxes<2>&);

@@ -247,5 +247,12 @@ TEST(LayerBoxSizes, FewAreInTiles) {
   expect_right_in_layers<3>(boxes, 0.0, Way::tiles, limits);
 }
 
+/// Boxes of a few sizes that crowd stay in layers of one reach: tiles would test more of them.
+TYPED_TEST(LayerBoxSizesOf, CrowdsAreInLayers) {
+  constexpr int dim = TypeParam::value;
+  EXPECT_TRUE(
+      (run_rows<dim>(this->log_uniform(10000, 3.0, 2.0), {0.0, 2, Simd::scalar}).in_layers));
+}
+
 }  // namespace
 }  // namespace abut::testing

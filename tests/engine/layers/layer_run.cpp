@@ -76,6 +76,28 @@ void expect_same(const LayerRun& first, const LayerRun& other) {
   EXPECT_EQ(first.exact_decisions, other.exact_decisions);
 }
 
+void expect_same_everywhere(
+    const LayerRun& first, engine::RowsSettings settings,
+    const std::function<LayerRun(const engine::RowsSettings&)>& run,
+    const std::function<LayerRun(std::size_t, const engine::RowsSettings&)>& in_place) {
+  std::size_t turn = 0;
+  for (const Simd level : simd_levels_here()) {
+    for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
+      SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) +
+                   " workers, turn " + std::to_string(++turn));
+      settings.simd = level;
+      settings.workers = workers;
+      expect_same(first, run(settings));
+      const LayerRun where_they_lie = in_place(turn, settings);
+      if (where_they_lie.in_layers) {
+        expect_same(first, where_they_lie);
+      } else {
+        EXPECT_TRUE(where_they_lie.pairs.empty());
+      }
+    }
+  }
+}
+
 template <int Dim>
 PairVector directly_checked(const Spheres<Dim>& spheres, double margin) {
   const grid::Bounds<Dim> bounds = bounds_of<Dim>(spheres);
@@ -114,23 +136,12 @@ void expect_right_in_layers(const Spheres<Dim>& spheres, double margin, Way way,
   EXPECT_EQ(first.in_layers, way != Way::tiles);
   EXPECT_EQ(first.are_moved, way == Way::moved);
   EXPECT_TRUE(same_pairs(directly_checked<Dim>(spheres, margin), first.pairs));
-  std::size_t turn = spheres.size();
-  for (const Simd level : simd_levels_here()) {
-    for (const std::size_t workers : {1U, 2U, 3U, 7U}) {
-      SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(workers) + " workers");
-      settings.simd = level;
-      settings.workers = workers;
-      expect_same(first, run_rows<Dim>(spheres, settings));
-      const Layout layout = all_layouts[++turn % all_layouts.size()];
-      SCOPED_TRACE(layout);
-      const LayerRun in_place = run_in_place<Dim>(spheres, layout, settings);
-      if (in_place.in_layers) {
-        expect_same(first, in_place);
-      } else {
-        EXPECT_TRUE(in_place.pairs.empty());
-      }
-    }
-  }
+  expect_same_everywhere(
+      first, settings, [&](const auto& its) { return run_rows<Dim>(spheres, its); },
+      [&](std::size_t turn, const auto& its) {
+        const Layout layout = all_layouts[(spheres.size() + turn) % all_layouts.size()];
+        return run_in_place<Dim>(spheres, layout, its);
+      });
 }
 
 template LayerRun layer_run<2>(const KeptPairs&, bool, const engine::Workspace<2>&,

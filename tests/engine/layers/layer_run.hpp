@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -129,6 +130,13 @@ LayerRun run_in_place(const Spheres<Dim>& spheres, Layout layout,
                       const engine::RowsSettings& settings);
 
 void expect_same(const LayerRun& first, const LayerRun& other);
+
+/// Expects what came of the first run from every level and number of workers, and in layers from
+/// elements where they lie, in a layout that each turn chooses.
+void expect_same_everywhere(
+    const LayerRun& first, engine::RowsSettings settings,
+    const std::function<LayerRun(const engine::RowsSettings&)>& run,
+    const std::function<LayerRun(std::size_t, const engine::RowsSettings&)>& in_place);
 
 /// The contact pairs in canonical order: spheres that overlap along the longest axis, decided
 /// exactly on their numbers, as direct_check decides all.

@@ -278,7 +278,7 @@ TYPED_TEST(LayerSizesOf, MixturesAreSearchedWhereTheyCostLeast) {
   };
   if (dim == 2) {
     // Few elements are in reach whatever their sizes.
-    EXPECT_TRUE(run(10000, 100.0).in_layers);
+    EXPECT_TRUE(run(40000, 100.0).in_layers);
     return;
   }
   const LayerRun in_blocks = run(60000, 30.0);

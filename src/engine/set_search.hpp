@@ -83,6 +83,9 @@ class SetSearch {
     return {nullptr, workspace_.levels, workspace_.histogram, 0};
   }
   [[nodiscard]] std::optional<LayerGrid<Dim>> layers_for(const SearchSet<Dim>& set);
+  [[nodiscard]] std::optional<LayerGrid<Dim>> layers_of_part(const SearchSet<Dim>& part,
+                                                             const SearchInput<Dim>& input);
+  void sample_from(const SearchSet<Dim>& set, const SearchInput<Dim>& input);
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set, const SizeChoice& choice);
   [[nodiscard]] bool take_whole(const SearchSet<Dim>& set, const SizeChoice& choice);
   [[nodiscard]] bool take_levels(const SearchSet<Dim>& set);

@@ -63,6 +63,22 @@ std::optional<LayerGrid<Dim>> SetSearch<Dim>::layers_for(const SearchSet<Dim>& s
   return choose_layers(set, *input_, cell_size_for(set.bounds, *input_), workspace_.occupancy);
 }
 
+/// The layers that suit some elements of a set, those that its input has stand in layers.
+template <int Dim>
+std::optional<LayerGrid<Dim>> SetSearch<Dim>::layers_of_part(const SearchSet<Dim>& part,
+                                                             const SearchInput<Dim>& input) {
+  sample_from(part, input);
+  const auto layers =
+      choose_layers(part, input, cell_size_for(part.bounds, input), workspace_.occupancy);
+  sample_from(part, *input_);
+  return layers;
+}
+
+template <int Dim>
+void SetSearch<Dim>::sample_from(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
+  workspace_.occupancy.take_from(input.spheres.first(set.locals.size()), worker_count_);
+}
+
 /// Searches the set in layers if these suit it, unless a look at the sizes has led to other layers,
 /// to a cut, or to tiles that cost less.
 template <int Dim>
@@ -107,8 +123,7 @@ auto SetSearch<Dim>::layers_of_levels(const SearchSet<Dim>& set)
     if (workspace_.size_levels.members(level).empty()) continue;
     const SearchInput<Dim> input = input_of_level(set, level);
     its.bounds = workspace_.size_levels.bounds(level);
-    const auto layers =
-        choose_layers(its, input, cell_size_for(its.bounds, input), workspace_.occupancy);
+    const auto layers = layers_of_part(its, input);
     if (!layers ||
         !hold_squares_of_visitors(*layers, workspace_.size_levels.largest_visitor(level))) {
       return std::nullopt;
@@ -130,11 +145,12 @@ bool SetSearch<Dim>::take_levels(const SearchSet<Dim>& set) {
     return false;
   }
   const double slack = position_slack * least_cell_for(set.bounds, *input_);
-  sizes.sort(all, set.bounds, input_->margin, slack, work_at(place_of_all()));
+  sizes.sort(all, set.bounds, input_->margin, slack, worker_count_, work_at(place_of_all()));
   const auto levels = layers_of_levels(set);
   if (!levels) return false;
   for (const LevelInLayers& level : *levels) {
-    workspace_.coarse.take(all, sizes.visitors(level.number));
+    workspace_.coarse.take(all, sizes.visitors(level.number), worker_count_,
+                           work_at(place_of_all()));
     const SearchInput<Dim> input = input_of_level(set, level.number);
     LayerSearch<Dim> search(input, workspace_, worker_count_, context_);
     next_unit_ = search.search(set, level.layers, next_unit_, CoarsePairs::left_out);
@@ -180,8 +196,7 @@ bool SetSearch<Dim>::take_without_coarse(const SearchSet<Dim>& set, double cut) 
   others.bounds = coarse.bounds_of_others();
   SearchInput<Dim> input = *input_;
   input.spheres = input.spheres.with_coarse(coarse.numbers());
-  const auto layers =
-      choose_layers(others, input, cell_size_for(others.bounds, input), workspace_.occupancy);
+  const auto layers = layers_of_part(others, input);
   if (!layers || !hold_squares_of(*layers, coarse.elements())) return false;
   workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
   workspace_.beside_layers = coarse.numbers().size();
@@ -230,6 +245,7 @@ void SetSearch<Dim>::share_radii(std::size_t elements, const SearchPlace& at) {
 template <int Dim>
 auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace& at)
     -> SizeChoice {
+  if (at.worker == nullptr) sample_from(set, *input_);
   const double alike = input_->layer_limits.radii_alike * set.bounds.smallest_radius;
   if (set.bounds.largest_radius <= alike) return {};
   count_radii_of(set, at);

@@ -42,7 +42,7 @@ struct Workspace {
   FarSpheres<Dim> far_spheres;
   CoarseElements<Dim> coarse;
   SizeLevels<Dim> size_levels;
-  OccupancySample occupancy;
+  OccupancySample<Dim> occupancy;
   Clusters<Dim> clusters;
   std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
   RadiusHistogram histogram;

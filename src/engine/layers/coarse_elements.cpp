@@ -7,6 +7,12 @@
 #include <algorithm>
 
 namespace abut::engine {
+namespace {
+
+/// Elements that take as long to copy as a thread takes to wake.
+constexpr std::size_t worth_a_worker = 512;
+
+}  // namespace
 
 template <int Dim>
 CoarseElements<Dim>::CoarseElements(base::MemoryMeter& memory)
@@ -19,9 +25,7 @@ template <int Dim>
 void CoarseElements<Dim>::take(const LayerSpheres<Dim>& all, double cut,
                                const kernels::ElementKernels& kernels, std::size_t workers,
                                base::WorkCounter& work) {
-  while (shares_.size() < workers) {
-    shares_.push_back({base::make_array_for_overwrite<std::uint32_t>(memory_, 0), {}});
-  }
+  make_shares(workers);
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     CoarseShare& share = shares_[worker];
     share.numbers.clear();
@@ -36,6 +40,14 @@ void CoarseElements<Dim>::take(const LayerSpheres<Dim>& all, double cut,
     });
   });
   join_shares(all, workers);
+  copy(all, workers, work);
+}
+
+template <int Dim>
+void CoarseElements<Dim>::make_shares(std::size_t workers) {
+  while (shares_.size() < workers) {
+    shares_.push_back({base::make_array_for_overwrite<std::uint32_t>(memory_, 0), {}});
+  }
 }
 
 template <int Dim>
@@ -79,28 +91,50 @@ void CoarseElements<Dim>::join_shares(const LayerSpheres<Dim>& all, std::size_t 
     others_.include(share.others);
   }
   if (all.stand_for_boxes()) others_.count_largest_twice();
-  copy(all);
 }
 
 template <int Dim>
-void CoarseElements<Dim>::take(const LayerSpheres<Dim>& all,
-                               std::span<const std::uint32_t> numbers) {
+void CoarseElements<Dim>::take(const LayerSpheres<Dim>& all, std::span<const std::uint32_t> numbers,
+                               std::size_t workers, base::WorkCounter& work) {
   numbers_.clear();
   numbers_.insert(numbers_.end(), numbers.begin(), numbers.end());
-  copy(all);
+  make_shares(workers);
+  copy(all, workers, work);
 }
 
 /// Copies those whose numbers are there.
 template <int Dim>
-void CoarseElements<Dim>::copy(const LayerSpheres<Dim>& all) {
+void CoarseElements<Dim>::copy(const LayerSpheres<Dim>& all, std::size_t workers,
+                               base::WorkCounter& work) {
+  const std::size_t count = numbers_.size();
   spheres_.clear();
+  spheres_.resize(count);
   boxes_.clear();
+  if (all.stand_for_boxes()) boxes_.resize(count);
+  const std::size_t sharing = std::clamp(count / worth_a_worker, std::size_t{1}, workers);
+  base::for_each_share(sharing, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    double& largest = shares_[worker].largest_radius;
+    largest = 0.0;
+    const auto [first, last] = base::share_of(worker, sharing, count);
+    its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      copy_some(all, begin, end, largest);
+    });
+  });
   largest_radius_ = 0.0;
-  for (const std::uint32_t number : numbers_) {
-    spheres_.push_back(all[number]);
-    spheres_.back().radius = all.radius(number);
-    largest_radius_ = std::max(largest_radius_, spheres_.back().radius);
-    if (all.stand_for_boxes()) boxes_.push_back(kernels::box_at<Dim>(all.boxes(), number));
+  for (const CoarseShare& share : std::span(shares_).first(sharing)) {
+    largest_radius_ = std::max(largest_radius_, share.largest_radius);
+  }
+}
+
+template <int Dim>
+void CoarseElements<Dim>::copy_some(const LayerSpheres<Dim>& all, std::size_t begin,
+                                    std::size_t end, double& largest_radius) {
+  for (std::size_t k = begin; k < end; ++k) {
+    const std::uint32_t number = numbers_[k];
+    spheres_[k] = all[number];
+    spheres_[k].radius = all.radius(number);
+    largest_radius = std::max(largest_radius, spheres_[k].radius);
+    if (all.stand_for_boxes()) boxes_[k] = kernels::box_at<Dim>(all.boxes(), number);
   }
 }
 

@@ -27,7 +27,8 @@ class CoarseElements {
             std::size_t workers, base::WorkCounter& work);
 
   /// Takes those with these numbers.
-  void take(const LayerSpheres<Dim>& all, std::span<const std::uint32_t> numbers);
+  void take(const LayerSpheres<Dim>& all, std::span<const std::uint32_t> numbers,
+            std::size_t workers, base::WorkCounter& work);
 
   /// Their numbers, ascending unless they were given.
   [[nodiscard]] std::span<const std::uint32_t> numbers() const noexcept {
@@ -57,6 +58,7 @@ class CoarseElements {
   struct CoarseShare {
     base::Array<std::uint32_t> numbers;
     grid::Bounds<Dim> others;
+    double largest_radius = 0.0;
   };
 
   /// Some elements one after the other.
@@ -76,7 +78,10 @@ class CoarseElements {
   static void include(const LayerSpheres<Dim>& all, const kernels::ElementKernels& kernels,
                       const Block& block, grid::Bounds<Dim>& bounds);
   void join_shares(const LayerSpheres<Dim>& all, std::size_t workers);
-  void copy(const LayerSpheres<Dim>& all);
+  void copy_some(const LayerSpheres<Dim>& all, std::size_t begin, std::size_t end,
+                 double& largest_radius);
+  void make_shares(std::size_t workers);
+  void copy(const LayerSpheres<Dim>& all, std::size_t workers, base::WorkCounter& work);
 
   base::MemoryMeter& memory_;
   std::vector<CoarseShare> shares_;

@@ -1,5 +1,6 @@
 #include "engine/layers/far_spheres.hpp"
 
+#include "base/asking_workers.hpp"
 #include "engine/layers/large_elements.hpp"
 
 #include <algorithm>
@@ -7,9 +8,16 @@
 #include <cstdint>
 
 namespace abut::engine {
+namespace {
+
+/// Far elements that take as long to sort as threads take to wake.
+constexpr std::size_t least_shared = 1024;
+
+}  // namespace
 
 template <int Dim>
 void FarSpheres<Dim>::start(std::size_t workers) {
+  workers_ = workers;
   while (noted_.size() < workers) noted_.push_back(empty(memory_));
   for (List& list : noted_) list.clear();
 }
@@ -47,39 +55,65 @@ void FarSpheres<Dim>::note_far(std::span<const std::uint32_t> numbers,
 }
 
 template <int Dim>
-void FarSpheres<Dim>::note_coarse(const kernels::FarSphere& coarse) {
-  if (coarse.first_layer <= coarse.last_layer) noted_[0].push_back(coarse);
+void FarSpheres<Dim>::note_coarse(const kernels::FarSphere& coarse, std::size_t worker) {
+  if (coarse.first_layer <= coarse.last_layer) noted_[worker].push_back(coarse);
+}
+
+/// The workers that sort: all of them, where what was noted takes longer, and more memory, than
+/// their counts.
+template <int Dim>
+std::size_t FarSpheres<Dim>::sorters_for(std::size_t layers) const {
+  std::size_t noted = 0;
+  for (const List& list : noted_) noted += list.size();
+  return noted >= std::max(least_shared, layers * workers_) ? workers_ : 1;
+}
+
+/// Calls body(far, sorter) for all that were noted, in this order for each sorter.
+template <int Dim>
+template <class Body>
+void FarSpheres<Dim>::for_each_noted(std::size_t sorters, base::WorkCounter& work,
+                                     const Body& body) const {
+  const auto visit = [&](const List& list, std::size_t sorter, base::WorkCounter& its_work) {
+    its_work.in_pieces(0, list.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) body(list[k], sorter);
+    });
+  };
+  if (sorters == 1) {
+    for (const List& list : noted_) visit(list, 0, work);
+    return;
+  }
+  base::for_each_share(sorters, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    visit(noted_[worker], worker, its_work);
+  });
 }
 
 template <int Dim>
-void FarSpheres<Dim>::sort(const LayerGrid<Dim>& grid) {
-  cursors_.start(grid.layer_count(), 1);
-  std::uint64_t* const cursors = cursors_.of(0);
-  for (const List& list : noted_) {
-    for (const kernels::FarSphere& far : list) ++cursors[far.first_layer];
-  }
+void FarSpheres<Dim>::sort(const LayerGrid<Dim>& grid, base::WorkCounter& work) {
+  const std::size_t layers = grid.layer_count();
+  const std::size_t sorters = sorters_for(layers);
+  cursors_.start(layers, sorters);
+  leaving_.start(layers, sorters);
+  for_each_noted(sorters, work, [&](const kernels::FarSphere& far, std::size_t sorter) {
+    ++cursors_.of(sorter)[far.first_layer];
+    ++leaving_.of(sorter)[far.last_layer];
+  });
   cursors_.lay_out();
+  leaving_.lay_out();
   base::make_room(elements_, cursors_.total());
-  for (const List& list : noted_) {
-    for (const kernels::FarSphere& far : list) {
-      elements_[cursors[far.first_layer]++] = far;
-    }
-  }
-  count_in_reach(grid.layer_count());
+  for_each_noted(sorters, work, [&](const kernels::FarSphere& far, std::size_t sorter) {
+    elements_[cursors_.of(sorter)[far.first_layer]++] = far;
+  });
+  count_in_reach(layers);
 }
 
 template <int Dim>
 void FarSpheres<Dim>::count_in_reach(std::size_t layers) {
-  leaving_.assign(layers, 0);
-  for (const kernels::FarSphere& far : std::span(elements_).first(cursors_.total())) {
-    ++leaving_[far.last_layer];
-  }
   most_in_reach_ = 0;
   std::size_t in_reach = 0;
   for (std::size_t k = 0; k < layers; ++k) {
     in_reach += cursors_.size(k);
     most_in_reach_ = std::max(most_in_reach_, in_reach);
-    in_reach -= leaving_[k];
+    in_reach -= leaving_.size(k);
   }
 }
 

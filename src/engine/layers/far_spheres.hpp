@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/progress_reporter.hpp"
 #include "engine/layers/layer_cursors.hpp"
 #include "engine/layers/layer_grid.hpp"
 #include "engine/layers/layer_spheres.hpp"
@@ -19,23 +20,23 @@ template <int Dim>
 class FarSpheres {
  public:
   explicit FarSpheres(base::MemoryMeter& memory)
-      : memory_(memory),
-        elements_(empty(memory)),
-        cursors_(memory),
-        leaving_(base::make_array_for_overwrite<std::size_t>(memory, 0)) {}
+      : memory_(memory), elements_(empty(memory)), cursors_(memory), leaving_(memory) {}
 
-  /// Before any is noted.
+  /// Before any is noted, by so many workers.
   void start(std::size_t workers);
 
   /// Notes the far elements among some of a worker's share, share by share in ascending order.
   void note(const LayerSpheres<Dim>& spheres, const LayerGrid<Dim>& grid, std::size_t begin,
             std::size_t end, std::size_t worker);
 
-  /// Notes a coarse element, unless it looks in no layer.
-  void note_coarse(const kernels::FarSphere& coarse);
+  /// Makes room for a worker's share of coarse elements.
+  void expect_coarse(std::size_t count, std::size_t worker) { noted_[worker].reserve(count); }
 
-  /// Sorts those noted by all workers.
-  void sort(const LayerGrid<Dim>& grid);
+  /// Notes a coarse element of a worker's share, unless it looks in no layer.
+  void note_coarse(const kernels::FarSphere& coarse, std::size_t worker);
+
+  /// Sorts those noted by all workers, with all of them where they are many.
+  void sort(const LayerGrid<Dim>& grid, base::WorkCounter& work);
 
   /// The most that look in one layer.
   [[nodiscard]] std::size_t most_in_reach() const noexcept { return most_in_reach_; }
@@ -54,6 +55,9 @@ class FarSpheres {
 
   static void note_far(std::span<const std::uint32_t> numbers, const LayerSpheres<Dim>& spheres,
                        const LayerGrid<Dim>& grid, List& list);
+  template <class Body>
+  void for_each_noted(std::size_t sorters, base::WorkCounter& work, const Body& body) const;
+  [[nodiscard]] std::size_t sorters_for(std::size_t layers) const;
   void count_in_reach(std::size_t layers);
 
   [[nodiscard]] static List empty(base::MemoryMeter& memory) {
@@ -62,9 +66,10 @@ class FarSpheres {
 
   base::MemoryMeter& memory_;
   std::vector<List> noted_;  ///< by each worker
+  std::size_t workers_ = 0;
   List elements_;
   LayerCursors cursors_;
-  base::Array<std::size_t> leaving_;  ///< of each layer, those that look in none behind it
+  LayerCursors leaving_;  ///< counts, by the last layer in which they look
   std::size_t most_in_reach_ = 0;
 };
 

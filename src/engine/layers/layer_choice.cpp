@@ -87,11 +87,10 @@ bool may_be_narrow(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
 /// Tells whether cells that were widened may be long instead: the wider they are, the more elements
 /// share them. A coarse element looks in cubes.
 template <int Dim>
-bool may_be_long(const LayerGrid<Dim>& grid, double occupancy, const SearchSet<Dim>& set,
-                 const SearchInput<Dim>& input, OccupancySample& sample) {
+bool may_be_long(const LayerGrid<Dim>& grid, double occupancy, const SearchInput<Dim>& input,
+                 OccupancySample<Dim>& sample) {
   if (!grid.has_wide_cells() || !input.spheres.coarse().empty()) return false;
-  const double wider = sample.mean_occupancy(
-      CellsTwiceAsWide<Dim>{grid}, input.spheres.first(set.locals.size()), SampleSize::small);
+  const double wider = sample.mean_occupancy(CellsTwiceAsWide<Dim>{grid}, SampleSize::small);
   return wider - 1.0 >= input.layer_limits.least_growth_of_long * (occupancy - 1.0);
 }
 
@@ -165,14 +164,13 @@ double elements_joined(const LayerGrid<Dim>& grid, double occupancy) {
 template <int Dim>
 std::optional<LayerGrid<Dim>> longer(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
                                      const SearchInput<Dim>& input, double least_cell,
-                                     OccupancySample& sample) {
+                                     OccupancySample<Dim>& sample) {
   const LayerLimits& limits = input.layer_limits;
-  const LayerSpheres<Dim> spheres = input.spheres.first(set.locals.size());
-  const auto rods = choose_long_cells(set.bounds, input.margin, least_cell, spheres, sample);
+  const auto rods = choose_long_cells(set.bounds, input.margin, least_cell, sample);
   if (!rods) return std::nullopt;
-  const double joined = joined_in_runs(*rods, spheres, SampleSize::full, sample);
+  const double joined = joined_in_runs(*rods, SampleSize::full, sample);
   if (joined > most_joined(*rods, input)) return std::nullopt;
-  const double joined_before = joined_in_runs(grid, spheres, SampleSize::full, sample);
+  const double joined_before = joined_in_runs(grid, SampleSize::full, sample);
   if (limits.least_gain_of_long * joined > joined_before) return std::nullopt;
   return for_elements(rods, input);
 }
@@ -182,7 +180,7 @@ std::optional<LayerGrid<Dim>> longer(const LayerGrid<Dim>& grid, const SearchSet
 template <int Dim>
 std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occupancy,
                                         const SearchSet<Dim>& set, const SearchInput<Dim>& input,
-                                        double least_cell, OccupancySample& sample) {
+                                        double least_cell, OccupancySample<Dim>& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
   const auto suits = [&](const LayerGrid<Dim>& cells, double its_occupancy) {
@@ -195,12 +193,11 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
     const auto narrow =
         for_elements(LayerGrid<Dim>::narrow(set.bounds, input.margin, least_cell, elements), input);
     if (narrow && has_full_layers(*narrow, limits, elements)) {
-      const double its =
-          sample.mean_occupancy(*narrow, input.spheres.first(set.locals.size()), SampleSize::full);
+      const double its = sample.mean_occupancy(*narrow, SampleSize::full);
       if (limits.least_gain_of_narrow * its <= occupancy && suits(*narrow, its)) best = narrow;
     }
   }
-  if (may_be_long(grid, occupancy, set, input, sample)) {
+  if (may_be_long(grid, occupancy, input, sample)) {
     const auto rods = longer(best ? *best : grid, set, input, least_cell, sample);
     if (rods) best = rods;
   }
@@ -218,7 +215,7 @@ bool may_be_in_layers(std::size_t elements, const LayerLimits& limits) noexcept 
 template <int Dim>
 std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
                                             const SearchInput<Dim>& input, double least_cell,
-                                            OccupancySample& sample) {
+                                            OccupancySample<Dim>& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = elements_in_layers(set, input);
   if (!may_have_places(set) || !may_be_in_layers(elements, limits)) return std::nullopt;
@@ -234,8 +231,7 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
       elements >= limits.least_elements_of_clusters && grid->has_wide_cells();
   if (!are_enough && !may_be_clusters) return std::nullopt;
   const auto size = are_enough ? SampleSize::full : SampleSize::small;
-  const double occupancy =
-      sample.mean_occupancy(*grid, input.spheres.first(set.locals.size()), size);
+  const double occupancy = sample.mean_occupancy(*grid, size);
   if (!are_enough && occupancy < limits.least_occupancy_of_clusters) return std::nullopt;
   return uncrowded(*grid, occupancy, set, input, least_cell, sample);
 }
@@ -267,7 +263,7 @@ bool may_be_in_levels(const SearchSet<Dim>& set, const SearchInput<Dim>& input) 
 
 template <int Dim>
 bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double reach,
-                       OccupancySample& sample) {
+                       OccupancySample<Dim>& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
   if (input.spheres.are_moved() || !may_have_places(set) ||
@@ -276,8 +272,8 @@ bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
   }
   // Those that differ much in size are not searched in such cells.
   if (set.bounds.largest_radius > 2.0 * set.bounds.smallest_radius) return true;
-  const double occupancy = sample.mean_occupancy(
-      ReachCells<Dim>(set.bounds, reach), input.spheres.first(set.locals.size()), SampleSize::full);
+  const double occupancy =
+      sample.mean_occupancy(ReachCells<Dim>(set.bounds, reach), SampleSize::full);
   return (occupancy - 1.0) * cells_joined_at_reach <= limits.most_joined;
 }
 
@@ -299,7 +295,7 @@ template <int Dim>
 std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
                                                     const SearchInput<Dim>& input,
                                                     const SizeEstimate& estimate,
-                                                    OccupancySample& sample) {
+                                                    OccupancySample<Dim>& sample) {
   const LayerLimits& limits = input.layer_limits;
   const std::size_t elements = set.locals.size();
   const std::size_t least =
@@ -317,8 +313,7 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
   const auto grid =
       for_elements(LayerGrid<Dim>::of_cells(set.bounds, input.margin, cell, elements), input);
   if (!grid || !has_full_layers(*grid, limits, elements)) return std::nullopt;
-  const double occupancy =
-      sample.mean_occupancy(*grid, input.spheres.first(set.locals.size()), SampleSize::full);
+  const double occupancy = sample.mean_occupancy(*grid, SampleSize::full);
   if (occupancy - 1.0 > limits.most_crowded_by_size) return std::nullopt;
   return grid;
 }
@@ -328,21 +323,23 @@ template bool may_be_in_levels(const SearchSet<3>&, const SearchInput<3>&);
 template bool may_leave_out_coarse(const SearchSet<2>&, const SearchInput<2>&);
 template bool may_leave_out_coarse(const SearchSet<3>&, const SearchInput<3>&);
 template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const SearchInput<2>&,
-                                                   double, OccupancySample&);
+                                                   double, OccupancySample<2>&);
 template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const SearchInput<3>&,
-                                                   double, OccupancySample&);
+                                                   double, OccupancySample<3>&);
 template double cost_of_element(const LayerGrid<2>&, const SearchSet<2>&, const SearchInput<2>&);
 template double cost_of_element(const LayerGrid<3>&, const SearchSet<3>&, const SearchInput<3>&);
 template bool may_have_clusters(const SearchSet<2>&, const SearchInput<2>&, double,
-                                OccupancySample&);
+                                OccupancySample<2>&);
 template bool may_have_clusters(const SearchSet<3>&, const SearchInput<3>&, double,
-                                OccupancySample&);
+                                OccupancySample<3>&);
 template std::optional<LayerGrid<2>> choose_layers_by_size(const SearchSet<2>&,
                                                            const SearchInput<2>&,
-                                                           const SizeEstimate&, OccupancySample&);
+                                                           const SizeEstimate&,
+                                                           OccupancySample<2>&);
 template std::optional<LayerGrid<3>> choose_layers_by_size(const SearchSet<3>&,
                                                            const SearchInput<3>&,
-                                                           const SizeEstimate&, OccupancySample&);
+                                                           const SizeEstimate&,
+                                                           OccupancySample<3>&);
 template std::optional<LayerGrid<2>> layers_in_steps(const SearchSet<2>&, const SearchInput<2>&,
                                                      const LayerGrid<2>&, std::size_t,
                                                      base::WorkCounter&);

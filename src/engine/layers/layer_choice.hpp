@@ -21,7 +21,7 @@ template <int Dim>
 [[nodiscard]] std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
                                                           const SearchInput<Dim>& input,
                                                           double least_cell,
-                                                          OccupancySample& sample);
+                                                          OccupancySample<Dim>& sample);
 
 /// Returns what these layers cost an element of a set whose sizes differ, in candidate tests of
 /// tiles, if all are spread equally. That is nothing where runs are short, as they are in 2D, and
@@ -44,7 +44,7 @@ template <int Dim>
 /// nearly all of its box is empty, and where it is not, elements do not crowd.
 template <int Dim>
 [[nodiscard]] bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
-                                     double reach, OccupancySample& sample);
+                                     double reach, OccupancySample<Dim>& sample);
 
 /// Returns the grid of such layers in which all distances are exact, if the elements as given have
 /// coordinates that allow it: no pair will be left undecided.
@@ -69,6 +69,6 @@ template <int Dim>
 [[nodiscard]] std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
                                                                   const SearchInput<Dim>& input,
                                                                   const SizeEstimate& estimate,
-                                                                  OccupancySample& sample);
+                                                                  OccupancySample<Dim>& sample);
 
 }  // namespace abut::engine

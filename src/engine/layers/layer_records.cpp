@@ -46,7 +46,7 @@ void LayerRecords<Dim>::sort(const LayerSpheres<Dim>& spheres, const LayerGrid<D
       if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });
   });
-  if (grid.is_by_size()) far.sort(grid);
+  if (grid.is_by_size()) far.sort(grid, work);
 }
 
 template <int Dim>

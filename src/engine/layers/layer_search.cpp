@@ -23,6 +23,9 @@ constexpr std::size_t integers_of_thread = 131072;
 /// Spheres that are sorted along take no more than one of so many parts of what memory is left.
 constexpr std::uint64_t parts_of_memory = 8;
 
+/// Coarse elements whose layers take as long to find as a thread takes to wake.
+constexpr std::size_t coarse_worth_a_worker = 256;
+
 /// Tells whether most spheres lie in the layer of the next one: of some spread over all. A single
 /// sphere does.
 template <int Dim>
@@ -144,13 +147,23 @@ std::size_t LayerSearch<Dim>::workers_for(const LayerGrid<Dim>& grid, std::size_
 /// Sorts the coarse elements by the layers in which they look.
 template <int Dim>
 void LayerSearch<Dim>::sort_coarse(const LayerGrid<Dim>& grid) {
+  base::WorkCounter& work = workspace_.workers[0]->work();
   const CoarseElements<Dim>& coarse = workspace_.coarse;
-  workspace_.far_spheres.start(1);
-  for (std::size_t k = 0; k < coarse.numbers().size(); ++k) {
-    const auto element = coarse_in_layers(grid, coarse.elements(), k, coarse.numbers()[k]);
-    if (element) workspace_.far_spheres.note_coarse(*element);
-  }
-  workspace_.far_spheres.sort(grid);
+  const std::size_t count = coarse.numbers().size();
+  const std::size_t workers =
+      std::clamp(count / coarse_worth_a_worker, std::size_t{1}, worker_count_);
+  workspace_.far_spheres.start(workers);
+  base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    const auto [first, last] = base::share_of(worker, workers, count);
+    workspace_.far_spheres.expect_coarse(last - first, worker);
+    its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto element = coarse_in_layers(grid, coarse.elements(), k, coarse.numbers()[k]);
+        if (element) workspace_.far_spheres.note_coarse(*element, worker);
+      }
+    });
+  });
+  workspace_.far_spheres.sort(grid, work);
 }
 
 /// Finds the pairs of two coarse elements, which are a unit of their own. Returns the next one.

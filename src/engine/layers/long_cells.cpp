@@ -5,22 +5,20 @@
 namespace abut::engine {
 
 template <int Dim>
-double joined_in_runs(const LayerGrid<Dim>& grid, const LayerSpheres<Dim>& spheres, SampleSize size,
-                      OccupancySample& sample) {
-  return 2.0 * (sample.mean_occupancy(PiecesOfRows<Dim>{grid}, spheres, size) - 1.0);
+double joined_in_runs(const LayerGrid<Dim>& grid, SampleSize size, OccupancySample<Dim>& sample) {
+  return 2.0 * (sample.mean_occupancy(PiecesOfRows<Dim>{grid}, size) - 1.0);
 }
 
 template <int Dim>
 std::optional<LayerGrid<Dim>> choose_long_cells(const grid::Bounds<Dim>& bounds, double margin,
-                                                double least_cell, const LayerSpheres<Dim>& spheres,
-                                                OccupancySample& sample) {
+                                                double least_cell, OccupancySample<Dim>& sample) {
   std::optional<LayerGrid<Dim>> best;
   double least = 0.0;
   const auto attempt = [&](const LongCells& shape) {
     const auto grid =
-        LayerGrid<Dim>::of_long_cells(bounds, margin, least_cell, spheres.count_in_layers(), shape);
+        LayerGrid<Dim>::of_long_cells(bounds, margin, least_cell, sample.elements(), shape);
     if (!grid) return;
-    const double joined = joined_in_runs(*grid, spheres, SampleSize::small, sample);
+    const double joined = joined_in_runs(*grid, SampleSize::small, sample);
     if (best && joined >= least) return;
     best = grid;
     least = joined;
@@ -32,13 +30,11 @@ std::optional<LayerGrid<Dim>> choose_long_cells(const grid::Bounds<Dim>& bounds,
   return best;
 }
 
-template double joined_in_runs(const LayerGrid<2>&, const LayerSpheres<2>&, SampleSize,
-                               OccupancySample&);
-template double joined_in_runs(const LayerGrid<3>&, const LayerSpheres<3>&, SampleSize,
-                               OccupancySample&);
+template double joined_in_runs(const LayerGrid<2>&, SampleSize, OccupancySample<2>&);
+template double joined_in_runs(const LayerGrid<3>&, SampleSize, OccupancySample<3>&);
 template std::optional<LayerGrid<2>> choose_long_cells(const grid::Bounds<2>&, double, double,
-                                                       const LayerSpheres<2>&, OccupancySample&);
+                                                       OccupancySample<2>&);
 template std::optional<LayerGrid<3>> choose_long_cells(const grid::Bounds<3>&, double, double,
-                                                       const LayerSpheres<3>&, OccupancySample&);
+                                                       OccupancySample<3>&);
 
 }  // namespace abut::engine

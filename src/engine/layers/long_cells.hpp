@@ -15,12 +15,11 @@ namespace abut::engine {
 template <int Dim>
 [[nodiscard]] std::optional<LayerGrid<Dim>> choose_long_cells(const grid::Bounds<Dim>& bounds,
                                                               double margin, double least_cell,
-                                                              const LayerSpheres<Dim>& spheres,
-                                                              OccupancySample& sample);
+                                                              OccupancySample<Dim>& sample);
 
 /// Estimates how many elements two runs of another one have, whatever the shape of cells.
 template <int Dim>
-[[nodiscard]] double joined_in_runs(const LayerGrid<Dim>& grid, const LayerSpheres<Dim>& spheres,
-                                    SampleSize size, OccupancySample& sample);
+[[nodiscard]] double joined_in_runs(const LayerGrid<Dim>& grid, SampleSize size,
+                                    OccupancySample<Dim>& sample);
 
 }  // namespace abut::engine

@@ -1,9 +1,9 @@
 #include "engine/layers/occupancy_sample.hpp"
 
+#include "base/workers.hpp"
 #include "engine/layers/layer_grid.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -16,9 +16,16 @@ double draws_for_root(SampleSize size) {
   return size == SampleSize::full ? 8.0 : 2.0;
 }
 
-/// Those that are drawn lie anywhere in memory: where they lie in no near cache, they are fetched.
+std::size_t draws_of(std::size_t elements, SampleSize size) {
+  return static_cast<std::size_t>(draws_for_root(size) * std::sqrt(static_cast<double>(elements)));
+}
+
+/// Where elements lie in no near cache, they are fetched.
 constexpr std::size_t fetched_ahead = 16;
 constexpr std::size_t most_in_near_cache = 4096;
+
+/// Draws that take as long as a thread takes to wake.
+constexpr std::size_t draws_worth_a_worker = 512;
 
 /// An element is drawn by the upper bits of a scattered number: a remainder would take longer than
 /// the rest of a draw. So all systems have much the same draws, which had better be good ones. Of
@@ -35,64 +42,80 @@ std::uint64_t scattered(std::uint64_t k) {
 
 }  // namespace
 
-OccupancySample::OccupancySample(base::MemoryMeter& memory)
-    : drawn_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
-      cells_(base::make_array_for_overwrite<std::uint64_t>(memory, 0)),
-      counts_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
+template <int Dim>
+OccupancySample<Dim>::OccupancySample(base::MemoryMeter& memory)
+    : drawn_(base::make_array_for_overwrite<std::array<double, Dim>>(memory, 0)),
+      slots_(base::make_array_for_overwrite<CellSlot>(memory, 0)) {}
 
-template <int Dim, class Cells>
-double OccupancySample::mean_occupancy(const Cells& cells, const LayerSpheres<Dim>& spheres,
-                                       SampleSize size) {
-  const auto count = static_cast<double>(spheres.count_in_layers());
-  const auto draws = static_cast<std::size_t>(draws_for_root(size) * std::sqrt(count));
-  base::make_room(drawn_, draws);
+template <int Dim>
+void OccupancySample<Dim>::take_from(const LayerSpheres<Dim>& spheres, std::size_t workers) {
+  spheres_ = spheres;
+  workers_ = workers;
+  draws_ = 0;
+}
+
+/// Sees to it that so many are drawn.
+template <int Dim>
+void OccupancySample<Dim>::draw(std::size_t draws) {
+  if (draws <= draws_) return;
+  const LayerSpheres<Dim>& spheres = *spheres_;
+  if (drawn_.size() < draws) drawn_.resize(draws);
   const auto number = [&](std::size_t k) {
     return spheres.in_layers((scattered(first_draw + k) >> 32) * spheres.size() >> 32);
   };
   const bool are_near = spheres.size() <= most_in_near_cache;
+  const std::size_t more = draws - draws_;
+  const std::size_t workers = std::clamp(more / draws_worth_a_worker, std::size_t{1}, workers_);
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [begin, end] = base::share_of(worker, workers, more);
+    for (std::size_t k = draws_ + begin; k < draws_ + end; ++k) {
+      if (!are_near) spheres.fetch(number(k + fetched_ahead));
+      std::copy_n(spheres[number(k)].center, Dim, drawn_[k].begin());
+    }
+  });
+  draws_ = draws;
+}
+
+/// Each element drawn is looked up by its cell in a hash table, of which four slots in seven are
+/// taken at most; even if all cells met in one slot, that would take no more than draws^2 / 2
+/// steps, 32 for each element of the system. The upper half of a scattered cell tells its first
+/// slot; two cells of one slot that have the lower 32 bits in common count as one, which is as good
+/// as never.
+template <int Dim>
+template <class Cells>
+double OccupancySample<Dim>::mean_occupancy(const Cells& cells, SampleSize size) {
+  const std::size_t draws = draws_of(elements(), size);
+  draw(draws);
+  const std::size_t slots = draws + draws * 3 / 4 + 1;
+  base::make_room(slots_, slots);
+  std::fill_n(slots_.begin(), slots, CellSlot{});
+  std::uint64_t meetings = 0;
+  exact::Sphere<Dim> sphere{};
   for (std::size_t k = 0; k < draws; ++k) {
-    if (!are_near) spheres.fetch(number(k + fetched_ahead));
-    drawn_[k] = cells.cell(spheres[number(k)]);
+    std::copy_n(drawn_[k].begin(), Dim, sphere.center);
+    const std::uint64_t cell = scattered(cells.cell(sphere));
+    const auto lower_bits = static_cast<std::uint32_t>(cell);
+    std::size_t slot = (cell >> 32) * slots >> 32;
+    while (slots_[slot].elements != 0 && slots_[slot].lower_bits != lower_bits) {
+      if (++slot == slots) slot = 0;
+    }
+    slots_[slot].lower_bits = lower_bits;
+    meetings += slots_[slot].elements++;
   }
   const auto drawn = static_cast<double>(draws);
-  const auto meetings = static_cast<double>(pairs_in_a_cell(draws));
-  return meetings * count / (drawn * (drawn - 1.0) / 2.0);
+  return static_cast<double>(meetings) * static_cast<double>(elements()) /
+         (drawn * (drawn - 1.0) / 2.0);
 }
 
-/// Number of pairs among the first elements drawn that share a cell. Each is looked up in a hash
-/// table with twice as many slots; even if all cells met in one slot, that would take no more than
-/// draws^2 / 2 steps, 32 for each element of the system.
-std::uint64_t OccupancySample::pairs_in_a_cell(std::size_t draws) {
-  const std::size_t slots = std::bit_ceil(2 * draws);
-  base::make_room(cells_, slots);
-  base::make_room(counts_, slots);
-  std::fill_n(counts_.begin(), slots, 0U);
-  std::uint64_t pairs = 0;
-  for (std::size_t k = 0; k < draws; ++k) {
-    const std::uint64_t cell = drawn_[k];
-    std::size_t slot = scattered(cell) & (slots - 1);
-    while (counts_[slot] != 0 && cells_[slot] != cell) slot = (slot + 1) & (slots - 1);
-    cells_[slot] = cell;
-    pairs += counts_[slot]++;
-  }
-  return pairs;
-}
-
-template double OccupancySample::mean_occupancy(const LayerGrid<2>&, const LayerSpheres<2>&,
-                                                SampleSize);
-template double OccupancySample::mean_occupancy(const LayerGrid<3>&, const LayerSpheres<3>&,
-                                                SampleSize);
-template double OccupancySample::mean_occupancy(const CellsTwiceAsWide<2>&, const LayerSpheres<2>&,
-                                                SampleSize);
-template double OccupancySample::mean_occupancy(const CellsTwiceAsWide<3>&, const LayerSpheres<3>&,
-                                                SampleSize);
-template double OccupancySample::mean_occupancy(const PiecesOfRows<2>&, const LayerSpheres<2>&,
-                                                SampleSize);
-template double OccupancySample::mean_occupancy(const PiecesOfRows<3>&, const LayerSpheres<3>&,
-                                                SampleSize);
-template double OccupancySample::mean_occupancy(const ReachCells<2>&, const LayerSpheres<2>&,
-                                                SampleSize);
-template double OccupancySample::mean_occupancy(const ReachCells<3>&, const LayerSpheres<3>&,
-                                                SampleSize);
+template class OccupancySample<2>;
+template class OccupancySample<3>;
+template double OccupancySample<2>::mean_occupancy(const LayerGrid<2>&, SampleSize);
+template double OccupancySample<3>::mean_occupancy(const LayerGrid<3>&, SampleSize);
+template double OccupancySample<2>::mean_occupancy(const CellsTwiceAsWide<2>&, SampleSize);
+template double OccupancySample<3>::mean_occupancy(const CellsTwiceAsWide<3>&, SampleSize);
+template double OccupancySample<2>::mean_occupancy(const PiecesOfRows<2>&, SampleSize);
+template double OccupancySample<3>::mean_occupancy(const PiecesOfRows<3>&, SampleSize);
+template double OccupancySample<2>::mean_occupancy(const ReachCells<2>&, SampleSize);
+template double OccupancySample<3>::mean_occupancy(const ReachCells<3>&, SampleSize);
 
 }  // namespace abut::engine

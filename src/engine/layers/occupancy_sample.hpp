@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace abut::engine {
 
@@ -38,25 +39,41 @@ class ReachCells {
   double cell_;
 };
 
-/// Estimates how crowded cells are from some elements drawn at random, which are the same each
-/// time.
+/// Elements of a search set drawn at random, the same each time, by which one estimates how crowded
+/// cells are. They are drawn once, however many kinds of cells they are asked about: they lie
+/// anywhere in memory, and to fetch them takes longer than all else.
+template <int Dim>
 class OccupancySample {
  public:
   explicit OccupancySample(base::MemoryMeter& memory);
 
+  /// Takes its elements from those of `spheres` that stand in layers. They stay as they are for as
+  /// long as it is asked.
+  void take_from(const LayerSpheres<Dim>& spheres, std::size_t workers);
+
+  /// The number of elements from which it takes.
+  [[nodiscard]] std::size_t elements() const noexcept { return spheres_->count_in_layers(); }
+
   /// The mean occupancy of the elements' cells, sum of n^2 / N over cells of n elements: the chance
   /// that two elements drawn share a cell, times N. Elements that are spread at random, one for a
   /// cell, have 2.
-  template <int Dim, class Cells>
-  [[nodiscard]] double mean_occupancy(const Cells& cells, const LayerSpheres<Dim>& spheres,
-                                      SampleSize size);
+  template <class Cells>
+  [[nodiscard]] double mean_occupancy(const Cells& cells, SampleSize size);
 
  private:
-  [[nodiscard]] std::uint64_t pairs_in_a_cell(std::size_t draws);
+  /// A slot of a hash table.
+  struct CellSlot {
+    std::uint32_t lower_bits;  ///< of the cell, scattered
+    std::uint32_t elements;    ///< in the cell; 0 where the slot is free
+  };
 
-  base::Array<std::uint64_t> drawn_;   ///< cells of the elements drawn
-  base::Array<std::uint64_t> cells_;   ///< hash table: a cell in each slot that is taken
-  base::Array<std::uint32_t> counts_;  ///< of elements in it; 0 where the slot is free
+  void draw(std::size_t draws);
+
+  std::optional<LayerSpheres<Dim>> spheres_;
+  std::size_t workers_ = 1;
+  std::size_t draws_ = 0;                       ///< so far, of these spheres
+  base::Array<std::array<double, Dim>> drawn_;  ///< centers
+  base::Array<CellSlot> slots_;
 };
 
 }  // namespace abut::engine

@@ -1,5 +1,7 @@
 #include "engine/layers/size_levels.hpp"
 
+#include "base/asking_workers.hpp"
+
 #include <algorithm>
 #include <bit>
 
@@ -124,45 +126,99 @@ auto SizeLevels<Dim>::estimate(const LayerSpheres<Dim>& all, const grid::Bounds<
 }
 
 template <int Dim>
-void SizeLevels<Dim>::find_levels(const LayerSpheres<Dim>& all, const LevelOfRadius& level_of,
-                                  base::WorkCounter& work) {
-  base::make_room(levels_, all.size());
-  bounds_.fill({});
-  std::array<std::size_t, most> counts{};
-  work.in_pieces(0, all.size(), [&](std::size_t begin, std::size_t end) {
-    for_each_sphere(all, begin, end, [&](std::uint32_t k, const exact::Sphere<Dim>& sphere) {
-      const std::size_t level = level_of(sphere.radius);
-      levels_[k] = static_cast<std::uint8_t>(level);
-      ++counts[level];
-      bounds_[level].include_center(sphere);
-      bounds_[level].include_radius(sphere.radius);
+SizeLevels<Dim>::LevelsShare::LevelsShare(base::MemoryMeter& memory) {
+  for (std::size_t level = 0; level < most; ++level) {
+    visitors.push_back(base::make_array_for_overwrite<std::uint32_t>(memory, 0));
+  }
+}
+
+template <int Dim>
+void SizeLevels<Dim>::start(std::size_t elements, std::size_t workers) {
+  base::make_room(levels_, elements);
+  base::make_room(members_, elements);
+  while (shares_.size() < workers) shares_.emplace_back(memory_);
+  for (LevelsShare& share : shares_) {
+    share.count.fill(0);
+    share.bounds.fill({});
+    for (auto& visitors : share.visitors) visitors.clear();
+    share.largest_visitor.fill(0.0);
+  }
+}
+
+/// Calls visit(share, number, sphere) for all elements, in the order of their numbers in each
+/// share.
+template <int Dim>
+template <class Visit>
+void SizeLevels<Dim>::for_each_sphere_of_share(const LayerSpheres<Dim>& all, std::size_t workers,
+                                               base::WorkCounter& work, const Visit& visit) {
+  base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
+    LevelsShare& share = shares_[worker];
+    const auto [first, last] = base::share_of(worker, workers, all.size());
+    its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
+      for_each_sphere(all, begin, end, [&](std::uint32_t k, const exact::Sphere<Dim>& sphere) {
+        visit(share, k, sphere);
+      });
     });
   });
+}
+
+/// Makes places of the members of what was counted, in each level share by share.
+template <int Dim>
+void SizeLevels<Dim>::lay_out(const LayerSpheres<Dim>& all, std::size_t workers) {
+  bounds_.fill({});
   for (std::size_t level = 0; level < most; ++level) {
-    begin_[level + 1] = begin_[level] + counts[level];
+    std::size_t next = begin_[level];
+    for (LevelsShare& share : std::span(shares_).first(workers)) {
+      share.next[level] = next;
+      next += share.count[level];
+      bounds_[level].include(share.bounds[level]);
+    }
+    begin_[level + 1] = next;
     if (all.stand_for_boxes()) bounds_[level].count_largest_twice();
+  }
+}
+
+/// Adds what the others found to what the first one did.
+template <int Dim>
+void SizeLevels<Dim>::join_visitors(std::size_t workers) {
+  largest_visitor_ = shares_[0].largest_visitor;
+  for (const LevelsShare& share : std::span(shares_).first(workers).subspan(1)) {
+    for (std::size_t level = 0; level < most; ++level) {
+      auto& all = shares_[0].visitors[level];
+      all.insert(all.end(), share.visitors[level].begin(), share.visitors[level].end());
+      largest_visitor_[level] = std::max(largest_visitor_[level], share.largest_visitor[level]);
+    }
   }
 }
 
 template <int Dim>
 void SizeLevels<Dim>::sort(const LayerSpheres<Dim>& all, const grid::Bounds<Dim>& bounds,
-                           double margin, double slack, base::WorkCounter& work) {
-  find_levels(all, LevelOfRadius(bounds.largest_radius, margin), work);
+                           double margin, double slack, std::size_t workers,
+                           base::WorkCounter& work) {
+  start(all.size(), workers);
+  const LevelOfRadius level_of(bounds.largest_radius, margin);
+  using Sphere = exact::Sphere<Dim>;
+  for_each_sphere_of_share(all, workers, work,
+                           [&](LevelsShare& share, std::uint32_t k, const Sphere& sphere) {
+                             const std::size_t level = level_of(sphere.radius);
+                             levels_[k] = static_cast<std::uint8_t>(level);
+                             ++share.count[level];
+                             share.bounds[level].include_center(sphere);
+                             share.bounds[level].include_radius(sphere.radius);
+                           });
+  lay_out(all, workers);
   const LevelBoxes<Dim> boxes(bounds_, margin + slack, radii_of_reach(all));
-  base::make_room(members_, all.size());
-  for (auto& visitors : visitors_) visitors.clear();
-  largest_visitor_.fill(0.0);
-  std::array<std::size_t, most + 1> next = begin_;
-  work.in_pieces(0, all.size(), [&](std::size_t begin, std::size_t end) {
-    for_each_sphere(all, begin, end, [&](std::uint32_t k, const exact::Sphere<Dim>& sphere) {
-      const std::size_t level = levels_[k];
-      members_[next[level]++] = k;
-      boxes.for_each_met(level + 1, sphere, [&](std::size_t smaller) {
-        visitors_[smaller].push_back(k);
-        largest_visitor_[smaller] = std::max(largest_visitor_[smaller], sphere.radius);
-      });
-    });
-  });
+  for_each_sphere_of_share(all, workers, work,
+                           [&](LevelsShare& share, std::uint32_t k, const Sphere& sphere) {
+                             const std::size_t level = levels_[k];
+                             members_[share.next[level]++] = k;
+                             boxes.for_each_met(level + 1, sphere, [&](std::size_t smaller) {
+                               share.visitors[smaller].push_back(k);
+                               double& largest = share.largest_visitor[smaller];
+                               largest = std::max(largest, sphere.radius);
+                             });
+                           });
+  join_visitors(workers);
 }
 
 template class SizeLevels<2>;

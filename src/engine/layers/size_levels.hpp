@@ -6,7 +6,7 @@
 #include "grid/bounds.hpp"
 
 #include <array>
-#include <cmath>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,10 +27,16 @@ class LevelOfRadius {
   [[nodiscard]] std::size_t operator()(double radius) const noexcept {
     constexpr double least_part = 0x1p-31;
     const double part = (1.0 - 0x1p-18) * ((2.0 * radius + margin_) / largest_);
-    return part > least_part ? static_cast<std::size_t>(-1 - std::ilogb(part)) : levels - 1;
+    return part > least_part ? octaves_below_one(part) : levels - 1;
   }
 
  private:
+  /// 0 for a normal number below 1, but not below 1/2: -1 - ilogb(part).
+  static std::size_t octaves_below_one(double part) noexcept {
+    constexpr std::uint64_t bits_of_exponent_of_half = 1022;
+    return bits_of_exponent_of_half - (std::bit_cast<std::uint64_t>(part) >> 52);
+  }
+
   double margin_;
   double largest_;
 };
@@ -54,21 +60,19 @@ class SizeLevels {
   static constexpr std::size_t most = LevelOfRadius::levels;
 
   explicit SizeLevels(base::MemoryMeter& memory)
-      : levels_(base::make_array_for_overwrite<std::uint8_t>(memory, 0)),
-        members_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {
-    for (std::size_t level = 0; level < most; ++level) {
-      visitors_.push_back(base::make_array_for_overwrite<std::uint32_t>(memory, 0));
-    }
-  }
+      : memory_(memory),
+        levels_(base::make_array_for_overwrite<std::uint8_t>(memory, 0)),
+        members_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
 
   /// Estimates from some of all elements.
   [[nodiscard]] LevelsEstimate estimate(const LayerSpheres<Dim>& all,
                                         const grid::Bounds<Dim>& bounds, double margin);
 
-  /// Sorts all elements by level, and finds the visitors of each. Positions are known to `slack`
+  /// Sorts all elements by level, and finds the visitors of each: two passes, shared by the
+  /// workers. Positions are known to `slack`
   /// where that is more than a small part of a reach.
   void sort(const LayerSpheres<Dim>& all, const grid::Bounds<Dim>& bounds, double margin,
-            double slack, base::WorkCounter& work);
+            double slack, std::size_t workers, base::WorkCounter& work);
 
   [[nodiscard]] std::span<const std::uint32_t> members(std::size_t level) const noexcept {
     return std::span(members_).subspan(begin_[level], begin_[level + 1] - begin_[level]);
@@ -80,7 +84,7 @@ class SizeLevels {
 
   /// Elements of larger levels that may be within reach of one of this level, ascending.
   [[nodiscard]] std::span<const std::uint32_t> visitors(std::size_t level) const noexcept {
-    return std::span(visitors_[level]);
+    return std::span(shares_[0].visitors[level]);
   }
   /// The largest radius of these.
   [[nodiscard]] double largest_visitor(std::size_t level) const noexcept {
@@ -88,12 +92,28 @@ class SizeLevels {
   }
 
  private:
-  void find_levels(const LayerSpheres<Dim>& all, const LevelOfRadius& level_of,
-                   base::WorkCounter& work);
+  /// What one worker finds in its share of the elements, which are consecutive.
+  struct LevelsShare {
+    explicit LevelsShare(base::MemoryMeter& memory);
 
+    std::array<std::size_t, most> count{};  ///< of the elements in each level
+    std::array<std::size_t, most> next{};   ///< their places among the members
+    std::array<grid::Bounds<Dim>, most> bounds;
+    std::vector<base::Array<std::uint32_t>> visitors;  ///< after all: the first has all of them
+    std::array<double, most> largest_visitor{};
+  };
+
+  void start(std::size_t elements, std::size_t workers);
+  template <class Visit>
+  void for_each_sphere_of_share(const LayerSpheres<Dim>& all, std::size_t workers,
+                                base::WorkCounter& work, const Visit& visit);
+  void lay_out(const LayerSpheres<Dim>& all, std::size_t workers);
+  void join_visitors(std::size_t workers);
+
+  base::MemoryMeter& memory_;
   base::Array<std::uint8_t> levels_;  ///< of the elements
   base::Array<std::uint32_t> members_;
-  std::vector<base::Array<std::uint32_t>> visitors_;
+  std::vector<LevelsShare> shares_;
   std::array<double, most> largest_visitor_{};
   std::array<std::size_t, most + 1> begin_{};
   std::array<grid::Bounds<Dim>, most> bounds_;

@@ -6,6 +6,7 @@
 #include "base/memory_meter.hpp"
 #include "engine/layers/layer_scenes.hpp"
 #include "engine/random_spheres.hpp"
+#include "support/nobody_asked.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,8 @@ class FarSpheresOf : public ::testing::Test {
       far.note(all, layers, begin, middle, w);
       far.note(all, layers, middle, end, w);
     }
-    far.sort(layers);
+    NobodyAsked nobody;
+    far.sort(layers, nobody.work);
   }
 
   static std::vector<std::uint32_t> numbers(std::span<const kernels::FarSphere> far) {
@@ -105,8 +107,28 @@ TYPED_TEST(FarSpheresOf, TheOrderDependsOnNeitherWorkersNorTheFirstLayer) {
       engine::FarSpheres<dim> others(this->memory_);
       this->sort(others, workers);
       EXPECT_EQ(this->numbers(far.from(k)), this->numbers(others.from(k)));
+      EXPECT_EQ(far.most_in_reach(), others.most_in_reach());
     }
   }
+}
+
+/// So few that one worker sorts them all.
+TYPED_TEST(FarSpheresOf, AFewOfManyWorkers) {
+  constexpr int dim = TypeParam::value;
+  for (std::size_t k = 0; k < this->spheres_.size(); ++k) {
+    if (k % 100 != 0) this->spheres_[k].radius = 0.01;
+  }
+  engine::FarSpheres<dim> far(this->memory_);
+  this->sort(far, 1);
+  engine::FarSpheres<dim> others(this->memory_);
+  this->sort(others, 7);
+  std::size_t found = 0;
+  for (std::uint32_t k = 0; k < this->grid().layer_count(); ++k) {
+    EXPECT_EQ(this->numbers(far.from(k)), this->numbers(others.from(k)));
+    found += far.from(k).size();
+  }
+  EXPECT_GT(found, 10U);
+  EXPECT_EQ(far.most_in_reach(), others.most_in_reach());
 }
 
 TYPED_TEST(FarSpheresOf, NoneWhereAllAreSmall) {

@@ -4,6 +4,7 @@
 #include "engine/layers/layer_scenes.hpp"
 #include "engine/random_spheres.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,16 +23,20 @@ class OccupancySampleOf : public ::testing::Test {
   /// In cells of size 1.
   double mean_occupancy(const Spheres<its_dim>& spheres,
                         engine::SampleSize size = engine::SampleSize::full) {
-    const auto grid =
-        layer_grid_over<its_dim>(bounds_of<its_dim>(spheres), 1.0, 1.0, spheres.size());
-    return sample_.mean_occupancy(grid.value(),
-                                  engine::LayerSpheres<its_dim>(kernels::SphereParts(
-                                      kernels::strided_spheres<its_dim>(spheres))),
-                                  size);
+    sample_.take_from(in_layers(spheres), 1);
+    return sample_.mean_occupancy(grid_over(spheres), size);
+  }
+
+  static engine::LayerGrid<its_dim> grid_over(const Spheres<its_dim>& spheres) {
+    return layer_grid_over<its_dim>(bounds_of<its_dim>(spheres), 1.0, 1.0, spheres.size()).value();
+  }
+  static engine::LayerSpheres<its_dim> in_layers(const Spheres<its_dim>& spheres) {
+    return engine::LayerSpheres<its_dim>(
+        kernels::SphereParts(kernels::strided_spheres<its_dim>(spheres)));
   }
 
   base::MemoryMeter memory_;
-  engine::OccupancySample sample_{memory_};
+  engine::OccupancySample<its_dim> sample_{memory_};
   Random random_{static_cast<std::uint64_t>(71 + its_dim)};
 };
 
@@ -90,14 +95,25 @@ TYPED_TEST(OccupancySampleOf, IsTheSameEachTime) {
   static_cast<void>(
       this->mean_occupancy(uniform_spheres<dim>(this->random_, 9000, {9.0, 9.0, 9.0})));
   EXPECT_EQ(this->mean_occupancy(spheres), first);
-  base::MemoryMeter memory;
-  engine::OccupancySample other(memory);
-  const auto grid = layer_grid_over<dim>(bounds_of<dim>(spheres), 1.0, 1.0, spheres.size());
-  EXPECT_EQ(other.mean_occupancy(grid.value(),
-                                 engine::LayerSpheres<dim>(
-                                     kernels::SphereParts(kernels::strided_spheres<dim>(spheres))),
-                                 engine::SampleSize::full),
-            first);
+  for (const std::size_t workers : {1U, 2U, 7U}) {
+    engine::OccupancySample<dim> other(this->memory_);
+    other.take_from(this->in_layers(spheres), workers);
+    // A full sample begins with the draws of a small one, which it keeps.
+    const double small = other.mean_occupancy(this->grid_over(spheres), engine::SampleSize::small);
+    EXPECT_EQ(other.mean_occupancy(this->grid_over(spheres), engine::SampleSize::full), first);
+    EXPECT_EQ(other.mean_occupancy(this->grid_over(spheres), engine::SampleSize::small), small);
+  }
+}
+
+/// The second kind of cells is asked about after the elements were overwritten.
+TYPED_TEST(OccupancySampleOf, DrawsOnce) {
+  constexpr int dim = TypeParam::value;
+  auto spheres = uniform_spheres<dim>(this->random_, 5000, {20.0, 21.0, 22.0});
+  const auto grid = this->grid_over(spheres);
+  const double first = this->mean_occupancy(spheres);
+  std::ranges::fill(spheres, sphere_at<dim>({1.0, 2.0, 3.0}));
+  EXPECT_EQ(this->sample_.mean_occupancy(grid, engine::SampleSize::full), first);
+  EXPECT_EQ(this->mean_occupancy(spheres), 5000.0);
 }
 
 TYPED_TEST(OccupancySampleOf, FewElements) {

@@ -68,10 +68,25 @@ class SizeLevelsOf : public ::testing::Test {
         kernels::SphereParts(kernels::strided_spheres(std::span(spheres))));
   }
 
-  engine::SizeLevels<its_dim>& levels_of(const Spheres<its_dim>& spheres, double margin) {
+  engine::SizeLevels<its_dim>& levels_of(const Spheres<its_dim>& spheres, double margin,
+                                         std::size_t workers = 1) {
     base::WorkCounter work(context_.progress, 0);
-    levels_.sort(in_layers(spheres), bounds_of<its_dim>(spheres), margin, 0.0, work);
+    levels_.sort(in_layers(spheres), bounds_of<its_dim>(spheres), margin, 0.0, workers, work);
     return levels_;
+  }
+
+  /// Members and visitors of all levels, and the largest of these.
+  static std::vector<double> all_of(const engine::SizeLevels<its_dim>& levels) {
+    std::vector<double> all;
+    for (std::size_t level = 0; level < engine::SizeLevels<its_dim>::most; ++level) {
+      all.push_back(levels.largest_visitor(level));
+      all.push_back(levels.bounds(level).largest_radius);
+      for (const auto& numbers : {levels.members(level), levels.visitors(level)}) {
+        all.push_back(static_cast<double>(numbers.size()));
+        all.insert(all.end(), numbers.begin(), numbers.end());
+      }
+    }
+    return all;
   }
 
   Random random_{static_cast<std::uint64_t>(191 + its_dim)};
@@ -104,6 +119,17 @@ TYPED_TEST(SizeLevelsOf, EachElementIsAMemberOfOneLevel) {
   std::ranges::sort(all);
   ASSERT_EQ(all.size(), spheres.size());
   EXPECT_EQ(std::ranges::adjacent_find(all), all.end());
+}
+
+/// Levels are sorted by fewer workers after more, and by more workers than elements.
+TYPED_TEST(SizeLevelsOf, AreTheSameForAllWorkers) {
+  for (const std::size_t count : {5U, 3000U}) {
+    const auto spheres = this->graded(count, 1e3);
+    const auto first = this->all_of(this->levels_of(spheres, 0.5));
+    for (const std::size_t workers : {7U, 2U, 3U}) {
+      EXPECT_EQ(this->all_of(this->levels_of(spheres, 0.5, workers)), first) << workers;
+    }
+  }
 }
 
 TYPED_TEST(SizeLevelsOf, LargerElementsWithinReachAreVisitors) {

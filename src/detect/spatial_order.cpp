@@ -1,17 +1,17 @@
 #include <abut/spatial_order.hpp>
 
-#include "base/array.hpp"
 #include "base/asking_workers.hpp"
 #include "base/callers_exception.hpp"
 #include "base/detection_context.hpp"
-#include "base/fetch_next_line.hpp"
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
 #include "base/workers.hpp"
 #include "detect/validate_options.hpp"
+#include "elements/curve_sort.hpp"
 #include "elements/gathered_elements.hpp"
 #include "elements/hilbert_curve.hpp"
 #include "kernels/simd_level.hpp"
+#include "kernels/strided_boxes.hpp"
 
 #include <abut/domain.hpp>
 
@@ -19,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
 namespace abut {
@@ -27,12 +26,6 @@ namespace {
 
 /// Steps that a number along the curve takes, compared to a test in a vector.
 constexpr std::uint64_t steps_of_number = 32;
-
-/// An element and its number along the curve.
-struct CurvePlace {
-  std::uint64_t along;
-  ElementIndex element;
-};
 
 /// The cells of the cube around the centers. Halves are subtracted, since the width of the cube may
 /// exceed the largest double.
@@ -62,59 +55,39 @@ class CurveCells {
   double half_width_ = 0.0;
 };
 
-/// Sorts by the number along the curve, digit by digit, stably. Digits that all have in common are
-/// passed over.
-void sort(base::Array<CurvePlace>& places, base::MemoryMeter& memory, base::WorkCounter& work) {
-  constexpr int digit_bits = 11;
-  constexpr std::size_t digits = std::size_t{1} << digit_bits;
-  base::Array<CurvePlace> sorted =
-      base::make_array_for_overwrite<CurvePlace>(memory, places.size());
-  for (int shift = 0; shift < 64; shift += digit_bits) {
-    const auto digit_of = [shift](const CurvePlace& place) {
-      return place.along >> shift & (digits - 1);
-    };
-    std::array<std::size_t, digits> next{};
-    work.in_pieces(0, places.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) ++next[digit_of(places[k])];
-    });
-    if (next[digit_of(places[0])] == places.size()) continue;
-    std::exclusive_scan(next.begin(), next.end(), next.begin(), std::size_t{0});
-    work.in_pieces(0, places.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        CurvePlace* const place = sorted.data() + next[digit_of(places[k])]++;
-        base::fetch_next_line(place);
-        *place = places[k];
-      }
-    });
-    std::swap(places, sorted);
+/// The center of an element; of a box its lower corner.
+template <int Dim>
+exact::Sphere<Dim> center_of(const ElementView& elements, std::size_t k) {
+  if (elements.shape() == Shape::box) {
+    return kernels::stand_in(elements::box_at<Dim>(elements, k));
   }
+  return elements::sphere_at<Dim>(elements, k);
 }
 
 template <int Dim>
 std::vector<ElementIndex> order_along_curve(const ElementView& elements, const Options& options,
                                             base::DetectionContext& context) {
-  const std::size_t workers = base::worker_count(options.threads, elements.size());
+  const std::size_t count = elements.size();
+  const std::size_t workers = base::worker_count(options.threads, count);
   elements::GatheredElements<Dim> gathered(context.memory);
-  context.progress.begin("gather", elements.size());
-  elements::gather<Dim>(elements, {workers, kernels::level_to_run(options.simd)}, gathered,
-                        context);
-  if (elements.size() == 0) return {};
+  context.progress.begin("gather", count);
+  elements::bound<Dim>(elements, {workers, kernels::level_to_run(options.simd)}, gathered, context);
+  if (count == 0) return {};
 
-  context.progress.begin("order", elements.size());
-  auto places = base::make_array_for_overwrite<CurvePlace>(context.memory, elements.size());
+  context.progress.begin("order", count);
+  elements::CurveSort sort(context.memory, count, workers);
   const CurveCells<Dim> cells(gathered.bounds);
   base::for_each_share(workers, context.work, [&](std::size_t share, base::WorkCounter& work) {
-    const auto [first, last] = base::share_of(share, workers, places.size());
+    const auto [first, last] = base::share_of(share, workers, count);
     work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        places[k] = {cells.along(gathered.spheres[k]), static_cast<ElementIndex>(k)};
+        sort.places()[k] = {cells.along(center_of<Dim>(elements, k)), static_cast<ElementIndex>(k)};
       }
       work.did(steps_of_number * (end - begin));
     });
   });
-  sort(places, context.memory, context.work);
-  std::vector<ElementIndex> order(places.size());
-  std::ranges::transform(places, order.begin(), &CurvePlace::element);
+  std::vector<ElementIndex> order(count);
+  sort.write_order(order, context.work);
   return order;
 }
 

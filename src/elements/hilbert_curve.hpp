@@ -14,7 +14,7 @@ namespace abut::elements {
 /// the upper one on axis k. The curve runs through the corners in the order of the Gray code, but
 /// turned (*direction*) and mirrored (*entry*), which is the state that a corner hands down to the
 /// halving within it (C. Hamilton, Compact Hilbert indices, Dalhousie University CS-2006-07, 2006,
-/// section 2).
+/// section 2). A table tells what comes of two halvings at once.
 template <int Dim, int Bits>
 class HilbertCurve {
  public:
@@ -22,15 +22,23 @@ class HilbertCurve {
 
   [[nodiscard]] static constexpr std::uint64_t number(
       const std::array<std::uint32_t, Dim>& cell) noexcept {
+    std::uint64_t all = 0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      all |= spread(cell[static_cast<std::size_t>(axis)]) << axis;
+    }
     std::uint64_t number = 0;
     unsigned state = 0;
-    for (int bit = Bits; bit-- > 0;) {
-      unsigned corner = 0;
-      for (int axis = 0; axis < Dim; ++axis) {
-        corner |= (cell[static_cast<std::size_t>(axis)] >> bit & 1U) << axis;
-      }
-      const CurveStep step = steps[state][corner];
-      number = number << Dim | step.place;
+    int left = Dim * Bits;
+    if constexpr (Bits % 2 != 0) {
+      left -= Dim;
+      const CurveStep step = steps[0][all >> left & (corners - 1)];
+      number = step.place;
+      state = step.state;
+    }
+    while (left > 0) {
+      left -= 2 * Dim;
+      const CurveStep step = double_steps[state][all >> left & (corners * corners - 1)];
+      number = number << 2 * Dim | step.place;
       state = step.state;
     }
     return number;
@@ -44,6 +52,26 @@ class HilbertCurve {
     std::uint8_t place;  ///< of the corner along the curve
     std::uint8_t state;  ///< within the corner
   };
+
+  /// Moves bit k to bit Dim * k.
+  static constexpr std::uint64_t spread(std::uint64_t bits) noexcept {
+    constexpr auto apart = [](std::uint64_t x, int by, std::uint64_t kept) {
+      return (x | x << by) & kept;
+    };
+    if constexpr (Dim == 2) {
+      bits = apart(bits, 16, 0x0000ffff0000ffffU);
+      bits = apart(bits, 8, 0x00ff00ff00ff00ffU);
+      bits = apart(bits, 4, 0x0f0f0f0f0f0f0f0fU);
+      bits = apart(bits, 2, 0x3333333333333333U);
+      return apart(bits, 1, 0x5555555555555555U);
+    } else {
+      bits = apart(bits, 32, 0x001f00000000ffffU);
+      bits = apart(bits, 16, 0x001f0000ff0000ffU);
+      bits = apart(bits, 8, 0x100f00f00f00f00fU);
+      bits = apart(bits, 4, 0x10c30c30c30c30c3U);
+      return apart(bits, 2, 0x1249249249249249U);
+    }
+  }
 
   static constexpr unsigned gray(unsigned k) { return k ^ k >> 1; }
   static constexpr unsigned place_of_gray(unsigned code) {
@@ -85,6 +113,23 @@ class HilbertCurve {
   }
 
   static constexpr std::array<std::array<CurveStep, corners>, states> steps = make_steps();
+
+  static constexpr std::array<std::array<CurveStep, corners * corners>, states>
+  make_double_steps() {
+    std::array<std::array<CurveStep, corners * corners>, states> result{};
+    for (unsigned state = 0; state < states; ++state) {
+      for (unsigned both = 0; both < corners * corners; ++both) {
+        const CurveStep outer = steps[state][both / corners];
+        const CurveStep inner = steps[outer.state][both % corners];
+        result[state][both] = {static_cast<std::uint8_t>(outer.place * corners + inner.place),
+                               inner.state};
+      }
+    }
+    return result;
+  }
+
+  static constexpr std::array<std::array<CurveStep, corners * corners>, states> double_steps =
+      make_double_steps();
 };
 
 }  // namespace abut::elements

@@ -119,8 +119,10 @@ TEST(SpatialOrder, RefusesAsADetectionDoes) {
   expect_error(ErrorCode::invalid_input, {"element 1"},
                [&] { static_cast<void>(spatial_order(spheres(bad, bad, bad, 1.0))); });
   const Scene scene = scenes::scene_named("dense").make(100000, 1);
+  // Two arrays of 16 bytes an element.
+  EXPECT_EQ(spatial_order(view_of(scene), {.max_bytes = 3'300'000, .threads = 1}).size(), 100000U);
   expect_error(ErrorCode::limit_exceeded, {"bytes"},
-               [&] { static_cast<void>(spatial_order(view_of(scene), {.max_bytes = 5'000'000})); });
+               [&] { static_cast<void>(spatial_order(view_of(scene), {.max_bytes = 3'000'000})); });
   expect_error(ErrorCode::cancelled, {}, [&] {
     static_cast<void>(spatial_order(view_of(scene), {.progress = [](const Progress& progress) {
                                       return progress.phase == "order" ? ProgressAction::cancel

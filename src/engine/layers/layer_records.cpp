@@ -4,6 +4,22 @@
 #include "base/fetch_next_line.hpp"
 
 namespace abut::engine {
+namespace {
+
+/// Spheres that follow each other which vectors are worth.
+constexpr std::size_t least_in_vectors = 8;
+
+/// Calls visit(from, to) with the places in a part of stretches that stand in layers.
+template <int Dim, class Visit>
+void for_each_stretch(const LayerSpheres<Dim>& spheres, const kernels::SpheresOfPart& some,
+                      const Visit& visit) {
+  const std::size_t first = some.number_of_first;
+  spheres.for_each_stretch(
+      first + some.begin, first + some.end,
+      [&](std::size_t from, std::size_t to) { visit(from - first, to - first); });
+}
+
+}  // namespace
 
 template <int Dim>
 LayerRecords<Dim>::LayerRecords(base::MemoryMeter& memory)
@@ -30,18 +46,14 @@ void LayerRecords<Dim>::sort(const LayerSpheres<Dim>& spheres, const LayerGrid<D
     std::uint64_t* const counts = cursors_.of(worker);
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      spheres.for_each_stretch(begin, end, [&](std::size_t from, std::size_t to) {
-        count(spheres, grid, {from, to, counts});
-      });
+      count(spheres, grid, {begin, end, counts});
     });
   });
   cursors_.lay_out();
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      spheres.for_each_stretch(begin, end, [&](std::size_t from, std::size_t to) {
-        scatter(spheres, grid, kernels, {from, to, cursors_.of(worker)});
-      });
+      scatter(spheres, grid, kernels, {begin, end, cursors_.of(worker)});
       // Their numbers are in a cache now.
       if (grid.is_by_size()) far.note(spheres, grid, begin, end, worker);
     });
@@ -54,10 +66,12 @@ void LayerRecords<Dim>::count(const Spheres& spheres, const LayerGrid<Dim>& grid
                               const SpheresOfWorker& share) const {
   const auto count_all = [&](const auto& coordinate_of) {
     for (const auto& some : spheres.given().some(share.begin, share.end)) {
-      for (std::size_t k = some.begin; k < some.end; ++k) {
-        const double x = *some.columns.place(grid.layer_axis(), k);
-        ++share.by_layer[grid.layer_of_coordinate(coordinate_of(x, some.number_of_first + k))];
-      }
+      for_each_stretch(spheres, some, [&](std::size_t from, std::size_t to) {
+        for (std::size_t k = from; k < to; ++k) {
+          const double x = *some.columns.place(grid.layer_axis(), k);
+          ++share.by_layer[grid.layer_of_coordinate(coordinate_of(x, some.number_of_first + k))];
+        }
+      });
     }
   };
   if (!spheres.are_moved()) return count_all([](double x, std::size_t) { return x; });
@@ -70,32 +84,36 @@ void LayerRecords<Dim>::scatter(const Spheres& spheres, const LayerGrid<Dim>& gr
                                 const kernels::LayerKernels& kernels,
                                 const SpheresOfWorker& share) {
   const bool in_vectors = !has_spheres_ && !spheres.are_moved();
-  for (const auto& [columns, begin, end, number_of_first] :
-       spheres.given().some(share.begin, share.end)) {
+  for (const auto& some : spheres.given().some(share.begin, share.end)) {
+    const kernels::StridedSpheres columns = some.columns;
     const kernels::RecordsByLayer to{share.by_layer,
                                      records_.data(),
                                      has_radii_ ? radii_.data() : nullptr,
                                      has_widths_ ? widths_.data()->data() : nullptr,
                                      has_widths_ ? &spheres.boxes() : nullptr,
-                                     number_of_first};
-    std::size_t k = begin;
-    if (in_vectors) k += kernels.scatter(columns, begin, end - begin, Dim, grid.map(), to);
-    for (; k < end; ++k) {
-      const auto number = number_of_first + static_cast<std::uint32_t>(k);
-      const exact::Sphere<Dim> given = kernels::sphere_at<Dim>(columns, k);
-      const exact::Sphere<Dim> sphere = spheres.moved(given, number);
-      const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
-      base::fetch_next_line(to.records + place);
-      to.records[place] = grid.record(sphere, number);
-      if (has_widths_) {
-        kernels::write_size(to, place, grid.size_of(spheres.boxes(), number));
-      } else if (has_radii_) {
-        to.radii[place] = grid.units_of(sphere.radius);
+                                     some.number_of_first};
+    for_each_stretch(spheres, some, [&](std::size_t from, std::size_t last) {
+      std::size_t k = from;
+      if (in_vectors && last - from >= least_in_vectors) {
+        k += kernels.scatter(columns, from, last - from, Dim, grid.map(), to);
       }
-      if (!has_spheres_) continue;
-      base::fetch_next_line(spheres_.data() + place);
-      spheres_[place] = given;
-    }
+      for (; k < last; ++k) {
+        const auto number = to.number_of_first + static_cast<std::uint32_t>(k);
+        const exact::Sphere<Dim> given = kernels::sphere_at<Dim>(columns, k);
+        const exact::Sphere<Dim> sphere = spheres.moved(given, number);
+        const std::uint64_t place = to.cursors[grid.layer(sphere)]++;
+        base::fetch_next_line(to.records + place);
+        to.records[place] = grid.record(sphere, number);
+        if (has_widths_) {
+          kernels::write_size(to, place, grid.size_of(spheres.boxes(), number));
+        } else if (has_radii_) {
+          to.radii[place] = grid.units_of(sphere.radius);
+        }
+        if (!has_spheres_) continue;
+        base::fetch_next_line(spheres_.data() + place);
+        spheres_[place] = given;
+      }
+    });
   }
 }
 

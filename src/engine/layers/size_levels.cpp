@@ -36,12 +36,13 @@ class LevelBox {
 
   [[nodiscard]] bool meets(const exact::Sphere<Dim>& sphere) const noexcept {
     const double reach = radii_ * sphere.radius;
-    bool meets = true;
+    std::uint32_t apart = 0;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       const double x = sphere.center[axis];
-      meets = meets && x - reach <= box_.upper[axis] && x + reach >= box_.lower[axis];
+      apart |= static_cast<std::uint32_t>(x - reach > box_.upper[axis]);
+      apart |= static_cast<std::uint32_t>(x + reach < box_.lower[axis]);
     }
-    return meets;
+    return apart == 0;
   }
 
  private:

@@ -79,14 +79,16 @@ void SetSearch<Dim>::sample_from(const SearchSet<Dim>& set, const SearchInput<Di
   workspace_.occupancy.take_from(input.spheres.first(set.locals.size()), worker_count_);
 }
 
-/// Searches the set in layers if these suit it, unless a look at the sizes has led to other layers,
-/// to a cut, or to tiles that cost less.
+/// Searches the set in layers if these suit it, or where they are crowded in levels, unless a look
+/// at the sizes has led to other layers, to a cut, or to tiles that cost less.
 template <int Dim>
 bool SetSearch<Dim>::take_layers(const SearchSet<Dim>& set, const SizeChoice& choice) {
   if (choice.is_searched) return true;
   if (choice.cut) return false;
   const auto layers = layers_for(set);
   if (!layers || cost_of_element(*layers, set, *input_) > choice.cost_in_tiles) return false;
+  const bool may_be_levels = may_crowd_less_in_levels(*layers, set, *input_, workspace_.occupancy);
+  if (may_be_levels && take_levels(set)) return true;
   const auto in_steps =
       layers_in_steps(set, *input_, *layers, worker_count_, workspace_.workers[0]->work());
   search_layers(set, in_steps ? *in_steps : *layers);

@@ -262,6 +262,14 @@ bool may_be_in_levels(const SearchSet<Dim>& set, const SearchInput<Dim>& input) 
 }
 
 template <int Dim>
+bool may_crowd_less_in_levels(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
+                              const SearchInput<Dim>& input, OccupancySample<Dim>& sample) {
+  if (!may_be_in_levels(set, input)) return false;
+  const double joined = joined_in_runs(grid, SampleSize::full, sample);
+  return joined > input.layer_limits.most_joined_without_levels;
+}
+
+template <int Dim>
 bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double reach,
                        OccupancySample<Dim>& sample) {
   const LayerLimits& limits = input.layer_limits;
@@ -328,6 +336,10 @@ template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const Se
                                                    double, OccupancySample<3>&);
 template double cost_of_element(const LayerGrid<2>&, const SearchSet<2>&, const SearchInput<2>&);
 template double cost_of_element(const LayerGrid<3>&, const SearchSet<3>&, const SearchInput<3>&);
+template bool may_crowd_less_in_levels(const LayerGrid<2>&, const SearchSet<2>&,
+                                       const SearchInput<2>&, OccupancySample<2>&);
+template bool may_crowd_less_in_levels(const LayerGrid<3>&, const SearchSet<3>&,
+                                       const SearchInput<3>&, OccupancySample<3>&);
 template bool may_have_clusters(const SearchSet<2>&, const SearchInput<2>&, double,
                                 OccupancySample<2>&);
 template bool may_have_clusters(const SearchSet<3>&, const SearchInput<3>&, double,

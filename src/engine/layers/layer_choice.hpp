@@ -40,6 +40,13 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] bool may_be_in_levels(const SearchSet<Dim>& set, const SearchInput<Dim>& input);
 
+/// Tells whether elements of many sizes crowd so much in layers of one reach that levels, if they
+/// suit, take less time.
+template <int Dim>
+[[nodiscard]] bool may_crowd_less_in_levels(const LayerGrid<Dim>& grid, const SearchSet<Dim>& set,
+                                            const SearchInput<Dim>& input,
+                                            OccupancySample<Dim>& sample);
+
 /// Tells whether a search set may be moved cluster by cluster: in cells of the size of the reach
 /// nearly all of its box is empty, and where it is not, elements do not crowd.
 template <int Dim>

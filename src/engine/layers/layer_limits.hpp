@@ -45,6 +45,9 @@ struct LayerLimits {
   std::size_t least_levels = 3;
   std::size_t many_levels = 6;
   double most_visitors_of_element = 0.5;
+  /// Mean number of elements in two joined runs up to which one reach for all takes less time than
+  /// levels, where both suit.
+  double most_joined_without_levels = 130.0;
   /// Elements whose clusters are worth a move, and cells of the size of the reach, for each
   /// element, from which on clusters are looked for: the box is mostly empty.
   std::size_t least_moved_elements = 20'000;

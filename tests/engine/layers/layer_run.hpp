@@ -25,6 +25,7 @@ inline constexpr engine::LayerLimits always_in_layers{
     .least_sparse_elements = 0,
     .least_boxes = 0,
     .least_rectangles = 0,
+    .most_joined_without_levels = std::numeric_limits<double>::infinity(),
     .least_moved_elements = 0,
     .least_elements_of_layer = 0.0,
     .most_joined = std::numeric_limits<double>::infinity(),

@@ -260,6 +260,48 @@ TYPED_TEST(SizeLevelsOf, PairsAtTheReach) {
   expect_right_in_layers<dim>(spheres, 0.0, Way::layers, always_in_levels);
 }
 
+/// Spheres in a unit cube whose radii grow from the middle to the corners, as many times as asked
+/// for, and which are the rarer the larger they are. They fill two fifths of it.
+Spheres<3> refined_in_the_middle(Random& random, std::size_t count, double ratio) {
+  Spheres<3> spheres;
+  double volume = 0.0;
+  while (spheres.size() < count) {
+    std::array<double, 3> center{};
+    double square = 0.0;
+    for (double& x : center) {
+      x = random.uniform(-0.5, 0.5);
+      square += x * x;
+    }
+    const double radius = 1.0 + (ratio - 1.0) * std::min(1.0, 1.15 * std::sqrt(square));
+    const double cube = radius * radius * radius;
+    if (random.uniform(0.0, 1.0) * cube > 1.0) continue;
+    volume += 4.19 * cube;
+    spheres.push_back(sphere_at<3>(center, radius));
+  }
+  for (auto& sphere : spheres) sphere.radius *= std::cbrt(0.4 / volume);
+  return spheres;
+}
+
+/// Blocks of candidates hold crowds of all sizes; in levels of sizes they crowd less.
+TEST(SizeLevels, AreTakenWhereMixturesCrowd) {
+  Random random(195);
+  engine::LayerLimits limits;
+  limits.least_elements_of_levels = limits.least_elements_of_copies = 5000;
+  limits.least_elements_beside_coarse = std::size_t{1} << 40;
+  for (const double ratio : {4.0, 16.0}) {
+    const auto spheres = refined_in_the_middle(random, 20000, ratio);
+    limits.most_joined_without_levels = engine::LayerLimits{}.most_joined_without_levels;
+    const LayerRun chosen = run_rows<3>(spheres, {0.0, 1, Simd::scalar, limits});
+    EXPECT_EQ(chosen.levels > 0, ratio > 8.0) << ratio;
+    limits.most_joined_without_levels = std::numeric_limits<double>::infinity();
+    const LayerRun crowds = run_rows<3>(spheres, {0.0, 1, Simd::scalar, limits});
+    EXPECT_TRUE(crowds.in_layers);
+    EXPECT_EQ(crowds.levels, 0U);
+    EXPECT_GE(crowds.candidate_tests, (ratio > 8.0 ? 8 : 1) * chosen.candidate_tests);
+    EXPECT_TRUE(same_pairs(directly_checked<3>(spheres, 0.0), chosen.pairs));
+  }
+}
+
 /// In tiles each took more than a hundred.
 TYPED_TEST(SizeLevelsOf, GradedElementsTakeFewTests) {
   constexpr int dim = TypeParam::value;

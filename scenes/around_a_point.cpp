@@ -30,6 +30,26 @@ Direction any_direction(Random& random) {
   }
 }
 
+/// Radii 1 + t at a distance proportional to t from 0 to T, of a density C (1 + t)^-3: the same
+/// number of pairs everywhere. I is the integral of t^2 (1 + t)^-3, so that
+///   C = N / (4 pi I)    pairs = C / 2 (4 pi / 3) (2 s)^3    with radii of s (1 + t)
+/// and positions are divided by the s for two pairs each. t is drawn with a density of (1 + t)^-1
+/// and taken with a chance of (t / (1 + t))^2.
+Scene graded_by_place(std::size_t count, std::uint64_t seed, double largest, double integral) {
+  const double unit = cube_root(static_cast<double>(count + 1) / (1.5 * integral));
+  Random random(seed);
+  Scene scene = empty_scene(3, count);
+  while (scene.x.size() < count) {
+    const double radius = fractional_power(largest, random.uniform());
+    const double chance = (radius - 1.0) / radius;
+    if (random.uniform() >= chance * chance) continue;
+    const double distance = unit * (radius - 1.0);
+    const Direction to = any_direction(random);
+    add_sphere(scene, distance * to.x, distance * to.y, distance * to.z, radius);
+  }
+  return scene;
+}
+
 }  // namespace
 
 /// On a sphere of radius R a cap of radius 2 is a part 1 / R^2 of it, so that each sphere of radius
@@ -45,25 +65,12 @@ Scene make_shell(std::size_t count, std::uint64_t seed) {
   return scene;
 }
 
-/// Radii 1 + t at a distance proportional to t from 0 to 20, of a density C (1 + t)^-3: the same
-/// number of pairs everywhere. The integral of t^2 (1 + t)^-3 is 1.6386, so that
-///   C = N / (4 pi 1.6386)    pairs = C / 2 (4 pi / 3) (2 s)^3    with radii of s (1 + t)
-/// and positions are divided by the s for two pairs each. t is drawn with a density of (1 + t)^-1
-/// and taken with a chance of (t / (1 + t))^2.
 Scene make_graded_by_place(std::size_t count, std::uint64_t seed) {
-  constexpr double ends = 21.0;
-  const double unit = cube_root(static_cast<double>(count + 1) / (1.5 * 1.6386));
-  Random random(seed);
-  Scene scene = empty_scene(3, count);
-  while (scene.x.size() < count) {
-    const double radius = fractional_power(ends, random.uniform());
-    const double chance = (radius - 1.0) / radius;
-    if (random.uniform() >= chance * chance) continue;
-    const double distance = unit * (radius - 1.0);
-    const Direction to = any_direction(random);
-    add_sphere(scene, distance * to.x, distance * to.y, distance * to.z, radius);
-  }
-  return scene;
+  return graded_by_place(count, seed, 21.0, 1.6386);
+}
+
+Scene make_refined(std::size_t count, std::uint64_t seed) {
+  return graded_by_place(count, seed, 13.0, 1.2158);
 }
 
 }  // namespace abut::scenes

@@ -70,6 +70,8 @@ constexpr std::array table{
               checked<make_graded_1000>},
     SceneInfo{"graded_by_place", 3, "radii 1 to 21 that grow with the distance from the middle",
               checked<make_graded_by_place>},
+    SceneInfo{"refined", 3, "radii 1 to 13 that grow with the distance from the middle",
+              checked<make_refined>},
     SceneInfo{"one_giant", 3, "a gas of small spheres and one as large as all of it",
               checked<make_one_giant>},
     SceneInfo{"touching_cubic", 3, "a simple cubic lattice whose neighbours touch exactly",

@@ -10,8 +10,8 @@ from benchmarks.common import tables
 SCENES = ["dense", "dense_spread", "dense_stray", "boulders", "ordered", "gas", "sph",
           "sph_lattice", "sparse", "clusters", "clusters_100", "clusters_30", "shell",
           "bidisperse", "polydisperse", "log_uniform", "log_uniform_1000", "graded",
-          "graded_1000", "graded_by_place", "hexagonal_2d", "touching_cubic", "touching_fcc",
-          "touching_cubic_shuffled", "touching_fcc_shuffled", "one_giant"]
+          "graded_1000", "graded_by_place", "refined", "hexagonal_2d", "touching_cubic",
+          "touching_fcc", "touching_cubic_shuffled", "touching_fcc_shuffled", "one_giant"]
 
 YARDSTICKS = ["memcpy", "control_loop", "plain_grid"]
 DEFAULT = "abut_auto"

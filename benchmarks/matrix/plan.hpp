@@ -30,6 +30,7 @@ struct Plan {
                                   "graded",
                                   "graded_1000",
                                   "graded_by_place",
+                                  "refined",
                                   "hexagonal_2d",
                                   "touching_cubic",
                                   "touching_fcc",

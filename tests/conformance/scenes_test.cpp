@@ -111,6 +111,7 @@ const std::map<std::string_view, std::uint64_t> recorded_hashes{
     {"graded", 0xaea9e3dfe288f604},
     {"graded_1000", 0x4548f10124aa624e},
     {"graded_by_place", 0x316dc83b3bae7fa3},
+    {"refined", 0x08022f4c926ecd12},
     {"one_giant", 0x84075c2ce4d34cf3},
     {"touching_cubic", 0x52fbc66a5c68402d},
     {"touching_fcc", 0x5340f18de0df6925},
@@ -204,7 +205,7 @@ TEST(Particles, HaveManyPairsEach) {
 }
 
 TEST(AroundAPoint, HaveTwoPairsEach) {
-  for (const char* const name : {"shell", "graded_by_place"}) {
+  for (const char* const name : {"shell", "graded_by_place", "refined"}) {
     const Scene scene = made(name, 2000);
     EXPECT_NEAR(static_cast<double>(oracle_pairs(scene).size()), 4000.0, 400.0) << name;
   }

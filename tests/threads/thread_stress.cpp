@@ -146,6 +146,12 @@ void stress_sets(const Scene& scene) {
          "the contacts with a mesh");
 }
 
+void stress_spatial_order(const Scene& scene) {
+  insist(spatial_order(view_of(scene), {.threads = workers}) ==
+             spatial_order(view_of(scene), {.threads = 1}),
+         "the order along space");
+}
+
 void stop_half_way(const ElementView& elements, Options options) {
   options.threads = workers;
   bool stopped = false;
@@ -220,6 +226,8 @@ void run() {
     stress(system.scene, system.margin);
   }
   stress(scenes::scene_named("graded_1000").make(30000, 1), 0.0);  // sizes in layers
+  stress(scenes::scene_named("refined").make(60000, 1), 0.0);      // levels of sizes, and visitors
+  stress_spatial_order(scenes::scene_named("dense").make(50000, 1));
   // Groups that wait until all workers are free.
   stress(scenes::scene_named("log_uniform").make(12000, 1), 0.0);  // one tile for all
   stress(scenes::scene_named("two_far_clusters").make(70000, 1), 0.0);

@@ -55,9 +55,9 @@ class CurveCells {
   double half_width_ = 0.0;
 };
 
-/// The center of an element; of a box its lower corner.
+/// A sphere whose center is where the element lies: a box where its lower corner is.
 template <int Dim>
-exact::Sphere<Dim> center_of(const ElementView& elements, std::size_t k) {
+exact::Sphere<Dim> sphere_in_place_of(const ElementView& elements, std::size_t k) {
   if (elements.shape() == Shape::box) {
     return kernels::stand_in(elements::box_at<Dim>(elements, k));
   }
@@ -81,7 +81,8 @@ std::vector<ElementIndex> order_along_curve(const ElementView& elements, const O
     const auto [first, last] = base::share_of(share, workers, count);
     work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        sort.places()[k] = {cells.along(center_of<Dim>(elements, k)), static_cast<ElementIndex>(k)};
+        sort.places()[k] = {cells.along(sphere_in_place_of<Dim>(elements, k)),
+                            static_cast<ElementIndex>(k)};
       }
       work.did(steps_of_number * (end - begin));
     });

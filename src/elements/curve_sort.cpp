@@ -97,8 +97,8 @@ std::uint64_t CurveSort::differing_bits(const CurvePart& part, base::WorkCounter
   return bits;
 }
 
-/// Brings the places to the room, sorted by a digit, and leaves there where each digit of the last
-/// worker ends, which is where the next digit begins.
+/// Brings the places to the room, sorted by a digit. The cursors of the last worker are then the
+/// ends of all digits.
 void CurveSort::divide_with_all(const CurvePart& part, const Digit& digit,
                                 base::WorkCounter& work) {
   const auto for_each_place = [&](const auto& visit) {

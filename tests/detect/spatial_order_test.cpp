@@ -73,6 +73,24 @@ TEST(SpatialOrder, IsTheSameForAnyThreadsAndLayouts) {
   EXPECT_EQ(spatial_order(spheres(points, 1.0)), order);
 }
 
+/// Single precision, and boxes in 3D whose lower corners are the centers.
+TEST(SpatialOrder, IsThatOfTheSameNumbersInOtherForms) {
+  const Scene scene = scenes::scene_named("dense").make(5000, 3);
+  const std::vector<float> x(scene.x.begin(), scene.x.end());
+  const std::vector<float> y(scene.y.begin(), scene.y.end());
+  const std::vector<float> z(scene.z.begin(), scene.z.end());
+  std::vector<std::array<double, 3>> lower;
+  std::vector<std::array<double, 3>> upper;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    lower.push_back({x[k], y[k], z[k]});
+    upper.push_back({x[k] + 1.0, y[k] + 2.0, z[k] + static_cast<double>(k % 7)});
+  }
+  const std::vector<ElementIndex> order = spatial_order(spheres(lower, 1.0));
+  expect_permutation(order, x.size());
+  EXPECT_EQ(spatial_order(spheres(x, y, z, 1.0F)), order);
+  EXPECT_EQ(spatial_order(boxes(lower, upper)), order);
+}
+
 TEST(SpatialOrder, OfNoneOneAndElementsInOnePlace) {
   const std::vector<double> none;
   EXPECT_TRUE(spatial_order(spheres(none, none, none, 1.0)).empty());

@@ -6,7 +6,7 @@
 namespace abut::engine {
 namespace {
 
-/// Spheres that follow each other which vectors are worth.
+/// Spheres one after the other from which on it pays to scatter them in vectors.
 constexpr std::size_t least_in_vectors = 8;
 
 /// Calls visit(from, to) with the places in a part of stretches that stand in layers.

@@ -99,7 +99,7 @@ Measured measure(const Settings& settings, Skin skin) {
   if (settings.periodic) options.shifts = Shifts::stored;
   Detector detector(options);
   detector.set_skin(skin);
-  ContactHistory<Spring> history;
+  ContactHistory<Spring> history(options);
   Measured result;
   const int warm_up = std::max(settings.steps / 10, 2);
   for (int step = -warm_up; step < settings.steps; ++step) {

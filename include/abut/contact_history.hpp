@@ -3,12 +3,14 @@
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>
 #include <abut/export.hpp>
+#include <abut/options.hpp>
+#include <abut/page_allocator.hpp>
 #include <abut/pair.hpp>
 #include <abut/pair_list.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <new>
 #include <span>
@@ -43,8 +45,16 @@ class ABUT_API ContactMatcher {
     std::uint64_t first = 0;
     std::uint64_t second = 0;
   };
+  /// Values of contacts, of so many bytes each, as they are now.
+  struct Values {
+    std::byte* first = nullptr;
+    std::size_t bytes = 0;
+    const std::byte* fresh = nullptr;  ///< value of a new contact
+    PairCount count = 0;               ///< of contacts
+  };
 
-  ContactMatcher();
+  /// Of the options it uses threads. Throws what the ContactHistory throws.
+  explicit ContactMatcher(const Options& options = {});
   ~ContactMatcher();
   ContactMatcher(const ContactMatcher&) = delete;
   ContactMatcher& operator=(const ContactMatcher&) = delete;
@@ -55,13 +65,24 @@ class ABUT_API ContactMatcher {
   void match(const PairList& pairs, const ElementView& elements, const Domain& domain,
              std::span<const std::uint64_t> ids);
 
+  /// Tells whether the contacts matched last that were there before are in the order of then.
+  [[nodiscard]] bool keeps_order() const noexcept;
+
+  /// Moves the values of the contacts accepted last, in the array where they are, to the places of
+  /// those matched last; there is room for both. Only where the order is kept. Takes all memory
+  /// before a value moves.
+  void move_values(const Values& values);
+
+  /// Copies the values of the contacts accepted last to another array, in the order of those
+  /// matched last.
+  void copy_values(const std::byte* from, const Values& to);
+
   /// Throws Error{limit_exceeded}, for a lack of memory outside.
   [[noreturn]] static void lack_memory();
 
   /// Keeps the pairs matched last, for the next call to compare with.
   void accept() noexcept;
 
-  [[nodiscard]] std::span<const Run> runs() const noexcept;
   [[nodiscard]] std::span<const PairCount> born() const noexcept;
   [[nodiscard]] std::span<const PairCount> flipped() const noexcept;
   [[nodiscard]] std::span<const Lost> lost() const noexcept;
@@ -86,6 +107,12 @@ template <class T>
 requires std::is_trivially_copyable_v<T> && std::is_default_constructible_v<T>
 class ContactHistory {
  public:
+  /// Makes a history without contacts.
+  ContactHistory() = default;
+  /// Makes a history without contacts. Of the options it uses threads; throws Error{wrong_usage} if
+  /// they are negative.
+  explicit ContactHistory(const Options& options) : matcher_(options), threads_(options.threads) {}
+
   /// Brings the history to the contacts of this step: `pairs` in canonical order, in a periodic
   /// domain with their shifts, as found for these elements. Deterministic; linear in pairs and
   /// elements while ids stay or only grow.
@@ -130,36 +157,40 @@ class ContactHistory {
   [[nodiscard]] std::span<const PairCount> flipped() const noexcept { return matcher_.flipped(); }
 
   /// Forgets all contacts.
-  void clear() { *this = ContactHistory(); }
+  void clear() {
+    Options options;
+    options.threads = threads_;
+    *this = ContactHistory(options);
+  }
 
  private:
   using Values = std::vector<T, detail::PageAllocator<T>>;
 
-  using Run = detail::ContactMatcher::Run;
-
-  /// Moves the values to their new places, in the array where they are: all memory is taken, and
-  /// the value of a new contact made, before the first of them moves.
+  /// Brings the values to their new places, in the array where they are if the contacts keep their
+  /// order: all memory is taken, and the value of a new contact made, before the first of them
+  /// moves.
   void collect(PairCount count) {
     const T fresh{};
     next_lost_.clear();
     for (const auto& lost : matcher_.lost()) {
       next_lost_.push_back({lost.first, lost.second, values_[lost.before]});
     }
-    const std::span<const Run> runs = matcher_.runs();
-    const bool in_order = std::is_sorted(
-        runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.before < b.before; });
-    if (in_order) {
+    if (matcher_.keeps_order()) {
       make_room(values_, count);
-      shift(runs);
+      matcher_.move_values(bytes_of(values_, count, fresh));
       values_.resize(count);
     } else {
       next_values_.clear();
       make_room(next_values_, count);
-      next_values_.resize(count);
-      for (const Run& run : runs) copy(run, next_values_);
+      matcher_.copy_values(reinterpret_cast<const std::byte*>(values_.data()),
+                           bytes_of(next_values_, count, fresh));
       values_.swap(next_values_);
     }
-    fill_between(runs, fresh);
+  }
+
+  static detail::ContactMatcher::Values bytes_of(Values& values, PairCount count, const T& fresh) {
+    return {reinterpret_cast<std::byte*>(values.data()), sizeof(T),
+            reinterpret_cast<const std::byte*>(&fresh), count};
   }
 
   static void make_room(Values& values, PairCount count) {
@@ -179,38 +210,13 @@ class ContactHistory {
     values.reserve(count);
   }
 
-  void copy(const Run& run, Values& to) {
-    if (run.now == run.before && &to == &values_) return;
-    std::memmove(to.data() + run.now, values_.data() + run.before, run.count * sizeof(T));
-  }
-
-  /// Runs keep their order and do not overlap, before or now. Those that move to the front go
-  /// first, the first of them first: what each writes over lies before all that is still to be
-  /// read. Then those that move to the back, the last of them first.
-  void shift(std::span<const Run> runs) {
-    for (auto run = runs.begin(); run != runs.end(); ++run) {
-      if (run->now < run->before) copy(*run, values_);
-    }
-    for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
-      if (run->now > run->before) copy(*run, values_);
-    }
-  }
-
-  void fill_between(std::span<const Run> runs, const T& fresh) {
-    PairCount end = 0;  // of the run before
-    for (const Run& run : runs) {
-      std::fill(values_.data() + end, values_.data() + run.now, fresh);
-      end = run.now + run.count;
-    }
-    std::fill(values_.data() + end, values_.data() + values_.size(), fresh);
-  }
-
   detail::ContactMatcher matcher_;
   Values values_;
   Values next_values_;  ///< used where contacts have changed their order
   std::vector<LostContact<T>> lost_;
   std::vector<LostContact<T>> next_lost_;
   PairCount kept_ = 0;
+  int threads_ = 0;
 };
 
 }  // namespace abut

@@ -43,10 +43,7 @@ void require_in_range(const Options& options) {
     throw Error(ErrorCode::invalid_input, "margin = " + base::shortest_text(options.margin) +
                                               "; it must be finite and not negative");
   }
-  if (options.threads < 0) {
-    throw Error(ErrorCode::wrong_usage, "threads = " + std::to_string(options.threads) +
-                                            "; give a positive number, or 0 for the default");
-  }
+  require_threads(options);
 }
 
 [[noreturn]] void refuse_count(const std::string& count, Algorithm algorithm) {
@@ -56,6 +53,12 @@ void require_in_range(const Options& options) {
 }
 
 }  // namespace
+
+void require_threads(const Options& options) {
+  if (options.threads >= 0) return;
+  throw Error(ErrorCode::wrong_usage, "threads = " + std::to_string(options.threads) +
+                                          "; give a positive number, or 0 for the default");
+}
 
 void validate(const Options& options, const ElementView& elements, const Domain& domain) {
   require_in_range(options);

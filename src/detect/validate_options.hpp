@@ -23,6 +23,9 @@ void validate(const Options& options, const ElementView& elements, const Domain&
 void validate(const Options& options, const ElementView& first, const ElementView& second,
               const Domain& domain);
 
+/// Throws Error for a number of threads that is negative.
+void require_threads(const Options& options);
+
 /// Throws Error for a cutoff that is not a length and for elements that have a radius.
 void require_points(const ElementView& points, double cutoff);
 

@@ -29,6 +29,9 @@ class CarriedPairs {
   /// One shift for each pair, or none at all.
   [[nodiscard]] std::span<const ImageShift> shifts() const noexcept { return shifts_; }
 
+  /// Tells whether elements have other numbers than before.
+  [[nodiscard]] bool are_renumbered() const noexcept { return !entries_.empty(); }
+
   /// Place of the pair in the list of the step before.
   [[nodiscard]] PairCount origin(PairCount k) const noexcept {
     return entries_.empty() ? k : entries_[k].origin;

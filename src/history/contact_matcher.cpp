@@ -1,14 +1,18 @@
 #include "base/float_environment.hpp"
 #include "base/lack_of_memory.hpp"
+#include "base/workers.hpp"
 #include "detect/validate_options.hpp"
 #include "elements/element_ids.hpp"
 #include "history/carried_pairs.hpp"
 #include "history/cell_jumps.hpp"
+#include "history/moved_values.hpp"
+#include "history/pairs_found_again.hpp"
 
 #include <abut/contact_history.hpp>
 #include <abut/error.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -17,58 +21,6 @@
 #include <vector>
 
 namespace abut::detail {
-namespace {
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw Error(ErrorCode::wrong_usage, what);
-}
-
-/// Two ascending lists of pairs side by side; without shifts all are alike.
-template <bool WithShifts>
-class Merge {
- public:
-  Merge(std::span<const ContactPair> now, std::span<const ImageShift> now_shifts,
-        const history::CarriedPairs& before)
-      : now_(now),
-        now_shifts_(now_shifts),
-        before_(before.pairs()),
-        before_shifts_(before.shifts()) {}
-
-  [[nodiscard]] bool equal(PairCount k, PairCount b) const {
-    if constexpr (WithShifts) {
-      return now_[k] == before_[b] && now_shifts_[k] == shift_before(b);
-    } else {
-      return now_[k] == before_[b];
-    }
-  }
-  [[nodiscard]] bool less(PairCount k, PairCount b) const {
-    if (!(now_[k] == before_[b])) return now_[k] < before_[b];
-    if constexpr (WithShifts) return now_shifts_[k] < shift_before(b);
-    return false;
-  }
-  /// True if pair k comes after pair k - 1 in canonical order.
-  [[nodiscard]] bool ascends(PairCount k) const {
-    if (k == 0 || now_[k - 1] < now_[k]) return true;
-    if constexpr (WithShifts) {
-      return now_[k - 1] == now_[k] && now_shifts_[k - 1] < now_shifts_[k];
-    }
-    return false;
-  }
-  [[nodiscard]] PairCount now_size() const { return now_.size(); }
-  [[nodiscard]] PairCount before_size() const { return before_.size(); }
-
- private:
-  [[nodiscard]] ImageShift shift_before(PairCount b) const {
-    return before_shifts_.empty() ? ImageShift{} : before_shifts_[b];
-  }
-
-  std::span<const ContactPair> now_;
-  std::span<const ImageShift> now_shifts_;
-  std::span<const ContactPair> before_;
-  std::span<const ImageShift> before_shifts_;
-};
-
-}  // namespace
 
 struct ContactMatcher::State {
   // State of the step that was accepted last.
@@ -85,24 +37,23 @@ struct ContactMatcher::State {
   std::vector<std::uint32_t> number_before;
   std::vector<std::uint32_t> number_now;
   history::CarriedPairs carried;
-  std::vector<Run> runs;
+  history::PairsFoundAgain found;
+  std::vector<Lost> lost;
+  history::MovedValues moved;
+
+  // What is read after accept(): that of a match that fails stays in `found`.
   std::vector<PairCount> born;
   std::vector<PairCount> flipped;
-  std::vector<Lost> lost;
 
-  // `born` and `flipped` are read after accept(): those of a match that fails stay aside.
-  std::vector<PairCount> next_born;
-  std::vector<PairCount> next_flipped;
+  int threads = 0;
+  std::size_t workers = 1;  ///< of this step
 
   void carry(const ElementView& elements, const Domain& domain,
              std::span<const std::uint64_t> given);
-  template <bool WithShifts>
-  void merge(const Merge<WithShifts>& merge, std::size_t elements);
   void lose(PairCount origin) {
     lost.push_back({origin, ids.of(pairs[origin].first), ids.of(pairs[origin].second)});
   }
   void lose_those_without_elements();
-  void add_born(PairCount k, std::size_t elements);
   void keep(const PairList& list, bool with_shifts);
   void match(const PairList& list, const ElementView& elements, const Domain& domain,
              std::span<const std::uint64_t> given);
@@ -119,55 +70,11 @@ void ContactMatcher::State::carry(const ElementView& elements, const Domain& dom
     next_ids.find_in(ids, number_before);
     ids.find_in(next_ids, number_now);
   }
-  jumps.find(elements, domain, number_before);
+  jumps.find(elements, domain, number_before, workers);
   if (ids_change) {
     carried.renumber(pairs, shifts, jumps, number_now);
   } else {
     carried.keep(pairs, shifts, jumps);
-  }
-}
-
-void ContactMatcher::State::add_born(PairCount k, std::size_t elements) {
-  const ContactPair& pair = next_pairs[k];
-  if (pair.first > pair.second || pair.second >= elements) {
-    refuse("pair " + std::to_string(k) + " is of elements " + std::to_string(pair.first) + " and " +
-           std::to_string(pair.second) + ", but there are " + std::to_string(elements) +
-           "; give the elements that the pairs were found for");
-  }
-  next_born.push_back(k);
-}
-
-template <bool WithShifts>
-void ContactMatcher::State::merge(const Merge<WithShifts>& lists, std::size_t elements) {
-  PairCount k = 0, b = 0;
-  const auto require_ascending = [&] {
-    if (lists.ascends(k)) return;
-    refuse("pair " + std::to_string(k) +
-           " is not in canonical order; ask for Order::canonical, and in a periodic domain for "
-           "Shifts::stored");
-  };
-  while (k < lists.now_size() && b < lists.before_size()) {
-    if (lists.equal(k, b)) {
-      require_ascending();
-      const Run run{k, carried.origin(b), 0};
-      const PairCount first = k;
-      do {
-        if (carried.flipped(b)) next_flipped.push_back(k);
-        ++k, ++b;
-      } while (k < lists.now_size() && b < lists.before_size() && lists.equal(k, b) &&
-               carried.origin(b) == run.before + (k - first));
-      runs.push_back({run.now, run.before, k - first});
-    } else if (lists.less(k, b)) {
-      require_ascending();
-      add_born(k++, elements);
-    } else {
-      lose(carried.origin(b++));
-    }
-  }
-  for (; b < lists.before_size(); ++b) lose(carried.origin(b));
-  for (; k < lists.now_size(); ++k) {
-    require_ascending();
-    add_born(k, elements);
   }
 }
 
@@ -180,11 +87,17 @@ void ContactMatcher::State::lose_those_without_elements() {
   }
 }
 
+/// Copies the list: that of a detector is valid until its next call.
 void ContactMatcher::State::keep(const PairList& list, bool with_shifts) {
   next_pairs.resize(list.size());
-  std::copy(list.begin(), list.end(), next_pairs.begin());
   next_shifts.resize(with_shifts ? list.size() : 0);
-  if (with_shifts) std::copy(list.shifts().begin(), list.shifts().end(), next_shifts.begin());
+  base::for_each_worker(workers, [&](std::size_t worker) {
+    const auto [first, last] = base::share_of(worker, workers, list.size());
+    std::copy(list.begin() + first, list.begin() + last, next_pairs.begin() + first);
+    if (!with_shifts) return;
+    const std::span<const ImageShift> some = list.shifts().subspan(first, last - first);
+    std::copy(some.begin(), some.end(), next_shifts.begin() + first);
+  });
 }
 
 void ContactMatcher::State::match(const PairList& list, const ElementView& elements,
@@ -192,26 +105,26 @@ void ContactMatcher::State::match(const PairList& list, const ElementView& eleme
   detect::require_dimensions(elements, domain);
   const bool with_shifts = domain.is_periodic();
   if (with_shifts && list.shifts().size() != list.size()) {
-    refuse("pairs of a periodic domain without their image shifts; set Options::shifts to stored");
+    throw Error(ErrorCode::wrong_usage,
+                "pairs of a periodic domain without their image shifts; set Options::shifts to "
+                "stored");
   }
-  runs.clear();
+  workers = base::worker_count(threads, elements.size());
   lost.clear();
-  next_born.clear();
-  next_flipped.clear();
   carry(elements, domain, given);
   keep(list, with_shifts);
-  if (with_shifts) {
-    merge(Merge<true>(next_pairs, next_shifts, carried), elements.size());
-  } else {
-    merge(Merge<false>(next_pairs, {}, carried), elements.size());
-  }
+  found.find({next_pairs, next_shifts, elements.size()}, carried, workers);
+  for (const PairCount origin : found.lost()) lose(origin);
   if (ids_change) lose_those_without_elements();
   std::sort(lost.begin(), lost.end(),
             [](const Lost& a, const Lost& b) { return a.before < b.before; });
 }
 
-ContactMatcher::ContactMatcher()
-    : state_(base::reporting_lack_of_memory([] { return std::make_unique<State>(); })) {}
+ContactMatcher::ContactMatcher(const Options& options)
+    : state_(base::reporting_lack_of_memory([] { return std::make_unique<State>(); })) {
+  detect::require_threads(options);
+  state_->threads = options.threads;
+}
 ContactMatcher::~ContactMatcher() = default;
 ContactMatcher::ContactMatcher(ContactMatcher&&) noexcept = default;
 ContactMatcher& ContactMatcher::operator=(ContactMatcher&&) noexcept = default;
@@ -232,13 +145,23 @@ void ContactMatcher::accept() noexcept {
   state.shifts.swap(state.next_shifts);
   if (state.ids_change) std::swap(state.ids, state.next_ids);
   state.jumps.accept();
-  state.born.swap(state.next_born);
-  state.flipped.swap(state.next_flipped);
+  state.found.swap_places(state.born, state.flipped);
 }
 
-std::span<const ContactMatcher::Run> ContactMatcher::runs() const noexcept {
-  return state_->runs;
+bool ContactMatcher::keeps_order() const noexcept {
+  const auto runs = state_->found.runs();
+  return std::is_sorted(runs.begin(), runs.end(),
+                        [](const Run& a, const Run& b) { return a.before < b.before; });
 }
+
+void ContactMatcher::move_values(const Values& values) {
+  state_->moved.shift(state_->found.runs(), values, state_->workers);
+}
+
+void ContactMatcher::copy_values(const std::byte* from, const Values& to) {
+  history::MovedValues::copy(state_->found.runs(), from, to, state_->workers);
+}
+
 std::span<const PairCount> ContactMatcher::born() const noexcept {
   return state_->born;
 }

@@ -136,7 +136,7 @@ void WallMatcher::State::carry(const ElementView& spheres, const Domain& domain,
     next_ids.find_in(ids, number_before);
     ids.find_in(next_ids, number_now);
   }
-  jumps.find(spheres, domain, number_before);
+  jumps.find(spheres, domain, number_before, 1);
   carried.clear();
   for (std::size_t k = 0; k < keys.size(); ++k) {
     WallKey key = keys[k];

@@ -35,6 +35,30 @@ def test_values_follow_contacts_by_ids():
     assert len(history) == 0
 
 
+@pytest.mark.parametrize("threads", [1, 2, 7])
+def test_any_number_of_threads_gives_the_same(threads):
+    random = np.random.default_rng(11)
+    x = random.random((900, 2))
+    one, several = abut.ContactHistory(threads=1), abut.ContactHistory(threads=threads)
+    for _ in range(5):
+        c = abut.contacts(x, 0.03)
+        for history in (one, several):
+            history.update(c)
+            history.values[history.born] = history.born + 1
+        assert several.values.tolist() == one.values.tolist()
+        assert several.born.tolist() == one.born.tolist()
+        assert several.lost.tolist() == one.lost.tolist()
+        x += 0.004 * random.standard_normal(x.shape)
+    assert 0 < one.kept < len(one)
+
+
+def test_threads_are_a_number():
+    with pytest.raises(ValueError, match="threads"):
+        abut.ContactHistory(threads=-1)
+    with pytest.raises(TypeError, match="threads"):
+        abut.ContactHistory(threads="many")
+
+
 def test_plain_numbers_and_periodic_cells():
     cell = abut.Domain.periodic((10, 10))
     history = abut.ContactHistory()

@@ -11,6 +11,7 @@ from . import _abut
 from ._arrays import whole_numbers
 from ._contacts import Contacts
 from ._errors import InputError, InputTypeError, UsageError
+from ._options import threads_of
 
 
 class History:
@@ -27,9 +28,12 @@ class History:
 
     def clear(self) -> None:
         """Forgets all contacts."""
-        self._matcher: Any = self._make_matcher(self._dtype.itemsize)
+        self._matcher: Any = self._new_matcher()
         self._values = np.zeros(0, self._dtype)
         self._lost = self._lost_of(self._values)
+
+    def _new_matcher(self) -> Any:
+        return self._make_matcher(self._dtype.itemsize)
 
     def _update(self, count: int, *step: Any) -> None:
         """Brings the history to a step of so many contacts. On an error nothing has changed."""
@@ -99,6 +103,8 @@ class ContactHistory(History):
     ----------
     dtype : data type
         Type of a value: a number or a structured type.
+    threads : int
+        Number of threads; OpenMP's default if it is left out. Any number gives the same values.
 
     Examples
     --------
@@ -115,8 +121,14 @@ class ContactHistory(History):
     (array([0], dtype=uint64), array([2]))
     """
 
-    _make_matcher = _abut.PairHistory
     _names = ("first", "second")
+
+    def __init__(self, dtype: npt.DTypeLike = float, *, threads: int | None = None) -> None:
+        self._threads = threads_of(threads)
+        super().__init__(dtype)
+
+    def _new_matcher(self) -> Any:
+        return _abut.PairHistory(self._dtype.itemsize, self._threads or 0)
 
     def update(self, contacts: Contacts, ids: npt.ArrayLike | None = None) -> None:
         """Brings the history to the contacts of this step. On an error nothing has changed.

@@ -69,7 +69,7 @@ def call_options(
         rule_of(rule, groups, exclude, sizes),
         count(max_pairs, "max_pairs"),
         count(max_bytes, "max_bytes"),
-        _threads(threads),
+        threads_of(threads),
         simd,
         progress_function(progress),
     )
@@ -82,6 +82,7 @@ def _quantities(given: QuantityNames) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _threads(given: int | None) -> int | None:
+def threads_of(given: int | None) -> int | None:
+    """A number of threads that the compiled module can read."""
     threads = count(given, "threads")
     return None if threads is None else min(threads, 2**31 - 1)

@@ -5,7 +5,9 @@
 
 #include <abut/contact_history.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 
 namespace abut::python {
@@ -13,6 +15,12 @@ namespace abut::python {
 namespace {
 
 using PairHistory = ByteHistory<ContactHistory<std::uint64_t>>;
+
+void make(PairHistory* history, std::size_t value_bytes, int threads) {
+  Options options;
+  options.threads = threads;
+  new (history) PairHistory(value_bytes, ContactHistory<std::uint64_t>(options));
+}
 
 void update(PairHistory& history, const PairResults& pairs, const Elements& elements,
             const Domain& domain, nb::handle ids) {
@@ -25,6 +33,7 @@ void update(PairHistory& history, const PairResults& pairs, const Elements& elem
 
 void bind_history(nb::module_& module) {
   bind_byte_history<ContactHistory<std::uint64_t>>(module, "PairHistory")
+      .def("__init__", &make, nb::arg("value_bytes"), nb::arg("threads"))
       .def("update", &update, nb::arg("pairs"), nb::arg("elements"), nb::arg("domain"),
            nb::arg("ids").none())
       .def("flipped",

@@ -23,7 +23,8 @@ namespace nb = nanobind;
 template <class Places>
 class ByteHistory {
  public:
-  explicit ByteHistory(std::size_t value_bytes) : value_bytes_(value_bytes) {}
+  explicit ByteHistory(std::size_t value_bytes, Places places = Places())
+      : value_bytes_(value_bytes), places_(std::move(places)) {}
 
   /// Takes the contacts of a step, as Places::update does. The caller has the values of kept
   /// contacts copied from the array of the last step to one with a value for each contact, zeros at
@@ -96,8 +97,7 @@ nb::class_<ByteHistory<Places>> bind_byte_history(nb::module_& module, const cha
   using Table = nb::ndarray<std::uint8_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
   using ReadTable = nb::ndarray<const std::uint8_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
   nb::class_<History> type(module, name);
-  type.def(nb::init<std::size_t>(), nb::arg("value_bytes"))
-      .def(
+  type.def(
           "carry",
           [](const History& history, const ReadTable& from, const Table& to) {
             const std::size_t width = history.value_bytes();

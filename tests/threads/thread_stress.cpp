@@ -15,9 +15,11 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace abut::testing {
@@ -152,6 +154,36 @@ void stress_spatial_order(const Scene& scene) {
          "the order along space");
 }
 
+/// Values of contacts of elements that move, are wrapped and change places.
+void stress_history(Scene scene) {
+  const double side = *std::ranges::max_element(scene.x) + 2.0 * scene.radius[0];
+  const Domain block = Domain::periodic({side, side, side});
+  std::vector<std::uint64_t> ids(scene.size());
+  std::iota(ids.begin(), ids.end(), std::uint64_t{0});
+  ContactHistory<std::uint64_t> one({.threads = 1}), several({.threads = workers});
+  for (std::size_t step = 0; step < 6; ++step) {
+    const PairList list = find_contact_pairs(view_of(scene), block, {.shifts = Shifts::stored});
+    for (auto* const history : {&one, &several}) {
+      history->update(list, view_of(scene), block, ids);
+      for (const PairCount k : history->born()) history->values()[k] = 1'000'000 * step + k;
+    }
+    insist(std::ranges::equal(one.values(), several.values()), "the values of contacts");
+    insist(std::ranges::equal(one.born(), several.born()), "the new contacts");
+    insist(std::ranges::equal(one.flipped(), several.flipped()), "the contacts turned around");
+    insist(one.lost().size() == several.lost().size(), "the number of lost contacts");
+    for (std::size_t k = 0; k < scene.size(); ++k) {
+      scene.x[k] += 0.01 * static_cast<double>((k * 7 + step) % 13);
+      if (k % 5 == step) scene.y[k] += side;
+    }
+    if (step == 3) {
+      std::swap(ids.front(), ids.back());
+      for (auto* const column : {&scene.x, &scene.y, &scene.z}) {
+        std::swap(column->front(), column->back());
+      }
+    }
+  }
+}
+
 void stop_half_way(const ElementView& elements, Options options) {
   options.threads = workers;
   bool stopped = false;
@@ -233,6 +265,7 @@ void run() {
   stress(scenes::scene_named("two_far_clusters").make(70000, 1), 0.0);
   stress_domains(scenes::scene_named("dense").make(20000, 1));
   stress_skin(scenes::scene_named("dense").make(20000, 1));
+  stress_history(scenes::scene_named("dense").make(20000, 1));
   stress_sets(scenes::scene_named("log_uniform").make(3000, 1));
   stress_walls(scenes::scene_named("gas").make(20000, 1));
   const Scene gas = scenes::scene_named("gas").make(60000, 1);

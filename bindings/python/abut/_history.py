@@ -35,9 +35,12 @@ class History:
     def _new_matcher(self) -> Any:
         return self._make_matcher(self._dtype.itemsize)
 
+    def _room_for(self, count: int) -> npt.NDArray[Any]:
+        return np.zeros(count, self._dtype)
+
     def _update(self, count: int, *step: Any) -> None:
         """Brings the history to a step of so many contacts. On an error nothing has changed."""
-        values = np.zeros(count, self._dtype)
+        values = self._room_for(count)
         self._matcher.update(*step)
         before, self._values = self._values, values
         self._matcher.carry(_bytes_of(before), _bytes_of(values))
@@ -129,6 +132,10 @@ class ContactHistory(History):
 
     def _new_matcher(self) -> Any:
         return _abut.PairHistory(self._dtype.itemsize, self._threads or 0)
+
+    def _room_for(self, count: int) -> npt.NDArray[Any]:
+        # Every value is written when the kept ones are carried.
+        return np.empty(count, self._dtype)
 
     def update(self, contacts: Contacts, ids: npt.ArrayLike | None = None) -> None:
         """Brings the history to the contacts of this step. On an error nothing has changed.

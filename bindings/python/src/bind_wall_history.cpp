@@ -50,7 +50,6 @@ nb::tuple lost_on_boxes(const ByteHistory<BoxPlaces>& history) {
 
 void bind_wall_history(nb::module_& module) {
   bind_byte_history<MeshPlaces>(module, "MeshHistory")
-      .def(nb::init<std::size_t>(), nb::arg("value_bytes"))
       .def("update", &update_on_mesh, nb::arg("records"), nb::arg("shifts").none(),
            nb::arg("spheres"), nb::arg("mesh"), nb::arg("domain"), nb::arg("ids").none())
       .def("passed_on",
@@ -59,7 +58,6 @@ void bind_wall_history(nb::module_& module) {
            })
       .def("lost", &lost_on_mesh);
   bind_byte_history<BoxPlaces>(module, "BoxHistory")
-      .def(nb::init<std::size_t>(), nb::arg("value_bytes"))
       .def("update", &update_on_boxes, nb::arg("records"), nb::arg("shifts").none(),
            nb::arg("spheres"), nb::arg("domain"), nb::arg("ids").none())
       .def("lost", &lost_on_boxes);

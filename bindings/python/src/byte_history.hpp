@@ -18,13 +18,35 @@ namespace abut::python {
 
 namespace nb = nanobind;
 
+/// Values as rows of bytes, one for each contact.
+using NewValueTable = nb::ndarray<std::uint8_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+using ValueTable = nb::ndarray<const std::uint8_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+[[nodiscard]] inline const std::byte* bytes_of(const ValueTable& table) {
+  return reinterpret_cast<const std::byte*>(table.data());
+}
+
+/// The bytes of a value, and the contacts of two steps.
+struct TableSizes {
+  std::size_t value_bytes;
+  std::size_t before;
+  std::size_t now;
+};
+
+inline void require_tables(const ValueTable& from, const NewValueTable& to,
+                           const TableSizes& sizes) {
+  if (from.shape(1) != sizes.value_bytes || to.shape(1) != sizes.value_bytes ||
+      to.shape(0) != sizes.now || from.shape(0) < sizes.before) {
+    throw nb::value_error("arrays of values do not fit the contacts");
+  }
+}
+
 /// Values of any size for the contacts of each step: bytes that the caller gives a meaning.
 /// `Places` is a history of whole numbers, which are the places of contacts in the last step.
 template <class Places>
 class ByteHistory {
  public:
-  explicit ByteHistory(std::size_t value_bytes, Places places = Places())
-      : value_bytes_(value_bytes), places_(std::move(places)) {}
+  explicit ByteHistory(std::size_t value_bytes) : value_bytes_(value_bytes) {}
 
   /// Takes the contacts of a step, as Places::update does. The caller has the values of kept
   /// contacts copied from the array of the last step to one with a value for each contact, zeros at
@@ -90,23 +112,18 @@ template <class Places, class NumberOf>
   return given_away(std::move(numbers));
 }
 
-/// Binds what all histories have in common.
+/// Binds what the histories of contacts with walls have in common.
 template <class Places>
 nb::class_<ByteHistory<Places>> bind_byte_history(nb::module_& module, const char* name) {
   using History = ByteHistory<Places>;
-  using Table = nb::ndarray<std::uint8_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
-  using ReadTable = nb::ndarray<const std::uint8_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
   nb::class_<History> type(module, name);
-  type.def(
+  type.def(nb::init<std::size_t>(), nb::arg("value_bytes"))
+      .def(
           "carry",
-          [](const History& history, const ReadTable& from, const Table& to) {
-            const std::size_t width = history.value_bytes();
-            if (from.shape(1) != width || to.shape(1) != width || to.shape(0) != history.size() ||
-                from.shape(0) < history.size_before()) {
-              throw nb::value_error("arrays of values do not fit the contacts");
-            }
-            history.carry(reinterpret_cast<const std::byte*>(from.data()),
-                          reinterpret_cast<std::byte*>(to.data()));
+          [](const History& history, const ValueTable& from, const NewValueTable& to) {
+            require_tables(from, to,
+                           {history.value_bytes(), history.size_before(), history.size()});
+            history.carry(bytes_of(from), reinterpret_cast<std::byte*>(to.data()));
           },
           nb::arg("before"), nb::arg("after"))
       .def_prop_ro("kept", [](const History& history) { return history.places().kept(); })

@@ -15,7 +15,7 @@ std::size_t wanted_workers(int asked, std::size_t elements) noexcept {
     return std::min(static_cast<std::size_t>(asked), std::max(elements, std::size_t{1}));
   // Waking a thread takes as long as detecting the contacts of some thousand elements.
   constexpr std::size_t worth_a_thread = 8192;
-  return std::clamp(elements / worth_a_thread, std::size_t{1}, openmp::default_threads());
+  return workers_worth(elements, worth_a_thread, openmp::default_threads());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -70,6 +71,13 @@ void for_each_index(std::size_t count, std::size_t size, Body&& body) {
       throw;
     }
   });
+}
+
+/// The workers, of so many, that as many items keep busy: each should have `worth_a_worker`, or it
+/// would wake for less than that takes.
+[[nodiscard]] inline std::size_t workers_worth(std::size_t items, std::size_t worth_a_worker,
+                                               std::size_t workers) {
+  return std::clamp(items / worth_a_worker, std::size_t{1}, workers);
 }
 
 /// The part of [0, size) that is a worker's: contiguous, in order, of equal size but for one.

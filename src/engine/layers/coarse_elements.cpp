@@ -111,7 +111,7 @@ void CoarseElements<Dim>::copy(const LayerSpheres<Dim>& all, std::size_t workers
   spheres_.resize(count);
   boxes_.clear();
   if (all.stand_for_boxes()) boxes_.resize(count);
-  const std::size_t sharing = std::clamp(count / worth_a_worker, std::size_t{1}, workers);
+  const std::size_t sharing = base::workers_worth(count, worth_a_worker, workers);
   base::for_each_share(sharing, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     double& largest = shares_[worker].largest_radius;
     largest = 0.0;

@@ -150,8 +150,7 @@ void LayerSearch<Dim>::sort_coarse(const LayerGrid<Dim>& grid) {
   base::WorkCounter& work = workspace_.workers[0]->work();
   const CoarseElements<Dim>& coarse = workspace_.coarse;
   const std::size_t count = coarse.numbers().size();
-  const std::size_t workers =
-      std::clamp(count / coarse_worth_a_worker, std::size_t{1}, worker_count_);
+  const std::size_t workers = base::workers_worth(count, coarse_worth_a_worker, worker_count_);
   workspace_.far_spheres.start(workers);
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(worker, workers, count);

@@ -65,7 +65,7 @@ void OccupancySample<Dim>::draw(std::size_t draws) {
   };
   const bool are_near = spheres.size() <= most_in_near_cache;
   const std::size_t more = draws - draws_;
-  const std::size_t workers = std::clamp(more / draws_worth_a_worker, std::size_t{1}, workers_);
+  const std::size_t workers = base::workers_worth(more, draws_worth_a_worker, workers_);
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [begin, end] = base::share_of(worker, workers, more);
     for (std::size_t k = draws_ + begin; k < draws_ + end; ++k) {

@@ -70,7 +70,7 @@ class ABUT_API ContactMatcher {
 
   /// Moves the values of the contacts accepted last, in the array where they are, to the places of
   /// those matched last; there is room for both. Only where the order is kept. Takes all memory
-  /// before a value moves.
+  /// before a value moves; throws Error{limit_exceeded} if there is none.
   void move_values(const Values& values);
 
   /// Copies the values of the contacts accepted last to another array, in the order of those

@@ -155,11 +155,13 @@ bool ContactMatcher::keeps_order() const noexcept {
 }
 
 void ContactMatcher::move_values(const Values& values) {
-  state_->moved.shift(state_->found.runs(), values, state_->workers);
+  base::reporting_lack_of_memory(
+      [&] { state_->moved.shift(state_->found.runs(), values, state_->workers); });
 }
 
 void ContactMatcher::copy_values(const std::byte* from, const Values& to) {
-  history::MovedValues::copy(state_->found.runs(), from, to, state_->workers);
+  base::reporting_lack_of_memory(
+      [&] { history::MovedValues::copy(state_->found.runs(), from, to, state_->workers); });
 }
 
 std::span<const PairCount> ContactMatcher::born() const noexcept {

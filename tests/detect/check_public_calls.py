@@ -12,7 +12,7 @@ NOTHING_ALLOCATED = re.compile(r"""
     .*::~\w+ | .*::operator= | .*::State::\w+ |
     abut::Detector::(options|set_options|skin|skin_statistics|take_neighbors|take_pairs) |
     abut::Error::Error | abut::ExclusionList::(contains|fill) | abut::GroupTable::(deny_all|set) |
-    abut::detail::ContactMatcher::(accept|born|flipped|lost|runs) |
+    abut::detail::ContactMatcher::(accept|born|flipped|keeps_order|lost) |
     abut::detail::WallMatcher::(accept|before|born|lost|passed_on) |
     abut::detail::(allocate_pages|free_pages) |
     abut::(algorithms|available|name_of|simd_levels|version)

@@ -46,6 +46,7 @@ struct Given {
   Options measured{.shifts = Shifts::stored, .quantities = Quantity::distance | Quantity::vector};
   Options bad_margin{.margin = -1.0};
   Options few{.max_pairs = 3};
+  Options several{.threads = 3};
   Options ruled{.rule = {.elements = {.groups = groups}}};
   Options bad_rule{.rule = {.elements = {.groups = std::span(groups).first(7)}}};
   PairList pairs = find_contact_pairs(elements);

@@ -152,17 +152,17 @@ TEST_P(MemoryFaults, OfAListThatGrowsLoseNoPair) {
 
 /// On an error nothing has changed, and the update may be tried again.
 void expect_history_as_it_was(const Detectors& g, const PairList& before, const PairList& now,
-                              Refuse how) {
+                              const Options& options, Refuse how) {
   const auto first_step = [&](ContactHistory<double>& history) {
     history.update(before, g.elements, Domain::open(), g.ids);
     for (std::size_t k = 0; k < before.size(); ++k) history.values()[k] = static_cast<double>(k);
   };
-  ContactHistory<double> expected;
+  ContactHistory<double> expected(options);
   first_step(expected);
   expected.update(now, g.elements);
   bool refused = true;
   for (std::uint64_t which = 0; refused && which < most_allocations; ++which) {
-    ContactHistory<double> history;
+    ContactHistory<double> history(options);
     first_step(history);
     const Attempt attempt = attempted([&] { history.update(now, g.elements); }, which, how);
     expect_right(attempt, {});
@@ -186,8 +186,12 @@ TEST_P(MemoryFaults, LeaveTheHistoryAsItWas) {
   const PairList many = find_contact_pairs(g.elements, Domain::open(), {.margin = 0.1});
   const PairList few = find_contact_pairs(g.elements);
   ASSERT_LT(few.size(), many.size());
-  expect_history_as_it_was(g, many, few, GetParam());
-  expect_history_as_it_was(g, few, many, GetParam());
+  for (const int threads : {1, 3}) {
+    SCOPED_TRACE(threads);
+    const Options options{.threads = threads};
+    expect_history_as_it_was(g, many, few, options, GetParam());
+    expect_history_as_it_was(g, few, many, options, GetParam());
+  }
 }
 
 /// Spheres that have rolled on over a floor of triangles, one of them gone.

@@ -342,6 +342,16 @@ void add_history(Calls& calls) {
          history.update(g.pairs_before, g.elements, g.open, g.large_ids);
          history.clear();
        }});
+  calls.push_back({"abut::detail::ContactMatcher::move_values", "by several workers", [&g] {
+                     ContactHistory<double> history(g.several);
+                     history.update(g.pairs_before, g.elements);
+                     history.update(g.pairs, g.elements);
+                   }});
+  calls.push_back({"abut::detail::ContactMatcher::copy_values", "by several workers", [&g] {
+                     ContactHistory<double> history(g.several);
+                     history.update(g.pairs, g.elements, g.open, g.ids);
+                     history.update(g.pairs_before, g.elements, g.open, g.large_ids);
+                   }});
   calls.push_back({"abut::detail::ContactMatcher::match", "in a cell", [&g] {
                      ContactHistory<double> history;
                      history.update(g.shifted_pairs, g.elements, g.block, g.ids);

@@ -21,6 +21,9 @@ struct PublicCall {
 /// Adds the calls that take cells: boxes around them, simplices.
 void add_cell_calls(std::vector<PublicCall>& calls);
 
+/// Adds the calls of histories.
+void add_history_calls(std::vector<PublicCall>& calls);
+
 /// Each public function that may allocate, each of its forms, and what writes a sentence.
 [[nodiscard]] std::vector<PublicCall> public_calls();
 

@@ -93,10 +93,9 @@ void ContactMatcher::State::keep(const PairList& list, bool with_shifts) {
   next_shifts.resize(with_shifts ? list.size() : 0);
   base::for_each_worker(workers, [&](std::size_t worker) {
     const auto [first, last] = base::share_of(worker, workers, list.size());
-    std::copy(list.begin() + first, list.begin() + last, next_pairs.begin() + first);
+    std::copy_n(list.pairs().data() + first, last - first, next_pairs.data() + first);
     if (!with_shifts) return;
-    const std::span<const ImageShift> some = list.shifts().subspan(first, last - first);
-    std::copy(some.begin(), some.end(), next_shifts.begin() + first);
+    std::copy_n(list.shifts().data() + first, last - first, next_shifts.data() + first);
   });
 }
 

@@ -190,7 +190,7 @@ TEST_P(HistoryWorkers, ManyComeAndGoInOnePlace) {
 }
 
 TEST_P(HistoryWorkers, FewerContactsThanWorkers) {
-  for (const std::size_t count : {0, 1, 2, 3, 0, 1, 5, 0}) {
+  for (const std::size_t count : {0U, 1U, 2U, 3U, 0U, 1U, 5U, 0U}) {
     SCOPED_TRACE(count);
     model_.change(2, count, 0, element_count);
     step();

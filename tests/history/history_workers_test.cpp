@@ -28,7 +28,7 @@ constexpr double edge = 10.0;
 /// Larger than a number, and of an odd size.
 struct Value {
   std::uint64_t born = 0;
-  std::array<unsigned char, 3> rest{};
+  std::array<unsigned char, 3> rest{7, 8, 9};  ///< of a new contact
 
   friend bool operator==(const Value&, const Value&) = default;
 };

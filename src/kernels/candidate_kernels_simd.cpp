@@ -8,6 +8,7 @@
 
 #include "kernels/candidate_kernels.hpp"
 #include "kernels/compress_table.hpp"
+#include "kernels/table_index.hpp"
 
 #include <array>
 #include <bit>
@@ -252,10 +253,9 @@ HWY_EXPORT(fill);
 HWY_EXPORT(keep);
 
 CandidateKernels simd_candidate_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(sift)[chosen.GetIndex()], HWY_DISPATCH_TABLE(fill)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(keep)[chosen.GetIndex()]};
+  const std::size_t level = table_index(target);
+  return {HWY_DISPATCH_TABLE(sift)[level], HWY_DISPATCH_TABLE(fill)[level],
+          HWY_DISPATCH_TABLE(keep)[level]};
 }
 
 }  // namespace abut::kernels

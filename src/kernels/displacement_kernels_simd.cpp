@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/displacement_kernels.hpp"
+#include "kernels/table_index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -102,9 +103,7 @@ namespace abut::kernels {
 HWY_EXPORT(compare);
 
 DisplacementKernels simd_displacement_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(compare)[chosen.GetIndex()]};
+  return {HWY_DISPATCH_TABLE(compare)[table_index(target)]};
 }
 
 }  // namespace abut::kernels

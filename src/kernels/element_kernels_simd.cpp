@@ -8,6 +8,7 @@
 
 #include "kernels/element_kernels.hpp"
 #include "kernels/place_format.hpp"
+#include "kernels/table_index.hpp"
 #include "kernels/tiles/tile_view.hpp"
 
 #include <algorithm>
@@ -375,13 +376,11 @@ HWY_EXPORT(bin);
 HWY_EXPORT(arrange);
 
 ElementKernels simd_element_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {
-      HWY_DISPATCH_TABLE(pack)[chosen.GetIndex()],   HWY_DISPATCH_TABLE(check)[chosen.GetIndex()],
-      HWY_DISPATCH_TABLE(bound)[chosen.GetIndex()],  HWY_DISPATCH_TABLE(place)[chosen.GetIndex()],
-      HWY_DISPATCH_TABLE(record)[chosen.GetIndex()], HWY_DISPATCH_TABLE(bin)[chosen.GetIndex()],
-      HWY_DISPATCH_TABLE(arrange)[chosen.GetIndex()]};
+  const std::size_t level = table_index(target);
+  return {HWY_DISPATCH_TABLE(pack)[level],   HWY_DISPATCH_TABLE(check)[level],
+          HWY_DISPATCH_TABLE(bound)[level],  HWY_DISPATCH_TABLE(place)[level],
+          HWY_DISPATCH_TABLE(record)[level], HWY_DISPATCH_TABLE(bin)[level],
+          HWY_DISPATCH_TABLE(arrange)[level]};
 }
 
 }  // namespace abut::kernels

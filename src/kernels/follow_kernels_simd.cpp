@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/follow_kernels.hpp"
+#include "kernels/table_index.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -177,9 +178,7 @@ namespace abut::kernels {
 HWY_EXPORT(follow);
 
 FollowKernels simd_follow_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(follow)[chosen.GetIndex()]};
+  return {HWY_DISPATCH_TABLE(follow)[table_index(target)]};
 }
 
 }  // namespace abut::kernels

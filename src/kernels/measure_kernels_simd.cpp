@@ -10,6 +10,7 @@
 #include "exact/cancellation.hpp"
 #include "exact/center_line.hpp"
 #include "kernels/measure_kernels.hpp"
+#include "kernels/table_index.hpp"
 
 #include <array>
 #include <cstdint>
@@ -228,9 +229,7 @@ namespace abut::kernels {
 HWY_EXPORT(measure);
 
 MeasureKernels simd_measure_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(measure)[chosen.GetIndex()]};
+  return {HWY_DISPATCH_TABLE(measure)[table_index(target)]};
 }
 
 }  // namespace abut::kernels

@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/order_kernels.hpp"
+#include "kernels/table_index.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -245,9 +246,7 @@ HWY_EXPORT(sort_words);
 HWY_EXPORT(sort_word_rows);
 
 OrderKernels simd_order_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  const std::size_t here = chosen.GetIndex();
+  const std::size_t here = table_index(target);
   OrderKernels kernels{HWY_DISPATCH_TABLE(sort_pairs)[here], HWY_DISPATCH_TABLE(sort_numbers)[here],
                        nullptr, nullptr};
   constexpr std::int64_t wide = HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL;

@@ -9,6 +9,7 @@
 
 #include "exact/exact_stages.hpp"
 #include "exact/sphere_predicate.hpp"
+#include "kernels/table_index.hpp"
 #include "kernels/tie_kernels.hpp"
 
 #include <array>
@@ -254,9 +255,7 @@ namespace abut::kernels {
 HWY_EXPORT(decide);
 
 TieKernels simd_tie_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(decide)[chosen.GetIndex()]};
+  return {HWY_DISPATCH_TABLE(decide)[table_index(target)]};
 }
 
 }  // namespace abut::kernels

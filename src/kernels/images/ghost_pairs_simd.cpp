@@ -7,6 +7,7 @@
 
 #include "kernels/compress_table.hpp"
 #include "kernels/images/image_kernels.hpp"
+#include "kernels/table_index.hpp"
 
 #include <bit>
 #include <cstddef>
@@ -90,9 +91,7 @@ namespace abut::kernels {
 HWY_EXPORT(keep_with_local);
 
 KeepWithLocal* simd_keep_with_local(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return HWY_DISPATCH_TABLE(keep_with_local)[chosen.GetIndex()];
+  return HWY_DISPATCH_TABLE(keep_with_local)[table_index(target)];
 }
 
 }  // namespace abut::kernels

@@ -8,6 +8,7 @@
 
 #include "kernels/compress_table.hpp"
 #include "kernels/images/image_kernels.hpp"
+#include "kernels/table_index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -276,11 +277,9 @@ HWY_EXPORT(list_outer);
 HWY_EXPORT(bound_sides);
 
 ImageKernels simd_image_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(wrap)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(list_outer)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(bound_sides)[chosen.GetIndex()], simd_keep_with_local(target)};
+  const std::size_t level = table_index(target);
+  return {HWY_DISPATCH_TABLE(wrap)[level], HWY_DISPATCH_TABLE(list_outer)[level],
+          HWY_DISPATCH_TABLE(bound_sides)[level], simd_keep_with_local(target)};
 }
 
 }  // namespace abut::kernels

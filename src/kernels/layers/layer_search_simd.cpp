@@ -16,6 +16,7 @@
 #include "base/fetch_next_line.hpp"
 #include "kernels/compress_table.hpp"
 #include "kernels/layers/layer_kernels.hpp"
+#include "kernels/table_index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -288,16 +289,11 @@ HWY_EXPORT(search_far);
 HWY_EXPORT(search_coarse);
 
 LayerKernels simd_layer_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(scatter)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(count_in_steps)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(turn_into_places)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(split)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(search_layers)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(search_near)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(search_far)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(search_coarse)[chosen.GetIndex()]};
+  const std::size_t level = table_index(target);
+  return {HWY_DISPATCH_TABLE(scatter)[level],          HWY_DISPATCH_TABLE(count_in_steps)[level],
+          HWY_DISPATCH_TABLE(turn_into_places)[level], HWY_DISPATCH_TABLE(split)[level],
+          HWY_DISPATCH_TABLE(search_layers)[level],    HWY_DISPATCH_TABLE(search_near)[level],
+          HWY_DISPATCH_TABLE(search_far)[level],       HWY_DISPATCH_TABLE(search_coarse)[level]};
 }
 
 }  // namespace abut::kernels

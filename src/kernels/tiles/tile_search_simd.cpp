@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/compress_table.hpp"
+#include "kernels/table_index.hpp"
 #include "kernels/tiles/tile_search.hpp"
 
 #include <algorithm>
@@ -84,11 +85,9 @@ HWY_EXPORT(test_coarse_in_tile);
 HWY_EXPORT(pair_up);
 
 TileKernels simd_tile_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(search_tile)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(test_coarse_in_tile)[chosen.GetIndex()],
-          HWY_DISPATCH_TABLE(pair_up)[chosen.GetIndex()]};
+  const std::size_t level = table_index(target);
+  return {HWY_DISPATCH_TABLE(search_tile)[level], HWY_DISPATCH_TABLE(test_coarse_in_tile)[level],
+          HWY_DISPATCH_TABLE(pair_up)[level]};
 }
 
 }  // namespace abut::kernels

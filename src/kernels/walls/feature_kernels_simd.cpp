@@ -10,6 +10,7 @@
 
 #include "exact/cancellation.hpp"
 #include "exact/center_line.hpp"
+#include "kernels/table_index.hpp"
 #include "kernels/walls/feature_kernels.hpp"
 
 #include <cstddef>
@@ -333,9 +334,7 @@ namespace abut::kernels {
 HWY_EXPORT(measure_each);
 
 FeatureKernels simd_feature_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(measure_each)[chosen.GetIndex()]};
+  return {HWY_DISPATCH_TABLE(measure_each)[table_index(target)]};
 }
 
 }  // namespace abut::kernels

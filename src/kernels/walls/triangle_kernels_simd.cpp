@@ -10,6 +10,7 @@
 
 #include "exact/features/triangle_bands.hpp"
 #include "exact/sphere_predicate.hpp"
+#include "kernels/table_index.hpp"
 #include "kernels/walls/triangle_kernels.hpp"
 
 #include <cstddef>
@@ -271,9 +272,7 @@ namespace abut::kernels {
 HWY_EXPORT(decide);
 
 TriangleKernels simd_triangle_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  return {HWY_DISPATCH_TABLE(decide)[chosen.GetIndex()]};
+  return {HWY_DISPATCH_TABLE(decide)[table_index(target)]};
 }
 
 }  // namespace abut::kernels

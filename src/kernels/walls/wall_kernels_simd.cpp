@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "kernels/table_index.hpp"
 #include "kernels/walls/wall_kernels.hpp"
 
 #include <bit>
@@ -293,9 +294,7 @@ HWY_EXPORT(find_near);
 HWY_EXPORT(sift);
 
 WallKernels simd_wall_kernels(std::int64_t target) {
-  hwy::ChosenTarget chosen;
-  chosen.Update(target);
-  const auto level = chosen.GetIndex();
+  const std::size_t level = table_index(target);
   return {HWY_DISPATCH_TABLE(find_near)[level], HWY_DISPATCH_TABLE(sift)[level]};
 }
 

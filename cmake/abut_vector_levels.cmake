@@ -16,8 +16,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     set(chosen ${ABUT_SIMD_LEVELS})
     list(REMOVE_ITEM chosen ${levels})
     if(chosen OR NOT ABUT_SIMD_LEVELS)
-      message(FATAL_ERROR "ABUT_SIMD_LEVELS is '${ABUT_SIMD_LEVELS}'; take all, or some of ${levels}; "
-        "none is ABUT_HIGHWAY=OFF")
+      list(JOIN levels ", " known)
+      message(FATAL_ERROR "ABUT_SIMD_LEVELS is '${ABUT_SIMD_LEVELS}'; take all, or some of ${known}; "
+        "ABUT_HIGHWAY=OFF is none")
     endif()
     set(chosen ${levels})
     foreach(level IN LISTS levels)

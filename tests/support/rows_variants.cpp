@@ -1,6 +1,7 @@
 #include "support/rows_variants.hpp"
 
 #include "support/same_pairs.hpp"
+#include "support/sort_pairs.hpp"
 
 #include <abut/detect.hpp>
 
@@ -39,7 +40,7 @@ AssertionResult same_course(const PairList& first, const PairList& other, const 
   if (!std::ranges::equal(first.pairs(), other.pairs())) {
     const PairVector sorted = [&] {
       PairVector pairs(first.begin(), first.end());
-      std::sort(pairs.begin(), pairs.end());
+      sort_pairs(pairs);
       return pairs;
     }();
     return AssertionFailure() << told(options) << "another order of the pairs as found; "

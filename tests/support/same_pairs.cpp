@@ -1,5 +1,7 @@
 #include "support/same_pairs.hpp"
 
+#include "support/sort_pairs.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -40,7 +42,7 @@ PairVector without(std::span<const ContactPair> from, std::span<const ContactPai
 ::testing::AssertionResult same_pairs(std::span<const ContactPair> expected,
                                       std::span<const ContactPair> found) {
   PairVector sorted(found.begin(), found.end());
-  std::sort(sorted.begin(), sorted.end());
+  sort_pairs(sorted);
   if (std::equal(sorted.begin(), sorted.end(), expected.begin(), expected.end())) {
     return ::testing::AssertionSuccess();
   }

@@ -1,6 +1,7 @@
 #include "engine/layers/layer_run.hpp"
 
 #include "support/rows_variants.hpp"
+#include "support/sort_pairs.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -124,7 +125,7 @@ PairVector directly_checked(const Spheres<Dim>& spheres, double margin) {
       pairs.push_back({std::min(order[k], order[n]), std::max(order[k], order[n])});
     }
   }
-  std::sort(pairs.begin(), pairs.end());
+  sort_pairs(pairs);
   return pairs;
 }
 

@@ -4,15 +4,24 @@
 report=()
 failed=0
 
+# processor_seconds: of all that this shell has started and seen end.
+processor_seconds() {
+  local fields
+  read -r -a fields <"/proc/$$/stat"
+  echo $(((fields[15] + fields[16]) / $(getconf CLK_TCK)))
+}
+
 # stage NAME COMMAND...: runs it and keeps its outcome, and what it puts into details, for the end.
 stage() {
-  local name=$1 start=$SECONDS status=0
+  local name=$1 start=$SECONDS status=0 processors
+  processors=$(processor_seconds)
   shift
   say "$name"
   details=()
   "$@" || failed=1 status=1
-  report+=("$(printf '%-44s %-6s %5d s' "$name" "$( ((status)) && echo FAILED || echo passed)" \
-    $((SECONDS - start)))" "${details[@]}")
+  report+=("$(printf '%-44s %-6s %5d s, %5d s of processors' "$name" \
+    "$( ((status)) && echo FAILED || echo passed)" $((SECONDS - start)) \
+    $(($(processor_seconds) - processors)))" "${details[@]}")
   return "$status"
 }
 

@@ -36,6 +36,7 @@ void TileSearcher<Dim>::start(const SearchInput<Dim>& input) {
   hits_.undecided_count = 0;
   hits_.copies = nullptr;
   job_.has_many_undecided = false;
+  job_.has_few_hits = false;
   job_.candidate_tests = 0;
   pairs_ = {};
   filled_ = 0;

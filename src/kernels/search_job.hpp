@@ -57,6 +57,7 @@ struct SearchJob {
   std::uint32_t* block_number;  ///< each with room for the rows that a row meets + widest_vector
   std::uint64_t candidate_tests;
   bool has_many_undecided;  ///< most elements of the layer that was searched last
+  bool has_few_hits;        ///< of the last elements of that layer, so that some have none
   std::uint8_t way;         ///< of testing that suited the elements of that layer: the kernel's own
   void* owner;
   /// Empties the hits, and tells how many tests were made. It may throw, to stop the search.

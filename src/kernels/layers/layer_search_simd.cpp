@@ -69,6 +69,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 
 #include "kernels/layers/simd_layer_hits-inl.hpp"
 
+#include "kernels/layers/simd_listed_numbers-inl.hpp"
+
 #include "kernels/layers/simd_near_batch-inl.hpp"
 
 #include "kernels/layers/simd_run_pieces-inl.hpp"

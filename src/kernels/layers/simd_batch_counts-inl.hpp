@@ -27,6 +27,7 @@ struct BatchCounts {
   std::uint32_t crowded_for_more = 0;  ///< those that vectors for more do not, where that is known
   std::uint32_t with_care = 0;         ///< those that no way but the last one settles
   std::uint32_t undecided = 0;
+  std::uint32_t hits = 0;  ///< where they were taken meanwhile, more than there may be
 
   HWY_INLINE void add(const ElementRuns& its) {
     with_care += its.longest_run > longest_run || its.has_undecided ? 1 : 0;
@@ -42,6 +43,12 @@ struct BatchCounts {
     crowded_for_more += fits_more ? 0 : elements;
   }
 
+  /// Tells whether so many elements have so few hits that those of the next ones that have some
+  /// are listed.
+  [[nodiscard]] HWY_INLINE bool are_few_hits(std::uint32_t elements) const {
+    return few_hits_share * hits < elements;
+  }
+
   /// The way that suits most of so many elements.
   [[nodiscard]] HWY_INLINE Way next_way(std::uint32_t elements) const {
     if (HWY_UNLIKELY(2 * with_care > elements)) return Way::with_care;
@@ -53,6 +60,9 @@ struct BatchCounts {
  private:
   /// One crowded element in so many costs more than the next denser way.
   static constexpr std::uint32_t crowded_share = 5;
+
+  /// Hits of one element in so many are worth a list: where runs are few, less is saved.
+  static constexpr std::uint32_t few_hits_share = Search::runs == 2 ? 4 : 1;
 
   /// Longer ones fit into no block, or where there is none, into no vector.
   static constexpr std::uint32_t longest_run =

@@ -7,7 +7,11 @@ class SimdLayerTester {
   using Layers = typename Search::Layers;
 
   HWY_INLINE SimdLayerTester(const Layers& layers, SearchJob& job)
-      : layers_(layers), job_(job), hits_(layers, job), careful_(layers, hits_) {
+      : layers_(layers),
+        job_(job),
+        hits_(layers, job),
+        careful_(layers, hits_),
+        has_few_hits_(job.has_few_hits) {
     if (!Search::some_have_hits) way_ = Way{job.way};
   }
 
@@ -22,6 +26,7 @@ class SimdLayerTester {
     }
     hits_.finish();
     job_.has_many_undecided = has_many_undecided_;
+    job_.has_few_hits = has_few_hits_;
     if (!Search::some_have_hits) job_.way = static_cast<std::uint8_t>(way_);
   }
 
@@ -45,10 +50,9 @@ class SimdLayerTester {
   HWY_INLINE void test_batch(const Elements& elements) {
     if (HWY_UNLIKELY(way_ != Way::usual)) return test_crowded_batch(elements);
     if constexpr (takes_all<Search>) {
-      test_batch_of_all<AllRuns<Search::runs>>(elements);
-    } else {
-      test_batch_as<Filling::joined>(elements);
+      if (!has_few_hits_ || was_crowded_) return test_batch_of_all<AllRuns<Search::runs>>(elements);
     }
+    test_batch_by_list<Filling::joined>(elements);
   }
 
   HWY_NOINLINE void test_crowded_batch(const Elements& elements) {
@@ -59,7 +63,7 @@ class SimdLayerTester {
     if constexpr (takes_halves<Search>) {
       test_batch_of_all<FirstHalf, SecondHalf>(elements);
     } else {
-      test_batch_as<Filling::single>(elements);
+      test_batch_by_list<Filling::single>(elements);
     }
   }
 
@@ -68,14 +72,14 @@ class SimdLayerTester {
   HWY_INLINE void test_batch_of_all(const Elements& elements) {
     Counts counts;
     std::uint64_t tests = 0;
-    std::size_t found = hits_.found();
+    const std::size_t before = hits_.found();
+    std::size_t found = before;
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
       const auto runs = elements.runs_of(k);
       found = test_all(elements, k, found, tests, counts, Vectors(runs)...);
     }
-    hits_.count_tests(tests);
-    hits_.set_found(found);
-    expect(counts, elements);
+    counts.hits = static_cast<std::uint32_t>(found - before);
+    finish_batch(elements, tests, found, counts);
   }
 
   /// An element whose runs are in these vectors. Returns how many hits there are then.
@@ -110,64 +114,31 @@ class SimdLayerTester {
   }
 
   template <Filling filling>
-  HWY_INLINE void test_batch_as(const Elements& elements) {
-    Counts counts;
-    if constexpr (Search::some_have_hits || lanes < candidates) {
-      test_batch_by_list<filling>(elements, counts);
-    } else {
-      test_batch_at_once<filling>(elements, counts);
+  HWY_INLINE void test_batch_by_list(const Elements& elements) {
+    if constexpr (lanes < candidates && !Search::some_have_hits) {
+      using Kept = KeptNumbers<filling, batch_size, most_hits<filling>>;
+      if (!has_few_hits_) return test_batch_with_numbers<filling, Kept>(elements);
     }
-    expect(counts, elements);
-  }
-
-  /// Writes the hits of a vector before it is known whether an element needs care: what is behind
-  /// those found is overwritten.
-  template <Filling filling>
-  HWY_INLINE void test_batch_at_once(const Elements& elements, Counts& counts) {
-    std::uint64_t tests = 0;
-    std::size_t found = hits_.found();
-    for (std::uint32_t k = 0; k < elements.size(); ++k) {
-      const std::uint32_t p = elements.place(k);
-      const Probe probe = Probe::at(layers_, p);
-      Nearest<EightLanes> nearest;
-      VectorSizes sizes;
-      found = hits_.make_room(found, most_hits<filling>);
-      std::size_t end = found;
-      for_each_vector<filling>(elements.runs_of(k), [&](const auto& runs, auto v) HWY_ATTR {
-        sizes.add(v, runs.size());
-        end = hits_.write_partners(layers_.number, runs, probe.test(runs, nearest), end);
-      });
-      count<filling>(sizes, counts);
-      if (HWY_UNLIKELY(!sizes.fit())) {
-        found = test_apart(elements, k, found, counts);
-      } else if (HWY_UNLIKELY(!nearest.is_decided(layers_.band))) {
-        found = test_undecided(elements, k, found, counts);
-      } else {
-        tests += sizes.total();
-        hits_.write_element(layers_.number[p], found, end);
-        found = end;
-      }
-    }
-    hits_.count_tests(tests);
-    hits_.set_found(found);
+    test_batch_with_numbers<filling, NumbersOfRuns<filling>>(elements);
   }
 
   /// First lists the elements that have hits, which cannot be foreseen, without a branch; then
   /// writes these.
-  template <Filling filling>
-  HWY_INLINE void test_batch_by_list(const Elements& elements, Counts& counts) {
-    std::uint32_t number[batch_size][most_hits<filling>];
+  template <Filling filling, class NumbersOfList>
+  HWY_NOINLINE void test_batch_with_numbers(const Elements& elements) {
+    Counts counts;
+    NumbersOfList kept;
     HitBits hits[batch_size];
     std::uint32_t with_hits[batch_size + 1];
     std::uint32_t count = 0;
     std::uint64_t tests = 0;
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
-      hits[k] = filter<filling>(elements, k, number[k], tests, counts);
+      hits[k] = filter<filling>(elements, k, kept, tests, counts);
       with_hits[count] = k;
       count += hits[k] != 0 ? 1 : 0;
     }
-    hits_.count_tests(tests);
-    std::size_t found = hits_.found();
+    const std::size_t before = hits_.found();
+    std::size_t found = before;
     for (std::uint32_t n = 0; n < count; ++n) {
       const std::uint32_t k = with_hits[n];
       if (HWY_UNLIKELY(hits[k] >= with_care)) {
@@ -177,14 +148,15 @@ class SimdLayerTester {
         continue;
       }
       found = hits_.make_room(found, most_hits<filling>);
-      found = hits_.write(layers_.number[elements.place(k)], hits[k], number[k], found);
+      found = kept.write(layers_, elements, k, hits[k], hits_, found);
     }
-    hits_.set_found(found);
+    counts.hits = static_cast<std::uint32_t>(found - before);
+    finish_batch(elements, tests, found, counts);
   }
 
   /// Returns the hits, or some number from `with_care` on; adds the tests that need no care.
-  template <Filling filling>
-  HWY_INLINE HitBits filter(const Elements& elements, std::uint32_t k, std::uint32_t* number,
+  template <Filling filling, class NumbersOfList>
+  HWY_INLINE HitBits filter(const Elements& elements, std::uint32_t k, NumbersOfList& kept,
                             std::uint64_t& tests, Counts& counts) const {
     const Probe probe = Probe::at(layers_, elements.place(k));
     Nearest<EightLanes> nearest;
@@ -193,7 +165,7 @@ class SimdLayerTester {
     for_each_vector<filling>(elements.runs_of(k), [&](const auto& runs, auto v) HWY_ATTR {
       sizes.add(v, runs.size());
       hits |= HitBits{probe.test(runs, nearest)} << (v * candidates);
-      write_numbers(runs, number + v * candidates);
+      kept.keep(layers_, runs, k, v);
     });
     if (filling == Filling::single) count<filling>(sizes, counts);
     const auto has_too_many = static_cast<std::uint32_t>(!sizes.fit());
@@ -201,13 +173,6 @@ class SimdLayerTester {
     const std::uint32_t needs_care = has_too_many | has_undecided;
     tests += sizes.total() & (needs_care - 1);
     return hits | HitBits{has_too_many} * with_care | HitBits{has_undecided} * with_undecided;
-  }
-
-  template <class Runs>
-  HWY_INLINE void write_numbers(const Runs& runs, std::uint32_t* number) const {
-    for (std::uint32_t k = 0; k < Runs::capacity; k += Runs::at_once) {
-      hn::StoreU(runs.load(Runs::numbers, layers_.number, k), Runs::numbers, number + k);
-    }
   }
 
   /// Counts an element with vectors of these sizes.
@@ -253,9 +218,18 @@ class SimdLayerTester {
     expect(counts, elements);
   }
 
+  HWY_INLINE void finish_batch(const Elements& elements, std::uint64_t tests, std::size_t found,
+                               const Counts& counts) {
+    hits_.count_tests(tests);
+    hits_.set_found(found);
+    expect(counts, elements);
+  }
+
   /// From most of a batch to the next one.
   HWY_INLINE void expect(const Counts& counts, const Elements& elements) {
     way_ = counts.next_way(elements.size());
+    has_few_hits_ = counts.are_few_hits(elements.size());
+    was_crowded_ |= way_ != Way::usual;
     has_many_undecided_ = 2 * counts.undecided > elements.size();
   }
 
@@ -272,4 +246,6 @@ class SimdLayerTester {
   CarefulTester<Search> careful_;
   Way way_ = Way::usual;
   bool has_many_undecided_ = false;
+  bool has_few_hits_;
+  bool was_crowded_ = false;  ///< some batch of the layer: two joined runs may often be too long
 };

@@ -12,7 +12,7 @@ struct LayerLimits {
   std::size_t least_elements_of_tiles = 1'500;
   /// The same in clusters, around each of which tiles would be cut anew, and where distances may be
   /// exact: ties would need other decisions in tiles.
-  std::size_t least_elements_of_clusters = 1'500;
+  std::size_t least_elements_of_clusters = 150;
   std::size_t least_elements_in_steps = 250;
   /// Mean occupancy of wide cells from which so few elements count as clusters.
   double least_occupancy_of_clusters = 6.0;

@@ -235,7 +235,9 @@ TYPED_TEST(LayerSearchOf, FewElementsInClusters) {
   const std::array extent{300.0, 300.0, 300.0};
   expect_right_in_layers<dim>(clumps<dim>(this->random_, 10'000, 40, extent, 0.5), 0.0, Way::layers,
                               {});
-  expect_right_in_layers<dim>(clumps<dim>(this->random_, 1'499, 40, extent, 0.5), 0.0, Way::tiles,
+  expect_right_in_layers<dim>(clumps<dim>(this->random_, 150, 40, extent, 0.5), 0.0, Way::layers,
+                              {});
+  expect_right_in_layers<dim>(clumps<dim>(this->random_, 149, 40, extent, 0.5), 0.0, Way::tiles,
                               {});
 }
 

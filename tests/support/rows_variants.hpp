@@ -22,9 +22,9 @@ namespace abut::testing {
 /// One line for a test's output: which levels were run, and which this processor or build lacks.
 [[nodiscard]] std::string told_simd_levels();
 
-/// `rows` gives the expected pairs from every level available here: in `as_found` order with each
-/// number of threads, the same bytes after as many candidate tests and exact decisions, and in
-/// canonical order with one number of threads, another one for the next level.
+/// `rows` gives the expected pairs (canonical order) from every level available here with each
+/// number of threads, and in `as_found` order the same bytes after as many candidate tests and
+/// exact decisions from all of them.
 [[nodiscard]] ::testing::AssertionResult rows_agree(std::span<const ContactPair> expected,
                                                     const ElementView& elements, double margin,
                                                     std::initializer_list<int> threads);

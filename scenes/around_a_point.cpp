@@ -50,7 +50,25 @@ Scene graded_by_place(std::size_t count, std::uint64_t seed, double largest, dou
   return scene;
 }
 
+/// The ratio of the largest distance to the least where each decade of distances is as frequent.
+constexpr double scales_of_crowds = 1e4;
+
 }  // namespace
+
+/// Each decade of distances from the point has the same number of spheres: a density of C r^-3 with
+/// C = N / (4 pi ln(10^4)). With the least distance N^(1/3) / 6 spheres of radius 1 have a pair
+/// each, at any N.
+Scene make_crowds(std::size_t count, std::uint64_t seed) {
+  const double least = cube_root(static_cast<double>(count + 1)) / 6.0;
+  Random random(seed);
+  Scene scene = empty_scene(3, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double distance = least * fractional_power(scales_of_crowds, random.uniform());
+    const Direction to = any_direction(random);
+    add_sphere(scene, distance * to.x, distance * to.y, distance * to.z, 1.0);
+  }
+  return scene;
+}
 
 /// On a sphere of radius R a cap of radius 2 is a part 1 / R^2 of it, so that each sphere of radius
 /// 1 has N / (2 R^2) pairs.

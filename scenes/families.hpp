@@ -51,6 +51,7 @@ void shuffle(Scene& scene, std::uint64_t seed);
 
 [[nodiscard]] Scene make_shell(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_graded_by_place(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene make_crowds(std::size_t count, std::uint64_t seed);
 [[nodiscard]] Scene make_refined(std::size_t count, std::uint64_t seed);
 
 [[nodiscard]] Scene make_sph(std::size_t count, std::uint64_t seed);

@@ -59,6 +59,8 @@ constexpr std::array table{
               checked<make_clusters_30>},
     SceneInfo{"shell", 3, "equal spheres at random on a sphere far larger, two pairs each",
               checked<make_shell>},
+    SceneInfo{"crowds", 3, "equal spheres at distances of all scales from a point, 1 to 10000",
+              checked<make_crowds>},
     SceneInfo{"bidisperse", 3, "one sphere in a hundred ten times as large",
               checked<make_bidisperse>},
     SceneInfo{"polydisperse", 3, "radii 1 to 4, each as often", checked<make_polydisperse>},

@@ -8,7 +8,7 @@ from benchmarks.common import tables
 
 # In the order of the plots and tables; a scene that is missing here comes last.
 SCENES = ["dense", "dense_spread", "dense_stray", "boulders", "ordered", "gas", "sph",
-          "sph_lattice", "sparse", "clusters", "clusters_100", "clusters_30", "shell",
+          "sph_lattice", "sparse", "clusters", "clusters_100", "clusters_30", "shell", "crowds",
           "bidisperse", "polydisperse", "log_uniform", "log_uniform_1000", "graded",
           "graded_1000", "graded_by_place", "refined", "hexagonal_2d", "touching_cubic",
           "touching_fcc", "touching_cubic_shuffled", "touching_fcc_shuffled", "one_giant"]

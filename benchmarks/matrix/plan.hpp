@@ -23,6 +23,7 @@ struct Plan {
                                   "clusters_100",
                                   "clusters_30",
                                   "shell",
+                                  "crowds",
                                   "bidisperse",
                                   "polydisperse",
                                   "log_uniform",

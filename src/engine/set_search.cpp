@@ -1,6 +1,7 @@
 #include "engine/set_search.hpp"
 
 #include "base/asking_workers.hpp"
+#include "engine/crowds/crowd_search.hpp"
 #include "engine/divide.hpp"
 #include "engine/set_cells.hpp"
 #include "engine/size_cut.hpp"
@@ -43,7 +44,20 @@ bool is_clustered(const SortedTile<Dim>& tile) {
 template <int Dim>
 SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspace,
                           std::size_t workers, base::DetectionContext& context)
-    : given_(input), workspace_(workspace), worker_count_(workers), context_(context) {
+    : SetSearch(input, workspace, workers, context, workspace.waiting_parts(), 0) {
+  waiting_parts_.start();
+}
+
+template <int Dim>
+SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspace,
+                          std::size_t workers, base::DetectionContext& context,
+                          WaitingParts<Dim>& waiting, std::uint64_t unit)
+    : given_(input),
+      workspace_(workspace),
+      worker_count_(workers),
+      context_(context),
+      waiting_parts_(waiting),
+      next_unit_(unit) {
   workspace.expect_workers(workers);
   workspace.most_in_layers = 0;
   workspace.clusters_moved = 0;
@@ -71,6 +85,8 @@ void SetSearch<Dim>::finish() {
     context_.candidate_tests += worker->candidate_tests();
     context_.exact_decisions += worker->exact_decisions();
   }
+  if (given_.part.is_part()) return;
+  next_unit_ = search_waiting_parts(given_, workspace_, worker_count_, context_, next_unit_);
 }
 
 template <int Dim>
@@ -78,7 +94,7 @@ void SetSearch<Dim>::search(const SearchSet<Dim>& set, const SearchPlace& at) {
   if (set.locals.empty()) return;
   if (set.wanted == Wanted::pairs_of_coarse && set.coarse_elements.empty()) return;
   const SizeChoice choice = choose_by_size(set, at);
-  if (at.worker == nullptr && take_whole(set, choice)) return;
+  if (at.worker == nullptr && (take_whole(set, choice) || take_crowded(set))) return;
   if (choice.cut) return search_divided(set, *choice.cut, at);
   search_tiles(set, at);
 }

@@ -26,10 +26,18 @@ class SetSearch {
   SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspace, std::size_t workers,
             base::DetectionContext& context);
 
+  /// The same of a part of a set. Units of work are counted on from `unit`.
+  SetSearch(const SearchInput<Dim>& part, Workspace<Dim>& workspace, std::size_t workers,
+            base::DetectionContext& context, WaitingParts<Dim>& waiting, std::uint64_t unit);
+
   void search(const SearchSet<Dim>& set);
 
   /// Searches the set in layers if they suit it; returns whether it did.
   [[nodiscard]] bool search_in_layers(const SearchSet<Dim>& set);
+
+  /// Searches a part of a set, in layers.
+  void search_part(const SearchSet<Dim>& set);
+  [[nodiscard]] std::uint64_t next_unit() const noexcept { return next_unit_; }
 
  private:
   /// The workers that search the pairs of a tile: the one that sorts it, or all.
@@ -94,6 +102,9 @@ class SetSearch {
       const SearchSet<Dim>& set);
   [[nodiscard]] bool take_clusters(const SearchSet<Dim>& set);
   [[nodiscard]] bool take_without_coarse(const SearchSet<Dim>& set, double cut);
+  [[nodiscard]] std::optional<LayerGrid<Dim>> crowded_layers_for(const SearchSet<Dim>& set);
+  [[nodiscard]] bool take_crowded(const SearchSet<Dim>& set);
+  void search_crowds(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);
   void search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers);
 
   void count_radii_of(const SearchSet<Dim>& set, const SearchPlace& at);
@@ -130,6 +141,7 @@ class SetSearch {
   Workspace<Dim>& workspace_;
   std::size_t worker_count_;
   base::DetectionContext& context_;
+  WaitingParts<Dim>& waiting_parts_;
   std::uint64_t next_unit_ = 0;
   std::mutex waiting_mutex_;
   std::vector<Waiting> waiting_;

@@ -2,6 +2,7 @@
 // coarse elements, or with their clusters moved side by side.
 
 #include "base/asking_workers.hpp"
+#include "engine/crowds/crowd_search.hpp"
 #include "engine/layers/cell_by_size.hpp"
 #include "engine/layers/coarse_in_layers.hpp"
 #include "engine/layers/layer_choice.hpp"
@@ -52,7 +53,7 @@ template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
   if (set.locals.empty() || !may_be_in_layers(set.locals.size(), input_->layer_limits))
     return false;
-  if (!take_whole(set, choose_by_size(set, place_of_all()))) return false;
+  if (!take_whole(set, choose_by_size(set, place_of_all())) && !take_crowded(set)) return false;
   finish();
   return true;
 }
@@ -215,6 +216,42 @@ void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Di
 }
 
 template <int Dim>
+void SetSearch<Dim>::search_part(const SearchSet<Dim>& set) {
+  if (!take_whole(set, choose_by_size(set, place_of_all()))) {
+    search_crowds(set, crowded_layers_for(set).value());
+  }
+  finish();
+}
+
+/// The layers for a set that is crowded in parts, if it is.
+template <int Dim>
+std::optional<LayerGrid<Dim>> SetSearch<Dim>::crowded_layers_for(const SearchSet<Dim>& set) {
+  return layers_for_crowds(set, *input_, cell_size_for(set.bounds, *input_), workspace_.occupancy);
+}
+
+template <int Dim>
+bool SetSearch<Dim>::take_crowded(const SearchSet<Dim>& set) {
+  const auto layers = crowded_layers_for(set);
+  if (layers) search_crowds(set, *layers);
+  return layers.has_value();
+}
+
+/// Searches the set in layers whose crowds become sets of their own, if cells can be narrower
+/// there.
+template <int Dim>
+void SetSearch<Dim>::search_crowds(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers) {
+  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
+  LayerSearch<Dim> search(*input_, workspace_, worker_count_, context_);
+  CrowdSearch<Dim> crowds(*input_, workspace_, waiting_parts_, worker_count_, context_);
+  const PartNumbers& part = input_->part;
+  const bool may_be_narrower = layers.has_wide_cells() && layers.cell() <= part.widest_cell();
+  if (may_be_narrower && part.free_mark() != 0) {
+    search.leave_crowds_to(crowds);
+  }
+  next_unit_ = search.search(set, layers, next_unit_);
+}
+
+template <int Dim>
 void SetSearch<Dim>::count_radii_of(const SearchSet<Dim>& set, const SearchPlace& at) {
   at.histogram.clear();
   const bool is_shared = at.worker == nullptr && worker_count_ > 1 && set.locals.are_the_first() &&
@@ -316,6 +353,10 @@ template bool SetSearch<2>::take_layers(const SearchSet<2>&, const SizeChoice&);
 template bool SetSearch<3>::take_layers(const SearchSet<3>&, const SizeChoice&);
 template bool SetSearch<2>::take_whole(const SearchSet<2>&, const SizeChoice&);
 template bool SetSearch<3>::take_whole(const SearchSet<3>&, const SizeChoice&);
+template bool SetSearch<2>::take_crowded(const SearchSet<2>&);
+template bool SetSearch<3>::take_crowded(const SearchSet<3>&);
+template void SetSearch<2>::search_part(const SearchSet<2>&);
+template void SetSearch<3>::search_part(const SearchSet<3>&);
 template bool SetSearch<2>::take_clusters(const SearchSet<2>&);
 template bool SetSearch<3>::take_clusters(const SearchSet<3>&);
 template auto SetSearch<2>::choose_by_size(const SearchSet<2>&, const SearchPlace&) -> SizeChoice;

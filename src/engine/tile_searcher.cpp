@@ -65,13 +65,46 @@ void TileSearcher<Dim>::hand_over() {
   pairs_ = {};
 }
 
+template <int Dim>
+void TileSearcher<Dim>::count_in(std::uint64_t tests, std::uint64_t decisions) noexcept {
+  far_tests_ += tests;
+  tests_told_ += tests;
+  exact_decisions_ += decisions;
+}
+
 /// Decides the undecided pairs and hands all on.
 template <int Dim>
 void TileSearcher<Dim>::take() {
   work_.did(steps_of_decision * hits_.undecided_count);
+  if (input_->part.is_part()) number_as_given();
   if (hits_.undecided_count > 0) settle();
   hand_on();
   tell();
+}
+
+/// Gives the elements of a part their numbers in the whole, and drops pairs that are found
+/// elsewhere.
+template <int Dim>
+void TileSearcher<Dim>::number_as_given() {
+  const PartNumbers& part = input_->part;
+  std::size_t kept = 0;
+  std::size_t undecided = 0;
+  std::size_t kept_undecided = 0;
+  for (std::size_t k = 0; k < hits_.found; ++k) {
+    const bool is_undecided = undecided < hits_.undecided_count && hits_.undecided[undecided] == k;
+    const bool is_wanted = part.is_wanted(hits_.element[k], hits_.partner[k]);
+    // One that is dropped is overwritten.
+    hits_.element[kept] = part.given[hits_.element[k]];
+    hits_.partner[kept] = part.given[hits_.partner[k]];
+    if (is_undecided) {
+      hits_.undecided[kept_undecided] = static_cast<std::uint32_t>(kept);
+      kept_undecided += is_wanted ? 1 : 0;
+      ++undecided;
+    }
+    kept += is_wanted ? 1 : 0;
+  }
+  hits_.found = kept;
+  hits_.undecided_count = kept_undecided;
 }
 
 /// Drops the undecided pairs that are none; the others keep their order.
@@ -223,7 +256,10 @@ void TileSearcher<Dim>::test_pair(std::uint32_t first, std::uint32_t second) {
 
 template <int Dim>
 bool TileSearcher<Dim>::decide(std::uint32_t first, std::uint32_t second) {
-  return input_->decider.within_reach(first, second, exact_decisions_);
+  const PartNumbers& part = input_->part;
+  if (!part.is_part()) return input_->decider.within_reach(first, second, exact_decisions_);
+  return part.is_wanted(first, second) &&
+         input_->decider.within_reach(part.given[first], part.given[second], exact_decisions_);
 }
 
 template class TileSearcher<2>;

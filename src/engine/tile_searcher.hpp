@@ -2,6 +2,7 @@
 
 #include "base/pair_sink.hpp"
 #include "base/progress_reporter.hpp"
+#include "engine/crowds/part_numbers.hpp"
 #include "engine/deciders/exact_decider.hpp"
 #include "engine/layers/layer_limits.hpp"
 #include "engine/layers/layer_spheres.hpp"
@@ -41,6 +42,12 @@ struct SearchInput {
   LayerLimits layer_limits;
   base::PairSink& sink;
   base::ProgressReporter& progress;
+  PartNumbers part = {};  ///< of elements that are a part of a larger set
+
+  /// The spheres that decide, by the numbers of this set, if vectors decide on them.
+  [[nodiscard]] const kernels::StridedSpheres* deciding_spheres() const noexcept {
+    return part.is_part() ? nullptr : decider.spheres();
+  }
 };
 
 /// One worker: sorts tiles and layers on its scratch, runs the kernels, decides what they leave
@@ -63,6 +70,12 @@ class TileSearcher {
   void finish_unit();
   /// Hands on the pairs found so far.
   void hand_over();
+
+  /// The worker, and the unit of the search to which its pairs belong.
+  [[nodiscard]] const base::Origin& origin() const noexcept { return origin_; }
+
+  /// Counts the tests and decisions of a search that was made for this worker.
+  void count_in(std::uint64_t tests, std::uint64_t decisions) noexcept;
 
   [[nodiscard]] WorkerScratch<Dim>& scratch() noexcept { return scratch_; }
 
@@ -103,6 +116,7 @@ class TileSearcher {
  private:
   void prepare(const SortedTile<Dim>& tile, double unit);
   void take();
+  void number_as_given();
   void settle();
   void hand_on();
   void flush();

@@ -24,9 +24,9 @@ namespace {
 constexpr std::array<std::uint64_t, 2> seeds{1, 20040101};
 
 /// Scenes whose grid has far more cells than elements: heads for all of them may be refused.
-constexpr std::array<std::string_view, 7> wide_scenes{"sparse",          "dense_stray", "clusters",
-                                                      "clusters_100",    "clusters_30", "shell",
-                                                      "two_far_clusters"};
+constexpr std::array<std::string_view, 8> wide_scenes{"crowds",   "sparse",          "dense_stray",
+                                                      "clusters", "clusters_100",    "clusters_30",
+                                                      "shell",    "two_far_clusters"};
 
 /// Scenes made to be undecidable in floating point.
 constexpr std::array<std::string_view, 9> borderline_scenes{"pack_1",

@@ -53,6 +53,25 @@ TEST(RowsLargeGroups, TwoFarClustersOfFortyThousand) {
   EXPECT_TRUE(rows_agree(expected, view_of(scene), 0.0, {1, 2, 3}));
 }
 
+/// Crowds that become sets of their own, the outer ones of which wait for all workers.
+TEST(RowsLargeGroups, CrowdsWithinCrowds) {
+  Scene scene = scenes::scene_named("crowds").make(90000, 1);
+  for (std::size_t k = 0; k < scene.size(); ++k) {  // eight decades instead of four
+    const double distance = std::hypot(scene.x[k], scene.y[k], scene.z[k]);
+    for (auto* numbers : {&scene.x, &scene.y, &scene.z}) (*numbers)[k] *= 0.1 * distance;
+  }
+  for (const double margin : {0.0, 1.5}) {
+    const PairVector expected = [&] {
+      const PairList list =
+          find_contact_pairs(view_of(scene), Domain::open(),
+                             {.algorithm = Algorithm::sorting_array, .margin = margin});
+      return PairVector(list.begin(), list.end());
+    }();
+    ASSERT_GT(expected.size(), 1000U);
+    EXPECT_TRUE(rows_agree(expected, view_of(scene), margin, {1, 2, 3}));
+  }
+}
+
 /// Two pairs of clouds: each pair is crowded where it lies, and each cloud of a pair again.
 TEST(RowsLargeGroups, WithinLargeGroups) {
   for (const int dimensions : {2, 3}) {

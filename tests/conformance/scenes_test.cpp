@@ -112,6 +112,7 @@ const std::map<std::string_view, std::uint64_t> recorded_hashes{
     {"graded_1000", 0x4548f10124aa624e},
     {"graded_by_place", 0x316dc83b3bae7fa3},
     {"refined", 0x08022f4c926ecd12},
+    {"crowds", 0x451b742c451610cf},
     {"one_giant", 0x84075c2ce4d34cf3},
     {"touching_cubic", 0x52fbc66a5c68402d},
     {"touching_fcc", 0x5340f18de0df6925},
@@ -209,6 +210,19 @@ TEST(AroundAPoint, HaveTwoPairsEach) {
     const Scene scene = made(name, 2000);
     EXPECT_NEAR(static_cast<double>(oracle_pairs(scene).size()), 4000.0, 400.0) << name;
   }
+}
+
+TEST(Crowds, HaveOnePairEachAtDistancesOfAllScales) {
+  const std::size_t count = 4000;
+  const Scene scene = made("crowds", count);
+  EXPECT_NEAR(static_cast<double>(oracle_pairs(scene).size()), 3300.0, 500.0);
+  const double least = std::cbrt(static_cast<double>(count + 1)) / 6.0;
+  std::array<std::size_t, 4> in_decade{};
+  for (std::size_t k = 0; k < count; ++k) {
+    const double distance = std::hypot(scene.x[k], scene.y[k], scene.z[k]);
+    ++in_decade.at(static_cast<std::size_t>(std::log10(distance / least * (1.0 + 1e-9))));
+  }
+  for (const std::size_t spheres : in_decade) EXPECT_NEAR(static_cast<double>(spheres), 1000, 120);
 }
 
 TEST(GradedByPlace, HasRadiiThatGrowWithTheDistance) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -148,6 +149,15 @@ void stress_sets(const Scene& scene) {
          "the contacts with a mesh");
 }
 
+Scene crowds_of_eight_decades(std::size_t count) {
+  Scene scene = scenes::scene_named("crowds").make(count, 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double distance = std::hypot(scene.x[k], scene.y[k], scene.z[k]);
+    for (auto* numbers : {&scene.x, &scene.y, &scene.z}) (*numbers)[k] *= 0.1 * distance;
+  }
+  return scene;
+}
+
 void stress_spatial_order(const Scene& scene) {
   insist(spatial_order(view_of(scene), {.threads = workers}) ==
              spatial_order(view_of(scene), {.threads = 1}),
@@ -259,6 +269,7 @@ void run() {
   }
   stress(scenes::scene_named("graded_1000").make(30000, 1), 0.0);  // sizes in layers
   stress(scenes::scene_named("refined").make(60000, 1), 0.0);      // levels of sizes, and visitors
+  stress(crowds_of_eight_decades(90000), 0.0);                     // some of them wait
   stress_spatial_order(scenes::scene_named("dense").make(50000, 1));
   // Groups that wait until all workers are free.
   stress(scenes::scene_named("log_uniform").make(12000, 1), 0.0);  // one tile for all

@@ -204,12 +204,27 @@ std::optional<LayerGrid<Dim>> uncrowded(const LayerGrid<Dim>& grid, double occup
   return best;
 }
 
+/// Tells whether layers are cut around crowds: so many elements are in one, and so unevenly, that
+/// there are others within it.
+template <int Dim>
+bool may_be_crowded(const SearchSet<Dim>& set, const LayerLimits& limits, double least_cell,
+                    OccupancySample<Dim>& sample) {
+  const std::size_t elements = set.locals.size();
+  if (set.bounds.largest_radius > limits.radii_of_parts * set.bounds.smallest_radius) return false;
+  if (elements < limits.least_elements_of_one_crowd) return false;
+  const auto count = static_cast<double>(elements);
+  const ReachCells<Dim> cells(set.bounds, cell_for(set.bounds, least_cell, count));
+  return sample.mean_occupancy(cells, SampleSize::small) > limits.least_part_of_one_crowd * count &&
+         sample.unevenness() > limits.least_unevenness_of_crowd;
+}
+
 }  // namespace
 
 bool may_be_in_layers(std::size_t elements, const LayerLimits& limits) noexcept {
   return elements >= std::min({fewest_spheres(limits), limits.least_elements_in_steps,
                                limits.least_elements_by_size, limits.least_elements_of_many_levels,
-                               limits.least_boxes, limits.least_rectangles});
+                               limits.least_elements_of_one_crowd, limits.least_boxes,
+                               limits.least_rectangles});
 }
 
 template <int Dim>
@@ -230,10 +245,25 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
   const bool may_be_clusters =
       elements >= limits.least_elements_of_clusters && grid->has_wide_cells();
   if (!are_enough && !may_be_clusters) return std::nullopt;
+  if (elements <= limits.most_without_sample) return grid;
   const auto size = are_enough ? SampleSize::full : SampleSize::small;
   const double occupancy = sample.mean_occupancy(*grid, size);
   if (!are_enough && occupancy < limits.least_occupancy_of_clusters) return std::nullopt;
   return uncrowded(*grid, occupancy, set, input, least_cell, sample);
+}
+
+template <int Dim>
+std::optional<LayerGrid<Dim>> layers_for_crowds(const SearchSet<Dim>& set,
+                                                const SearchInput<Dim>& input, double least_cell,
+                                                OccupancySample<Dim>& sample) {
+  if (input.spheres.are_moved() || !may_have_places(set)) return std::nullopt;
+  if (!input.part.is_part() && !may_be_crowded(set, input.layer_limits, least_cell, sample)) {
+    return std::nullopt;
+  }
+  return for_elements<Dim>(
+      LayerGrid<Dim>::of_crowds(set.bounds, input.margin, least_cell, input.part.widest_cell(),
+                                elements_in_layers(set, input)),
+      input);
 }
 
 template <int Dim>
@@ -334,6 +364,10 @@ template std::optional<LayerGrid<2>> choose_layers(const SearchSet<2>&, const Se
                                                    double, OccupancySample<2>&);
 template std::optional<LayerGrid<3>> choose_layers(const SearchSet<3>&, const SearchInput<3>&,
                                                    double, OccupancySample<3>&);
+template std::optional<LayerGrid<2>> layers_for_crowds(const SearchSet<2>&, const SearchInput<2>&,
+                                                       double, OccupancySample<2>&);
+template std::optional<LayerGrid<3>> layers_for_crowds(const SearchSet<3>&, const SearchInput<3>&,
+                                                       double, OccupancySample<3>&);
 template double cost_of_element(const LayerGrid<2>&, const SearchSet<2>&, const SearchInput<2>&);
 template double cost_of_element(const LayerGrid<3>&, const SearchSet<3>&, const SearchInput<3>&);
 template bool may_crowd_less_in_levels(const LayerGrid<2>&, const SearchSet<2>&,

@@ -23,6 +23,15 @@ template <int Dim>
                                                           double least_cell,
                                                           OccupancySample<Dim>& sample);
 
+/// Returns the grid of layers for a set that is crowded in parts, which become sets of their own,
+/// if it is crowded enough: layers suit these however they are spread, on axes of any length. For a
+/// part of a set there always is one.
+template <int Dim>
+[[nodiscard]] std::optional<LayerGrid<Dim>> layers_for_crowds(const SearchSet<Dim>& set,
+                                                              const SearchInput<Dim>& input,
+                                                              double least_cell,
+                                                              OccupancySample<Dim>& sample);
+
 /// Returns what these layers cost an element of a set whose sizes differ, in candidate tests of
 /// tiles, if all are spread equally. That is nothing where runs are short, as they are in 2D, and
 /// for boxes, which have more candidates in tiles: no other search is faster then.

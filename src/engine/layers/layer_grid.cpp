@@ -2,10 +2,12 @@
 
 #include "engine/box_in_cells.hpp"
 #include "engine/layers/largest_square.hpp"
+#include "engine/layers/layer_units.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace abut::engine {
 namespace {
@@ -53,36 +55,6 @@ constexpr float band_of_boxes = 4.0f * kernels::layer_slack;
 constexpr double fewest_units_of_step = 8.0;
 constexpr double most_units_of_step = 0x1p24;
 
-/// A position has 31 bits: with one for its cell, an axis has two of these.
-constexpr int most_bits_of_cell = 30;
-
-template <int Dim>
-double longest_axis(const grid::Bounds<Dim>& bounds) {
-  double longest = 0.0;
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    longest = std::max(longest, bounds.upper[axis] - bounds.lower[axis]);
-  }
-  return longest;
-}
-
-/// Returns the finest units in which positions fit, if there are any: the finer, the fewer pairs
-/// are left undecided. A cell has up to 2^22 of them, or more by the power of two by which it is
-/// wider than needed, and on the longest axes as few as 2^16.
-template <int Dim>
-LayerUnits units_for(const grid::Bounds<Dim>& bounds, double cell, double least) {
-  const double longest = longest_axis(bounds);
-  int wider = 0;
-  for (double half = 0.5 * cell; half >= least && wider < most_bits_of_cell; half *= 0.5) ++wider;
-  int shift = std::min(kernels::most_cell_bits + wider, most_bits_of_cell);
-  int reach_bits = 0;
-  for (; shift >= kernels::least_cell_bits; --shift) {
-    reach_bits = std::min(std::max(shift - wider, kernels::cell_bits), shift);
-    const double end = kernels::end_of_positions(reach_bits);
-    if (longest * (std::ldexp(1.0, shift) / cell) < end) break;
-  }
-  return {std::max(shift, kernels::least_cell_bits), reach_bits};
-}
-
 /// Rows of all layers, layers, and columns with those beside a row, that long cells have for each
 /// element, at most. Each row ends with eight places; where cells are rods, that is worth more
 /// rows.
@@ -96,6 +68,16 @@ constexpr double least_layers_of_long = 24.0;
 
 /// Cells of an axis that positions have bits for: a little fewer.
 constexpr double most_cells_of_axis = 32730.0;
+
+/// Cells of a crowded set, for each of its elements: most are empty, and where they are not, they
+/// are cut anew.
+constexpr double cells_of_crowded_element = 2.0;
+
+/// Elements of a slice of a long axis, on average. Layers of fewer elements than the third number
+/// are thin: where a set is no longer than two slices, rows go along its longest axis then.
+constexpr double elements_of_slice = 16000.0;
+constexpr std::size_t elements_of_two_slices = 32000;
+constexpr std::size_t elements_of_thick_layer = 8;
 
 /// What a run reaches beyond the reach, for positions are rounded.
 constexpr double slack_of_runs = 2.0 * double{kernels::layer_slack};
@@ -137,6 +119,21 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& boun
 }
 
 template <int Dim>
+LayerGrid<Dim> LayerGrid<Dim>::of_crowds(const grid::Bounds<Dim>& bounds, double margin,
+                                         double least_cell, double widest_cell,
+                                         std::size_t elements) {
+  const auto count = static_cast<double>(elements);
+  double cell = cell_size(bounds, least_cell, cells_of_crowded_element * count);
+  const double longest = longest_axis(bounds);
+  const double slices = std::clamp(std::floor(count / elements_of_slice), 1.0, most_cells_of_axis);
+  const double slice = std::max(cell, longest / slices);
+  const bool is_thin = static_cast<double>(elements_of_thick_layer) * longest > count * cell;
+  if (longest > most_cells_of_axis * cell || (is_thin && slice <= widest_cell)) cell = slice;
+  // No axis has more cells than positions have bits for.
+  return of_reach(bounds, margin, least_cell, cell, elements).value();
+}
+
+template <int Dim>
 std::optional<LayerGrid<Dim>> LayerGrid<Dim>::narrow(const grid::Bounds<Dim>& bounds, double margin,
                                                      double least_cell, std::size_t elements) {
   const double cells = most_narrow_cells_of_element * static_cast<double>(elements);
@@ -151,7 +148,16 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_reach(const grid::Bounds<Dim>& 
   const LayerUnits units = units_for(bounds, cell, least_cell);
   if (!grid.lay_out(bounds, std::ldexp(1.0, units.cell_shift) / cell, units)) return std::nullopt;
   grid.has_wide_cells_ = cell > least_cell;
+  const bool are_thin = elements_of_thick_layer * grid.layers_ > elements;
+  const bool is_turned = are_thin && elements < elements_of_two_slices;
+  if (is_turned) {
+    auto axes = axes_by_extent(bounds);
+    std::swap(axes[Dim - 2], axes[Dim - 1]);
+    grid.turn(axes);
+  }
   grid.cut_rows(bounds, margin, slack_of_runs);
+  // Rows have more cells than all that are beside them.
+  if (is_turned) grid.cut_columns(grid.cell_shift_ - 1, slack_of_runs);
   if constexpr (Dim == 2) grid.join_rows(elements);
   return grid;
 }

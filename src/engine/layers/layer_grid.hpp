@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/layers/layer_units.hpp"
 #include "exact/sphere.hpp"
 #include "grid/bounds.hpp"
 #include "kernels/layers/layer_kernels.hpp"
@@ -13,13 +14,6 @@
 
 namespace abut::engine {
 
-/// A cell has 2^cell_shift units, and the largest reach less than 2^reach_bits, where this bounds
-/// errors.
-struct LayerUnits {
-  int cell_shift;
-  int reach_bits;
-};
-
 /// Cells that are longer on one axis than on others: along their rows, or from row to row.
 struct LongCells {
   enum class Along { rows, next_rows };
@@ -31,8 +25,9 @@ struct LongCells {
 /// (exact::Elements).
 ///
 /// The axis with the most cells goes from layer to layer (in 2D from row to row), the next one
-/// along the rows. Cells are cubes, of a power of two of units, and along a row they are cut into
-/// columns. In 2D a layer is a strip of rows.
+/// along the rows; where few elements make a long thin set, it is the other way round. Cells are
+/// cubes, of a power of two of units, and along a row they are cut into columns. In 2D a layer is a
+/// strip of rows.
 template <int Dim>
 class LayerGrid {
  public:
@@ -40,6 +35,12 @@ class LayerGrid {
   /// along an axis. `least_cell` is the size of a cell that the reach needs.
   [[nodiscard]] static std::optional<LayerGrid> over(const grid::Bounds<Dim>& bounds, double margin,
                                                      double least_cell, std::size_t elements);
+
+  /// Returns the grid for elements that crowd in parts of their box, which may be long: there
+  /// always is one. Thin sets are cut into slices, if these are no wider than `widest_cell`.
+  [[nodiscard]] static LayerGrid of_crowds(const grid::Bounds<Dim>& bounds, double margin,
+                                           double least_cell, double widest_cell,
+                                           std::size_t elements);
 
   /// The same with cells as narrow as the reach allows while there are no more than sixteen for
   /// each element.
@@ -136,6 +137,11 @@ class LayerGrid {
   [[nodiscard]] std::uint32_t column_count() const noexcept { return columns_; }
   /// Columns, on one side of an element, that may hold what is within its reach.
   [[nodiscard]] std::uint32_t columns_in_reach() const noexcept { return columns_in_reach_; }
+  /// Units beyond which no element reaches another one, with more than what is rounded: the slack,
+  /// and positions that are known to 2^-20 of a cell.
+  [[nodiscard]] std::int64_t units_in_reach() const noexcept {
+    return static_cast<std::int64_t>(reach_ + std::ldexp(1.0, cell_shift_ - 20)) + units_of_slack;
+  }
   /// Bits of a position below its cell, and below its column.
   [[nodiscard]] int cell_shift() const noexcept { return cell_shift_; }
   [[nodiscard]] int column_shift() const noexcept { return column_shift_; }
@@ -224,6 +230,9 @@ class LayerGrid {
   }
 
  private:
+  /// Four times the slack of the filter.
+  static constexpr std::int64_t units_of_slack = 16;
+
   /// Of the number of a cell along an axis, at most.
   static constexpr int bits_of_cells = 32 - kernels::least_cell_bits;
 

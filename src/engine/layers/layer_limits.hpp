@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace abut::engine {
 
@@ -84,9 +86,28 @@ struct LayerLimits {
   std::size_t least_elements_of_copies = 50'000;
   /// Other elements in an element's cell there, up to which they are: crowds are cut anew in tiles.
   double most_crowded_by_size = 12.0;
+  /// Elements from which on crowds are cut anew in layers rather than in tiles, where so large a
+  /// part of them is in one crowd that there may be others within it.
+  std::size_t least_elements_of_one_crowd = 1'000;
+  double least_part_of_one_crowd = 0.4;
+  double least_unevenness_of_crowd = 6.0;
+  /// Elements in a run from which on its column is crowded, and elements of crowded columns from
+  /// which on they become a set of their own.
+  std::uint32_t least_in_run_of_crowd = 64;
+  std::size_t least_in_crowd = 128;
+  /// Largest radius in smallest ones up to which that is done: others are divided by size.
+  double radii_of_parts = 2.0;
+  /// Elements in two joined runs of a part up to which it is searched in layers as it is, and those
+  /// of a part up to which it is without a look at how crowded it is.
+  double most_joined_of_parts = 60.0;
+  std::size_t most_of_parts_without_sample = 256;
+  /// Elements up to which layers are taken without a look at how crowded they are.
+  std::size_t most_without_sample = 0;
   /// Elements from which on spheres are sorted by layer along with their records, where most pairs
   /// must be decided: fewer are in the caches wherever they lie.
   std::size_t least_elements_with_spheres = 400000;
+  /// The same where crowds are copied.
+  std::size_t least_elements_copied_along = 200'000;
 
   /// Tells whether so many levels of so many elements are worth layers of their own.
   [[nodiscard]] bool levels_pay(std::size_t elements, std::size_t levels,
@@ -101,6 +122,19 @@ struct LayerLimits {
     least_elements = least_sparse_elements = least_boxes = least_rectangles = 0;
     least_elements_of_clusters = least_elements_of_tiles = least_elements_of_crowds = 0;
     least_elements_of_layer = 0.0;
+  }
+
+  /// The limits of a part of a set that is in layers: parts have no other search, and stay where
+  /// they are.
+  [[nodiscard]] LayerLimits of_parts() const noexcept {
+    constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+    LayerLimits limits = *this;
+    limits.require_little();
+    limits.least_elements_of_layer = least_elements_of_layer;
+    limits.most_without_sample = most_of_parts_without_sample;
+    limits.most_joined = limits.most_joined_of_clusters = most_joined_of_parts;
+    limits.least_elements_in_steps = limits.least_moved_elements = never;
+    return limits;
   }
 
   /// The fewest boxes of so many dimensions, searched with one reach for all.

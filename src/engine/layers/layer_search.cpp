@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace abut::engine {
 namespace {
@@ -81,6 +82,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   const LayerSpheres<Dim> spheres = input_.spheres.first(set.locals.size());
   records.sort(spheres, grid, what_to_sort(spheres, grid), input_.layer_kernels, worker_count_,
                work, workspace_.far_spheres);
+  if (crowds_ != nullptr) unit = crowds_->search(grid, records, unit);
   if (has_coarse()) {
     sort_coarse(grid);
     if (coarse_pairs == CoarsePairs::searched) unit = search_coarse_pairs(grid, unit);
@@ -107,18 +109,22 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
   return unit + count;
 }
 
-/// Spheres are sorted along where the last search had to decide on most, and where those that are
-/// neighbors in memory are none in space, nor in a cache: else a layer's are copied in less time
-/// when it is sorted. What a later call takes more than the first one is a small part of the memory
-/// that is left.
+/// Spheres are sorted along where the last search had to decide on most, or crowds are copied, and
+/// where those that are neighbors in memory are none in space, nor in a cache: else a layer's are
+/// copied in less time when it is sorted. What a later call takes more than the first one is a
+/// small part of the memory that is left.
 template <int Dim>
 LayerItems LayerSearch<Dim>::what_to_sort(const LayerSpheres<Dim>& spheres,
                                           const LayerGrid<Dim>& grid) const {
   const bool decides_on_spheres =
-      input_.decider.spheres() != nullptr && !grid.is_by_size() && !grid.is_exact();
-  const bool pays = decides_on_spheres && workspace_.had_many_undecided &&
-                    spheres.size() >= input_.layer_limits.least_elements_with_spheres &&
-                    !are_along_space(spheres, grid);
+      input_.deciding_spheres() != nullptr && !grid.is_by_size() && !grid.is_exact();
+  const LayerLimits& limits = input_.layer_limits;
+  const bool are_copied = crowds_ != nullptr && !input_.part.is_part() &&
+                          !spheres.stand_for_boxes() &&
+                          spheres.size() >= limits.least_elements_copied_along;
+  const bool are_read = decides_on_spheres && workspace_.had_many_undecided &&
+                        spheres.size() >= limits.least_elements_with_spheres;
+  const bool pays = (are_read || are_copied) && !are_along_space(spheres, grid);
   const base::MemoryMeter& memory = context_.memory;
   const std::uint64_t left = memory.bound() - std::min(memory.bound(), memory.held());
   const std::uint64_t bytes = workspace_.layer_records.bytes_for_spheres(spheres.size());
@@ -132,9 +138,9 @@ LayerItems LayerSearch<Dim>::what_to_sort(const LayerSpheres<Dim>& spheres,
 template <int Dim>
 std::size_t LayerSearch<Dim>::workers_for(const LayerGrid<Dim>& grid, std::size_t elements) const {
   constexpr std::size_t integers_of_cursor = sizeof(std::uint64_t) / sizeof(std::uint32_t);
-  std::size_t integers = integers_of_cursor * grid.layer_count() +
-                         workspace_.workers[0]->scratch().layers.integers_for(
-                             grid, workspace_.layer_records.largest_layer());
+  std::size_t integers =
+      integers_of_cursor * grid.layer_count() +
+      workspace_.workers[0]->scratch().layers.integers_for(grid, largest_layer());
   if (grid.is_by_size() || has_coarse()) {
     constexpr std::size_t integers_of_far = sizeof(kernels::FarSphere) / sizeof(std::uint32_t);
     integers += workspace_.far_spheres.most_in_reach() * integers_of_far;
@@ -183,6 +189,21 @@ std::uint64_t LayerSearch<Dim>::search_coarse_pairs(const LayerGrid<Dim>& grid,
   return unit + 1;
 }
 
+/// What is searched of layer k; nothing behind the last one.
+template <int Dim>
+LayerElements<Dim> LayerSearch<Dim>::elements_of(const LayerGrid<Dim>& grid, std::size_t k,
+                                                 TileSearcher<Dim>& worker) const {
+  const LayerRecords<Dim>& records = workspace_.layer_records;
+  if (k >= grid.layer_count()) return {};
+  return crowds_ != nullptr ? crowds_->rest(grid, records, k, worker) : records.layer(k);
+}
+
+/// The most elements of a layer that are searched.
+template <int Dim>
+std::size_t LayerSearch<Dim>::largest_layer() const {
+  return crowds_ != nullptr ? crowds_->largest_rest() : workspace_.layer_records.largest_layer();
+}
+
 template <int Dim>
 void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t first,
                                       std::size_t last, TileSearcher<Dim>& worker,
@@ -190,19 +211,20 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
   const LayerRecords<Dim>& records = workspace_.layer_records;
   SortedLayers<Dim>& sorted = worker.scratch().layers;
   FarSpheresInReach<Dim>& coarse = worker.scratch().far;
-  sorted.start(grid, records.largest_layer());
+  sorted.start(grid, largest_layer());
   if (has_coarse()) coarse.start(workspace_.far_spheres, first);
-  const kernels::StridedSpheres* const spheres = input_.decider.spheres();
+  const kernels::StridedSpheres* const spheres = input_.deciding_spheres();
   const auto sort = [&](std::size_t k) {
-    const bool is_layer = k < grid.layer_count();
     // Where most pairs are decided by the spheres themselves, these are sorted along.
-    const bool with_spheres = records.has_spheres() || worker.has_many_undecided();
-    sorted.sort(grid, k, is_layer ? records.layer(k) : LayerElements<Dim>{},
-                with_spheres ? spheres : nullptr, input_.layer_kernels, work);
+    const bool with_spheres =
+        (records.has_spheres() && crowds_ == nullptr) || worker.has_many_undecided();
+    const LayerElements<Dim> elements = elements_of(grid, k, worker);
+    sorted.sort(grid, k, elements, with_spheres ? spheres : nullptr, input_.layer_kernels, work);
+    return elements.records.size();
   };
-  sort(first);
+  std::size_t next_size = sort(first);
   for (std::size_t k = first; k < last; ++k) {
-    sort(k + 1);
+    const std::size_t size = std::exchange(next_size, sort(k + 1));
     worker.search(sorted.pair(grid, k));
     if (worker.has_many_undecided()) ++layers_with_many_undecided_;
     if (has_coarse()) {
@@ -210,7 +232,7 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
       work.did(coarse.elements().size());
       worker.search_coarse(sorted.layer_alone(grid, k), coarse.elements());
     }
-    context_.progress.advance(records.layer(k).records.size());
+    context_.progress.advance(size);
   }
 }
 

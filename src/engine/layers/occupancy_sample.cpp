@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace abut::engine {
 namespace {
@@ -19,6 +20,9 @@ double draws_for_root(SampleSize size) {
 std::size_t draws_of(std::size_t elements, SampleSize size) {
   return static_cast<std::size_t>(draws_for_root(size) * std::sqrt(static_cast<double>(elements)));
 }
+
+/// Draws of which a twentieth is one.
+constexpr std::size_t fewest_for_quantiles = 20;
 
 /// Where elements lie in no near cache, they are fetched.
 constexpr std::size_t fetched_ahead = 16;
@@ -45,7 +49,8 @@ std::uint64_t scattered(std::uint64_t k) {
 template <int Dim>
 OccupancySample<Dim>::OccupancySample(base::MemoryMeter& memory)
     : drawn_(base::make_array_for_overwrite<std::array<double, Dim>>(memory, 0)),
-      slots_(base::make_array_for_overwrite<CellSlot>(memory, 0)) {}
+      slots_(base::make_array_for_overwrite<CellSlot>(memory, 0)),
+      along_axis_(base::make_array_for_overwrite<double>(memory, 0)) {}
 
 template <int Dim>
 void OccupancySample<Dim>::take_from(const LayerSpheres<Dim>& spheres, std::size_t workers) {
@@ -105,6 +110,26 @@ double OccupancySample<Dim>::mean_occupancy(const Cells& cells, SampleSize size)
   const auto drawn = static_cast<double>(draws);
   return static_cast<double>(meetings) * static_cast<double>(elements()) /
          (drawn * (drawn - 1.0) / 2.0);
+}
+
+template <int Dim>
+double OccupancySample<Dim>::unevenness() {
+  const std::size_t draws = draws_of(elements(), SampleSize::small);
+  if (draws < fewest_for_quantiles) return 1.0;
+  draw(draws);
+  base::make_room(along_axis_, draws);
+  double most = 1.0;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    for (std::size_t k = 0; k < draws; ++k) along_axis_[k] = drawn_[k][axis];
+    const auto end = along_axis_.begin() + static_cast<std::ptrdiff_t>(draws);
+    std::sort(along_axis_.begin(), end);
+    const double nine_tenths = along_axis_[draws - 1 - draws / 20] - along_axis_[draws / 20];
+    const double one_half = along_axis_[draws - 1 - draws / 4] - along_axis_[draws / 4];
+    if (nine_tenths > most * one_half) {
+      most = one_half > 0.0 ? nine_tenths / one_half : std::numeric_limits<double>::infinity();
+    }
+  }
+  return most;
 }
 
 template class OccupancySample<2>;

@@ -92,6 +92,24 @@ inline constexpr engine::LayerLimits always_in_levels = [] {
   return limits;
 }();
 
+/// Layers are cut around crowds of few elements, and these again, whatever that costs.
+inline constexpr engine::LayerLimits always_in_parts = [] {
+  engine::LayerLimits limits = always_in_levels;
+  constexpr std::size_t never = std::size_t{1} << 40;
+  limits.least_elements_of_levels = limits.least_elements_of_many_levels = never;
+  limits.least_elements_by_size = limits.least_boxes_by_size = never;
+  limits.least_moved_elements = never;
+  limits.least_elements_of_one_crowd = 0;
+  limits.least_part_of_one_crowd = 0.0;
+  limits.least_unevenness_of_crowd = 0.0;
+  limits.radii_of_parts = std::numeric_limits<double>::infinity();
+  limits.least_in_run_of_crowd = 3;
+  limits.least_in_crowd = 4;
+  limits.most_of_parts_without_sample = 0;
+  limits.most_joined = limits.most_joined_of_clusters = 6.0;
+  return limits;
+}();
+
 /// Keeps all pairs in their `as_found` order.
 class KeptPairs final : public base::PairSink {
  public:

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace abut::engine {
+
+/// The elements of a set that is a part of a larger one. Their own numbers are their places in it.
+struct PartNumbers {
+  const std::uint32_t* given =
+      nullptr;  ///< number in the whole by place; null where a set is whole
+  const std::uint32_t* marks = nullptr;  ///< by place
+  std::uint32_t used_marks = 0;          ///< of any of its elements
+  std::size_t depth = 0;                 ///< parts that this one is a part of, and itself
+  /// Cells of the layers from which the part was taken: those of its own are narrower.
+  double cell_around = std::numeric_limits<double>::infinity();
+  /// Unit of the whole to which its pairs belong; none where the units of its search are those.
+  std::optional<std::uint64_t> unit = {};
+
+  [[nodiscard]] bool is_part() const noexcept { return given != nullptr; }
+
+  /// Tells whether the part has to find a pair. Each part has a mark for elements that stand in it
+  /// for their pairs with others only; two that have one in common meet elsewhere.
+  [[nodiscard]] bool is_wanted(std::uint32_t a, std::uint32_t b) const noexcept {
+    return (marks[a] & marks[b]) == 0;
+  }
+
+  /// A mark that no element has; 0 where all are in use.
+  [[nodiscard]] std::uint32_t free_mark() const noexcept {
+    constexpr std::uint64_t one = 1;
+    return static_cast<std::uint32_t>(one << std::countr_one(used_marks));
+  }
+
+  /// The widest cells in which crowds of this set may become parts: where they are hardly narrower
+  /// than those around, these would bring nothing.
+  [[nodiscard]] double widest_cell() const noexcept {
+    constexpr double most_of_cell_around = 0.8;
+    return most_of_cell_around * cell_around;
+  }
+
+  /// The unit of the whole in which a unit of the search is.
+  [[nodiscard]] std::uint64_t unit_of(std::uint64_t own) const noexcept {
+    return unit.value_or(own);
+  }
+};
+
+}  // namespace abut::engine

@@ -87,7 +87,8 @@ struct LayerLimits {
   /// Other elements in an element's cell there, up to which they are: crowds are cut anew in tiles.
   double most_crowded_by_size = 12.0;
   /// Elements from which on crowds are cut anew in layers rather than in tiles, where so large a
-  /// part of them is in one crowd that there may be others within it.
+  /// part of them is in one crowd, and so unevenly (OccupancySample), that there are others within
+  /// it.
   std::size_t least_elements_of_one_crowd = 1'000;
   double least_part_of_one_crowd = 0.4;
   double least_unevenness_of_crowd = 6.0;

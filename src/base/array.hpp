@@ -70,11 +70,12 @@ template <class T>
 }
 
 /// An array of at least `size` elements of any value. What was there is dropped where it must grow,
-/// so that nothing is copied; it never shrinks, so that a second use allocates nothing.
+/// before more is allocated; it never shrinks, so that a second use allocates nothing.
 template <class T>
 void make_room(Array<T>& array, std::size_t size) {
   if (array.size() >= size) return;
   array.clear();
+  array.shrink_to_fit();
   array.resize(size);
 }
 

@@ -38,6 +38,8 @@ class MemoryMeter {
   void give_back_pairs(std::uint64_t bytes) noexcept { held_ -= bytes; }
 
   [[nodiscard]] std::uint64_t held() const noexcept { return held_; }
+  /// Bytes that are held without the pairs.
+  [[nodiscard]] std::uint64_t working() const noexcept { return working_; }
   [[nodiscard]] std::uint64_t peak() const noexcept { return peak_; }
   [[nodiscard]] std::uint64_t working_peak() const noexcept { return working_peak_; }
   [[nodiscard]] std::uint64_t bound() const noexcept { return bound_; }

@@ -81,14 +81,14 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
   const registry::AlgorithmInput<Dim> input{packed, elements.bounds, task.settings, *workspace_,
                                             *periodic_};
   if (task.domain.is_periodic()) {
-    workspace_->most_in_layers = 0;
+    workspace_->last.most_in_layers = 0;
     entry.on_images(input, elements.spheres, elements::lattice_of(task.domain), sink, context);
-    next_may_be_in_place_ = workspace_->most_in_layers >= packed.size();
+    next_may_be_in_place_ = workspace_->last.most_in_layers >= packed.size();
     return;
   }
   if (entry.on_elements != nullptr) {
     entry.on_elements(input, sink, context);
-    next_may_be_in_place_ = workspace_->most_in_layers == packed.size();
+    next_may_be_in_place_ = workspace_->last.most_in_layers == packed.size();
     return;
   }
   search_cells<Dim>(*choice.row, packed, elements.bounds, task.options, sink, context);

@@ -47,36 +47,66 @@ grid::Bounds<Dim> bounds_of(const exact::Elements<Dim>& elements, const Numbers&
   return bounds;
 }
 
+/// Lists the coarse elements that reach the bounds of a set.
+template <int Dim>
+void list_coarse(const exact::Elements<Dim>& elements, const Numbers& coarse_elements,
+                 const grid::Bounds<Dim>& bounds, double wider, Members& members,
+                 base::WorkCounter& work) {
+  for_each_number(coarse_elements, work, [&](std::uint32_t number) {
+    if (QueryBox<Dim>::of(elements, number, bounds.largest_radius, wider).meets(bounds)) {
+      members.coarse_elements.push_back(number);
+    }
+  });
+}
+
 }  // namespace
 
 template <int Dim>
-SearchSet<Dim> search_set_of(const exact::Elements<Dim>& elements, const Members& members,
-                             Wanted wanted, const kernels::ElementKernels& kernels,
+SearchSet<Dim> search_set_of(const exact::Elements<Dim>& elements, Members& members, Wanted wanted,
+                             double wider, const kernels::ElementKernels& kernels,
                              base::WorkCounter& work) {
   SearchSet<Dim> set;
-  set.locals = Members::numbers(members.locals);
-  set.halo = Members::numbers(members.halo);
-  set.coarse_elements = Members::numbers(members.coarse_elements);
+  set.locals = members.locals.numbers();
+  set.halo = members.halo.numbers();
   set.wanted = wanted;
   set.bounds = bounds_of(elements, set.locals, kernels, work);
-  work.in_pieces(0, set.halo.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      set.bounds.include_radius(elements[set.halo[k]].radius);
-    }
+  for_each_number(set.halo, work, [&](std::uint32_t number) {
+    set.bounds.include_radius(elements[number].radius);
   });
+  const Numbers coarse_elements = members.coarse_elements.numbers();
+  members.coarse_elements.clear();
+  list_coarse(elements, coarse_elements, set.bounds, wider, members, work);
+  set.coarse_elements = members.coarse_elements.numbers();
   if (elements.are_boxes()) set.bounds.count_largest_twice();
   return set;
 }
 
 template <int Dim>
+SizeCounts count_by_size(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                         double cut, base::WorkCounter& work) {
+  const auto small_ones = [&](const Numbers& numbers) {
+    std::size_t count = 0;
+    for_each_number(numbers, work, [&](std::uint32_t number) {
+      count += static_cast<std::size_t>(elements[number].radius < cut);
+    });
+    return count;
+  };
+  const std::size_t small_locals = small_ones(set.locals);
+  const std::size_t small_halo = small_ones(set.halo);
+  const std::size_t large_locals = set.locals.size() - small_locals;
+  const std::size_t large_halo = set.halo.size() - small_halo;
+  const std::size_t coarse = set.coarse_elements.size();
+  return {{large_locals, large_halo, coarse},
+          {small_locals, small_halo, coarse + large_locals + large_halo},
+          {small_halo, 0, large_locals}};
+}
+
+template <int Dim>
 void divide_by_size(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set, double cut,
-                    RecursionLevel<Dim>& level, base::WorkCounter& work) {
-  Members& large = level.large;
-  Members& small = level.small;
-  Members& across = level.across;
-  large.clear();
-  small.clear();
-  across.clear();
+                    const SizeParts& division, base::WorkCounter& work) {
+  Members& large = division.large;
+  Members& small = division.small;
+  Members& across = division.across;
   for_each_number(set.coarse_elements, work, [&](std::uint32_t number) {
     large.coarse_elements.push_back(number);
     small.coarse_elements.push_back(number);
@@ -109,20 +139,13 @@ SearchSet<Dim> collect_tile(const exact::Elements<Dim>& elements, const Tiles<Di
   const std::span<const exact::Sphere<Dim>> spheres = elements.spheres;
   const auto records = tiles.records(tile);
   const std::size_t own = tiles.own_count(tile);
-  members.clear();
-  members.locals.resize(own);
   work.in_pieces(0, own, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) members.locals[k] = records[k].number;
+    for (std::size_t k = begin; k < end; ++k) members.locals.push_back(records[k].number);
   });
-  grid::Bounds<Dim> bounds = bounds_of(elements, Members::numbers(members.locals), kernels, work);
-  const double wider = margin + position_slack * cell_size;
-  const std::span<const std::uint32_t> coarse_elements = tiles.coarse_elements(tile);
-  for_each_number(
-      {coarse_elements.data(), coarse_elements.size()}, work, [&](std::uint32_t number) {
-        if (QueryBox<Dim>::of(elements, number, bounds.largest_radius, wider).meets(bounds)) {
-          members.coarse_elements.push_back(number);
-        }
-      });
+  grid::Bounds<Dim> bounds = bounds_of(elements, members.locals.numbers(), kernels, work);
+  const std::span<const std::uint32_t> coarse = tiles.coarse_elements(tile);
+  list_coarse(elements, {coarse.data(), coarse.size()}, bounds, margin + position_slack * cell_size,
+              members, work);
   work.in_pieces(own, records.size(), [&](std::size_t begin, std::size_t end) {
     for (const Record<Dim>& record : records.subspan(begin, end - begin)) {
       if (!within(spheres[record.number], bounds, cell_size)) continue;
@@ -131,22 +154,26 @@ SearchSet<Dim> collect_tile(const exact::Elements<Dim>& elements, const Tiles<Di
     }
   });
   if (elements.are_boxes()) bounds.count_largest_twice();
-  return {Members::numbers(members.locals),
-          Members::numbers(members.halo),
-          Members::numbers(members.coarse_elements),
+  return {members.locals.numbers(),
+          members.halo.numbers(),
+          members.coarse_elements.numbers(),
           Wanted::all_pairs,
           1.0,
           bounds};
 }
 
-template SearchSet<2> search_set_of(const exact::Elements<2>&, const Members&, Wanted,
+template SearchSet<2> search_set_of(const exact::Elements<2>&, Members&, Wanted, double,
                                     const kernels::ElementKernels&, base::WorkCounter&);
-template SearchSet<3> search_set_of(const exact::Elements<3>&, const Members&, Wanted,
+template SearchSet<3> search_set_of(const exact::Elements<3>&, Members&, Wanted, double,
                                     const kernels::ElementKernels&, base::WorkCounter&);
+template SizeCounts count_by_size(const exact::Elements<2>&, const SearchSet<2>&, double,
+                                  base::WorkCounter&);
 template void divide_by_size(const exact::Elements<2>&, const SearchSet<2>&, double,
-                             RecursionLevel<2>&, base::WorkCounter&);
+                             const SizeParts&, base::WorkCounter&);
+template SizeCounts count_by_size(const exact::Elements<3>&, const SearchSet<3>&, double,
+                                  base::WorkCounter&);
 template void divide_by_size(const exact::Elements<3>&, const SearchSet<3>&, double,
-                             RecursionLevel<3>&, base::WorkCounter&);
+                             const SizeParts&, base::WorkCounter&);
 template SearchSet<2> collect_tile(const exact::Elements<2>&, const Tiles<2>&, std::size_t, double,
                                    double, const kernels::ElementKernels&, Members&,
                                    base::WorkCounter&);

@@ -22,6 +22,18 @@ constexpr double elements_per_tile = 48000.0;
 constexpr double least_elements_per_tile = 512.0;
 constexpr double most_tiles = 1 << 25;
 
+/// Tiles of so many elements, as far as there may be that many.
+template <int Dim>
+double tiles_of(const SearchSet<Dim>& set, double elements) {
+  const double tiles = static_cast<double>(set.locals.size()) / elements;
+  return std::clamp(tiles, set.least_tiles, std::max(set.least_tiles, most_tiles));
+}
+
+template <int Dim>
+double fewest_tiles(const SearchSet<Dim>& set) {
+  return tiles_of(set, elements_per_tile);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -59,15 +71,14 @@ double tile_volume_in_cells(const TileGrid<Dim>& grid) {
 
 template <int Dim>
 TileGrid<Dim> cut_into_tiles(const SearchSet<Dim>& set, double cell) {
-  const auto locals = static_cast<double>(set.locals.size());
-  const auto at_most = [&](double tiles) {
-    return std::clamp(tiles, set.least_tiles, std::max(set.least_tiles, most_tiles));
-  };
   const auto wide = TileGrid<Dim>::over(set.bounds, cell, cells_along_tile,
-                                        at_most(locals / least_elements_per_tile));
-  const double wanted = at_most(locals / elements_per_tile);
-  if (wide.tiles_in_box() >= wanted) return wide;
-  return TileGrid<Dim>::over(set.bounds, cell, 1.0, wanted);
+                                        tiles_of(set, least_elements_per_tile));
+  return wide.tiles_in_box() >= fewest_tiles(set) ? wide : cut_into_few_tiles(set, cell);
+}
+
+template <int Dim>
+TileGrid<Dim> cut_into_few_tiles(const SearchSet<Dim>& set, double cell) {
+  return TileGrid<Dim>::over(set.bounds, cell, 1.0, fewest_tiles(set));
 }
 
 template double least_cell_for(const grid::Bounds<2>&, const SearchInput<2>&);
@@ -75,10 +86,12 @@ template double cell_size_for(const grid::Bounds<2>&, const SearchInput<2>&);
 template double volume_in_cells(const grid::Bounds<2>&, double);
 template double tile_volume_in_cells(const TileGrid<2>&);
 template TileGrid<2> cut_into_tiles(const SearchSet<2>&, double);
+template TileGrid<2> cut_into_few_tiles(const SearchSet<2>&, double);
 template double least_cell_for(const grid::Bounds<3>&, const SearchInput<3>&);
 template double cell_size_for(const grid::Bounds<3>&, const SearchInput<3>&);
 template double volume_in_cells(const grid::Bounds<3>&, double);
 template double tile_volume_in_cells(const TileGrid<3>&);
 template TileGrid<3> cut_into_tiles(const SearchSet<3>&, double);
+template TileGrid<3> cut_into_few_tiles(const SearchSet<3>&, double);
 
 }  // namespace abut::engine

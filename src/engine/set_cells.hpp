@@ -30,4 +30,8 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] TileGrid<Dim> cut_into_tiles(const SearchSet<Dim>& set, double cell);
 
+/// The same of as few as their elements allow.
+template <int Dim>
+[[nodiscard]] TileGrid<Dim> cut_into_few_tiles(const SearchSet<Dim>& set, double cell);
+
 }  // namespace abut::engine

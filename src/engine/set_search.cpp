@@ -1,13 +1,15 @@
 #include "engine/set_search.hpp"
 
 #include "base/asking_workers.hpp"
+#include "engine/box_in_cells.hpp"
 #include "engine/crowds/crowd_search.hpp"
 #include "engine/divide.hpp"
 #include "engine/set_cells.hpp"
-#include "engine/size_cut.hpp"
+#include "engine/sizes/size_cut.hpp"
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace abut::engine {
 namespace {
@@ -17,6 +19,12 @@ namespace {
 constexpr std::uint64_t crowded_mean_occupancy = 12;
 constexpr std::size_t never_crowded = 128;
 constexpr double tiles_of_crowded = 8.0;
+
+/// Records of tiles, for each element, up to which these are as many as are wanted.
+constexpr double most_copied = 1.5;
+
+/// Cells of the longest axis of a set from which on three tiles have few copies but of a crowd.
+constexpr double least_cells_of_thirds = 12.0;
 
 /// Coarse cells with a mean occupancy from the one to the other are refined, although most of the
 /// finer cells will be empty; above, the tile becomes a search set of its own.
@@ -44,25 +52,21 @@ bool is_clustered(const SortedTile<Dim>& tile) {
 template <int Dim>
 SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspace,
                           std::size_t workers, base::DetectionContext& context)
-    : SetSearch(input, workspace, workers, context, workspace.waiting_parts(), 0) {
-  waiting_parts_.start();
+    : SetSearch(input, workspace, workers, context, 0) {
+  workspace.waiting_parts().start();
+  workspace.sets.waiting.start();
+  workspace.last = {};
 }
 
 template <int Dim>
 SetSearch<Dim>::SetSearch(const SearchInput<Dim>& input, Workspace<Dim>& workspace,
-                          std::size_t workers, base::DetectionContext& context,
-                          WaitingParts<Dim>& waiting, std::uint64_t unit)
+                          std::size_t workers, base::DetectionContext& context, std::uint64_t unit)
     : given_(input),
       workspace_(workspace),
       worker_count_(workers),
       context_(context),
-      waiting_parts_(waiting),
       next_unit_(unit) {
   workspace.expect_workers(workers);
-  workspace.most_in_layers = 0;
-  workspace.clusters_moved = 0;
-  workspace.beside_layers = 0;
-  workspace.levels_of_sizes = 0;
   start_workers(input);
 }
 
@@ -74,7 +78,9 @@ void SetSearch<Dim>::start_workers(const SearchInput<Dim>& input) {
 
 template <int Dim>
 void SetSearch<Dim>::search(const SearchSet<Dim>& set) {
+  workspace_.expect_elements(set.locals.size() + set.halo.size(), worker_count_);
   search(set, place_of_all());
+  search_waiting(place_of_all());
   finish();
 }
 
@@ -101,72 +107,147 @@ void SetSearch<Dim>::search(const SearchSet<Dim>& set, const SearchPlace& at) {
 
 template <int Dim>
 void SetSearch<Dim>::search_divided(const SearchSet<Dim>& set, double cut, const SearchPlace& at) {
-  RecursionLevel<Dim>& level = at.levels.at(at.depth);
   base::WorkCounter& work = work_at(at);
-  divide_by_size(input_->elements, set, cut, level, work);
-  const auto search_part = [&](const Members& members, Wanted wanted) {
-    search(search_set_of(input_->elements, members, wanted, input_->element_kernels, work),
-           at.deeper());
+  WaitingSets<Dim>& waiting = at.sets.waiting;
+  const SizeCounts counts = count_by_size(input_->elements, set, cut, work);
+  auto small = waiting.spare(counts.small);
+  auto large = waiting.spare(counts.large);
+  auto across = waiting.spare(counts.across);
+  divide_by_size(input_->elements, set, cut, {*large, *small, *across}, work);
+  waiting.let_go();
+  const double wider = input_->margin + position_slack * cell_size_for(set.bounds, *input_);
+  const auto let_wait = [&](std::unique_ptr<Members> members, Wanted wanted) {
+    const auto its =
+        search_set_of(input_->elements, *members, wanted, wider, input_->element_kernels, work);
+    waiting.add({std::move(members), its, std::nullopt});
   };
-  search_part(level.large, set.wanted);
-  search_part(level.small, set.wanted);
-  search_part(level.across, Wanted::pairs_of_coarse);
+  let_wait(std::move(across), Wanted::pairs_of_coarse);
+  let_wait(std::move(small), set.wanted);
+  let_wait(std::move(large), set.wanted);
+}
+
+/// Searches the sets that wait, and those that come of them.
+template <int Dim>
+void SetSearch<Dim>::search_waiting(const SearchPlace& at) {
+  WaitingSets<Dim>& waiting = at.sets.waiting;
+  while (!waiting.empty()) {
+    const WaitingSet<Dim>& next = waiting.take();
+    if (at.worker == nullptr && next.is_for_one) {
+      search_by_first(next);
+    } else {
+      search(next, at);
+    }
+  }
+  waiting.let_go();
+}
+
+template <int Dim>
+void SetSearch<Dim>::search(const WaitingSet<Dim>& next, const SearchPlace& at) {
+  if (next.size_cut) return search_divided(next.set, *next.size_cut, at);
+  search(next.set, at);
+}
+
+/// Searches a set that is not worth all workers' time, and what comes of it, by the first one in
+/// the arrays of all.
+template <int Dim>
+void SetSearch<Dim>::search_by_first(const WaitingSet<Dim>& next) {
+  TileSearcher<Dim>& first = *workspace_.workers[0];
+  const SearchPlace place{&first, workspace_.tiles, first.scratch().sets, Parallel::nothing};
+  first.begin_unit(next_unit_++);
+  search(next, place);
+  workspace_.sets.waiting.let_go();
+  search_waiting(place);
+  if (worker_count_ > 1) first.hand_over();
+}
+
+/// Cuts a set into tiles: where the faces of many would meet in a crowd, which each of them would
+/// copy, into few. One tile would be crowded again where more are asked for; then there are two, or
+/// three with the crowd in the middle.
+template <int Dim>
+TileGrid<Dim> SetSearch<Dim>::sort_into_tiles(const SearchSet<Dim>& set, std::size_t workers,
+                                              const SearchPlace& at) {
+  const double cell = cell_size_for(set.bounds, *input_);
+  base::WorkCounter& work = work_at(at);
+  Tiles<Dim>& tiles = at.tiles;
+  const auto count = [&](const TileGrid<Dim>& grid) {
+    return tiles.count(input_->elements, set, grid, input_->element_kernels, workers, work);
+  };
+  const bool may_be_one = set.least_tiles == 1.0;
+  const double most_records =
+      most_copied * static_cast<double>(set.locals.size() + set.halo.size());
+  TileGrid<Dim> grid = cut_into_tiles(set, cell);
+  std::uint64_t records = count(grid);
+  const auto try_fewer = [&](const TileGrid<Dim>& fewer) {
+    if (static_cast<double>(records) <= most_records || fewer.tiles_in_box() >= grid.tiles_in_box())
+      return;
+    grid = fewer;
+    records = count(grid);
+  };
+  try_fewer(cut_into_few_tiles(set, cell));
+  try_fewer(may_be_one ? TileGrid<Dim>::over(set.bounds, cell, 1.0, 1.0)
+                       : TileGrid<Dim>::slices_of(set.bounds, cell, 2.0));
+  const bool has_thirds = longest_axis(set.bounds) >= least_cells_of_thirds * cell;
+  if (static_cast<double>(records) > most_records && !may_be_one && has_thirds) {
+    grid = TileGrid<Dim>::slices_of(set.bounds, cell, 3.0);
+    static_cast<void>(count(grid));
+  }
+  tiles.sort(input_->elements, set, grid, input_->margin, input_->element_kernels, workers, work);
+  at.sets.waiting.let_go();
+  return grid;
 }
 
 template <int Dim>
 void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& at) {
-  const TileGrid<Dim> grid = cut_into_tiles(set, cell_size_for(set.bounds, *input_));
-  Tiles<Dim>& tiles = at.levels.at(at.depth).tiles;
+  const std::size_t workers = at.worker == nullptr ? worker_count_ : 1;
+  const TileGrid<Dim> grid = sort_into_tiles(set, workers, at);
+  const Tiles<Dim>& tiles = at.tiles;
   if (at.worker != nullptr) {
-    tiles.partition(input_->elements, set, grid, input_->margin, input_->element_kernels, 1,
-                    work_at(at));
     for (std::size_t tile = 0; tile < grid.tile_count; ++tile) {
       search_tile(set, grid, tiles, tile, at);
     }
     return;
   }
-  tiles.partition(input_->elements, set, grid, input_->margin, input_->element_kernels,
-                  worker_count_, work_at(at));
-  if (worker_count_ > 1 && grid.tiles_in_box() == 1.0 && set.locals.size() >= least_shared_tile) {
-    return search_one_tile(set, grid, tiles, at);
-  }
+  if (grid.tiles_in_box() == 1.0) return search_one_tile(set, grid);
   const auto search_one = [&](std::size_t w, std::size_t tile, base::WorkCounter& work) {
     work.did(1);
     TileSearcher<Dim>& worker = *workspace_.workers[w];
     worker.begin_unit(next_unit_ + tile);
     if (tiles.own_count(tile) > 0) {
-      search_tile(set, grid, tiles, tile,
-                  {&worker, worker.scratch().levels, worker.scratch().histogram, 0});
+      search_tile(set, grid, tiles, tile, place_of(worker, Parallel::tiles));
+      search_waiting(place_of(worker, Parallel::nothing));
     }
     if (worker_count_ > 1) worker.finish_unit();
     context_.progress.advance(tiles.own_count(tile));
+    workspace_.keep_law(worker);
   };
   input_->sink.expect_units(next_unit_, grid.tile_count);
   base::for_each_index(worker_count_, grid.tile_count, work_at(at), search_one);
   next_unit_ += grid.tile_count;
   context_.progress.poll();
-  search_waiting(at);
+  let_found_wait();
 }
 
-/// Searches the only tile of a set with all workers: one of them sorts it, all search it.
+/// Searches the only tile of a set: one worker sorts it, and if it is worth their time, all search
+/// it. What comes of it is sorted into its arrays.
 template <int Dim>
-void SetSearch<Dim>::search_one_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
-                                     const Tiles<Dim>& tiles, const SearchPlace& at) {
+void SetSearch<Dim>::search_one_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid) {
+  const bool is_shared = worker_count_ > 1 && set.locals.size() >= least_shared_tile;
   TileSearcher<Dim>& first = *workspace_.workers[0];
   first.begin_unit(next_unit_++);
-  search_tile(set, grid, tiles, grid.first_tile(),
-              {&first, first.scratch().levels, first.scratch().histogram, 0, Parallel::layers});
-  first.hand_over();
+  search_tile(set, grid, workspace_.tiles, grid.first_tile(),
+              place_of(first, is_shared ? Parallel::layers : Parallel::tiles));
+  search_waiting({&first, workspace_.tiles, first.scratch().sets, Parallel::nothing});
+  if (worker_count_ > 1) first.hand_over();
   context_.progress.advance(set.locals.size());
   context_.progress.poll();
-  search_waiting(at);
+  let_found_wait();
 }
 
 /// Pairs among the elements of the tile on the worker's scratch. What all find stands between what
 /// their first found before and what it will find.
 template <int Dim>
 void SetSearch<Dim>::search_pairs(double unit, const SearchPlace& at) {
-  if (at.parallel == Parallel::tiles) return at.worker->search(unit);
+  if (at.parallel != Parallel::layers) return at.worker->search(unit);
   at.worker->hand_over();
   const SortedTile<Dim>& tile = at.worker->scratch().tile;
   const kernels::Layers all = kernels::all_layers(tile.view(), Dim);
@@ -203,7 +284,7 @@ void SetSearch<Dim>::search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>&
   }
   if (records.size() > never_crowded &&
       sorted.squared_occupancy() > crowded_mean_occupancy * records.size() &&
-      search_crowded_tile(set, grid, tiles, tile, cells, at)) {
+      take_crowded_tile(set, grid, tiles, tile, cells, at)) {
     return;
   }
   const grid::Bounds<Dim>& bounds = set.bounds;
@@ -219,36 +300,39 @@ void SetSearch<Dim>::search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>&
       coarse_elements);
 }
 
-/// Searches a crowded tile in a better way than by the cells at hand, if there is one, and returns
+/// Makes a search set of a crowded tile, if that is better than the cells at hand, and returns
 /// whether it did: cells larger than the reach needs are cut anew around the elements, and large
 /// elements are taken out if that pays.
 template <int Dim>
-bool SetSearch<Dim>::search_crowded_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
-                                         const Tiles<Dim>& tiles, std::size_t tile,
-                                         const TileCells<Dim>& cells, const SearchPlace& at) {
+bool SetSearch<Dim>::take_crowded_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
+                                       const Tiles<Dim>& tiles, std::size_t tile,
+                                       const TileCells<Dim>& cells, const SearchPlace& at) {
   std::optional<double> cut;
   if (!cells.coarse) {
     cut = size_cut_in(set, grid, tiles, tile, cells, at);
     if (!cut) return false;
   }
-  // Tiles of a search set of all workers stand at depth 0 of the worker's own levels.
-  const bool waits = at.depth == 0 && tiles.own_count(tile) >= large_set;
-  Members& members = waits ? spare_members() : at.levels.at(at.depth).part;
-  CrowdedTile part{collect_tile(input_->elements, tiles, tile, grid.cell_size, input_->margin,
-                                input_->element_kernels, members, at.worker->work()),
-                   cut};
-  part.set.wanted = set.wanted;
+  const std::size_t own = tiles.own_count(tile);
+  const bool waits_for_all =
+      at.parallel != Parallel::nothing && (own >= large_set || own >= set.locals.size() / 2);
+  const MemberCounts most{own, tiles.records(tile).size() - own,
+                          tiles.coarse_elements(tile).size()};
+  auto members = waits_for_all ? spare_of_all(most) : at.sets.waiting.spare(most);
+  SearchSet<Dim> part = collect_tile(input_->elements, tiles, tile, grid.cell_size, input_->margin,
+                                     input_->element_kernels, *members, at.worker->work());
+  part.wanted = set.wanted;
   // Cells that are much smaller, because the box is, are progress enough.
-  const grid::Bounds<Dim>& bounds = part.set.bounds;
+  const grid::Bounds<Dim>& bounds = part.bounds;
   const double volume = volume_in_cells(bounds, cell_size_for(bounds, *input_));
-  part.set.least_tiles =
+  part.least_tiles =
       volume * tiles_of_crowded <= tile_volume_in_cells(grid) ? 1.0 : tiles_of_crowded;
-  if (!waits) {
-    search(part, at);
-    return true;
+  WaitingSet<Dim> waiting{std::move(members), part, cut, own < large_set};
+  if (waits_for_all) {
+    const std::lock_guard lock(found_mutex_);
+    found_.push_back({tile, std::move(waiting)});
+  } else {
+    at.sets.waiting.add(std::move(waiting));
   }
-  const std::lock_guard lock(waiting_mutex_);
-  waiting_.push_back({tile, part});
   return true;
 }
 
@@ -259,12 +343,12 @@ std::optional<double> SetSearch<Dim>::size_cut_in(const SearchSet<Dim>& set,
                                                   const TileCells<Dim>& cells,
                                                   const SearchPlace& at) const {
   if (set.bounds.smallest_radius == set.bounds.largest_radius) return std::nullopt;
-  at.histogram.clear();
+  at.sets.histogram.clear();
   grid::Bounds<Dim> sizes;
   const auto records = tiles.records(tile);
   at.worker->work().in_pieces(0, records.size(), [&](std::size_t begin, std::size_t end) {
     for (const Record<Dim>& record : records.subspan(begin, end - begin)) {
-      at.histogram.add(input_->elements[record.number].radius);
+      at.sets.histogram.add(input_->elements[record.number].radius);
       sizes.include_radius(input_->elements[record.number].radius);
     }
   });
@@ -274,36 +358,22 @@ std::optional<double> SetSearch<Dim>::size_cut_in(const SearchSet<Dim>& set,
   const double crowded_cells = count * count / static_cast<double>(sorted.squared_occupancy());
   const double volume = crowded_cells * cells.volume_in(grid, cell_size_for(sizes, *input_));
   const SizeDistribution distribution = sizes_of(sizes, input_->margin, volume);
-  return plan_sizes<Dim>({at.histogram, distribution}, distribution).cut;
+  return plan_sizes<Dim>({at.sets.histogram, distribution}, distribution).cut;
 }
 
 template <int Dim>
-void SetSearch<Dim>::search(const CrowdedTile& part, const SearchPlace& at) {
-  if (part.size_cut) {
-    search_divided(part.set, *part.size_cut, at.deeper());
-  } else {
-    search(part.set, at.deeper());
-  }
+std::unique_ptr<Members> SetSearch<Dim>::spare_of_all(const MemberCounts& most) {
+  const std::lock_guard lock(found_mutex_);
+  return workspace_.sets.waiting.spare(most);
 }
 
+/// Lets the large sets that workers found wait for all of them, in the order of their tiles.
 template <int Dim>
-Members& SetSearch<Dim>::spare_members() {
-  const std::lock_guard lock(waiting_mutex_);
-  if (workspace_.deferred.size() == deferred_in_use_) {
-    workspace_.deferred.push_back(std::make_unique<Members>(workspace_.memory));
-  }
-  return *workspace_.deferred[deferred_in_use_++];
-}
-
-template <int Dim>
-void SetSearch<Dim>::search_waiting(const SearchPlace& at) {
-  // Sets that are deferred while these are searched go to a new list.
-  std::vector<Waiting> waiting;
-  waiting.swap(waiting_);
-  std::sort(waiting.begin(), waiting.end(),
-            [](const Waiting& a, const Waiting& b) { return a.tile < b.tile; });
-  for (const Waiting& one : waiting) search(one.part, at);
-  deferred_in_use_ -= waiting.size();
+void SetSearch<Dim>::let_found_wait() {
+  std::sort(found_.begin(), found_.end(),
+            [](const FoundSet& a, const FoundSet& b) { return a.tile > b.tile; });
+  for (FoundSet& one : found_) workspace_.sets.waiting.add(std::move(one.set));
+  found_.clear();
 }
 
 template class SetSearch<2>;

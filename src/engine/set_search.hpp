@@ -2,12 +2,13 @@
 
 #include "base/detection_context.hpp"
 #include "engine/layers/layer_grid.hpp"
-#include "engine/size_classes.hpp"
+#include "engine/sizes/size_classes.hpp"
 #include "engine/tile_searcher.hpp"
 #include "engine/workspace.hpp"
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -19,7 +20,8 @@ namespace abut::engine {
 /// search set of its own.
 ///
 /// Search sets are searched by all workers together, tile by tile; the search sets inside a tile by
-/// the worker whose tile it is, but for large ones, which wait until all are free.
+/// the worker whose tile it is, but for large ones, which wait until all are free. What comes of a
+/// search set waits until its search has ended, and is searched in the same arrays.
 template <int Dim>
 class SetSearch {
  public:
@@ -28,7 +30,7 @@ class SetSearch {
 
   /// The same of a part of a set. Units of work are counted on from `unit`.
   SetSearch(const SearchInput<Dim>& part, Workspace<Dim>& workspace, std::size_t workers,
-            base::DetectionContext& context, WaitingParts<Dim>& waiting, std::uint64_t unit);
+            base::DetectionContext& context, std::uint64_t unit);
 
   void search(const SearchSet<Dim>& set);
 
@@ -40,29 +42,22 @@ class SetSearch {
   [[nodiscard]] std::uint64_t next_unit() const noexcept { return next_unit_; }
 
  private:
-  /// The workers that search the pairs of a tile: the one that sorts it, or all.
-  enum class Parallel { tiles, layers };
+  /// What workers share in the search of a set: its tiles; the layers of its only tile; or nothing,
+  /// where it came of a tile that one of them has.
+  enum class Parallel { tiles, layers, nothing };
 
-  /// The workers that search a search set, and its depth among the levels.
+  /// The workers that search a search set or a tile of it, and the arrays of what comes of it.
   struct SearchPlace {
     TileSearcher<Dim>* worker;  ///< none: all, each tiles of its own
-    RecursionLevels<Dim>& levels;
-    RadiusHistogram& histogram;
-    std::size_t depth;
-    Parallel parallel = Parallel::tiles;
-
-    [[nodiscard]] SearchPlace deeper() const { return {worker, levels, histogram, depth + 1}; }
+    Tiles<Dim>& tiles;
+    SetScratch<Dim>& sets;
+    Parallel parallel;
   };
 
-  /// A crowded tile that becomes a search set of its own.
-  struct CrowdedTile {
-    SearchSet<Dim> set;
-    std::optional<double> size_cut;
-  };
-
-  struct Waiting {
+  /// A search set that came of a crowded tile while all workers searched.
+  struct FoundSet {
     std::size_t tile;
-    CrowdedTile part;
+    WaitingSet<Dim> set;
   };
 
   /// Counter of the worker that searches at a place; where all workers do, that of the caller's
@@ -85,10 +80,14 @@ class SetSearch {
     LayerGrid<Dim> layers;
   };
 
+  [[nodiscard]] static SearchPlace place_of(TileSearcher<Dim>& worker, Parallel parallel) {
+    return {&worker, worker.scratch().tiles, worker.scratch().sets, parallel};
+  }
+
   void start_workers(const SearchInput<Dim>& input);
   void finish();
   [[nodiscard]] SearchPlace place_of_all() {
-    return {nullptr, workspace_.levels, workspace_.histogram, 0};
+    return {nullptr, workspace_.tiles, workspace_.sets, Parallel::tiles};
   }
   [[nodiscard]] std::optional<LayerGrid<Dim>> layers_for(const SearchSet<Dim>& set);
   [[nodiscard]] std::optional<LayerGrid<Dim>> layers_of_part(const SearchSet<Dim>& part,
@@ -116,24 +115,27 @@ class SetSearch {
   [[nodiscard]] bool search_by_size(const SearchSet<Dim>& set, const SizeClasses& classes,
                                     const SizeDistribution& sizes, double other_cost);
   void search(const SearchSet<Dim>& set, const SearchPlace& at);
-  void search(const CrowdedTile& part, const SearchPlace& at);
   void search_divided(const SearchSet<Dim>& set, double cut, const SearchPlace& at);
+  [[nodiscard]] TileGrid<Dim> sort_into_tiles(const SearchSet<Dim>& set, std::size_t workers,
+                                              const SearchPlace& at);
   void search_tiles(const SearchSet<Dim>& set, const SearchPlace& at);
-  void search_one_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
-                       const Tiles<Dim>& tiles, const SearchPlace& at);
+  void search_one_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid);
   void search_pairs(double unit, const SearchPlace& at);
   void search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid, const Tiles<Dim>& tiles,
                    std::size_t tile, const SearchPlace& at);
-  bool search_crowded_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
-                           const Tiles<Dim>& tiles, std::size_t tile, const TileCells<Dim>& cells,
-                           const SearchPlace& at);
+  bool take_crowded_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid,
+                         const Tiles<Dim>& tiles, std::size_t tile, const TileCells<Dim>& cells,
+                         const SearchPlace& at);
   [[nodiscard]] std::optional<double> size_cut_in(const SearchSet<Dim>& set,
                                                   const TileGrid<Dim>& grid,
                                                   const Tiles<Dim>& tiles, std::size_t tile,
                                                   const TileCells<Dim>& cells,
                                                   const SearchPlace& at) const;
   void search_waiting(const SearchPlace& at);
-  [[nodiscard]] Members& spare_members();
+  void search(const WaitingSet<Dim>& next, const SearchPlace& at);
+  void search_by_first(const WaitingSet<Dim>& next);
+  [[nodiscard]] std::unique_ptr<Members> spare_of_all(const MemberCounts& most);
+  void let_found_wait();
 
   const SearchInput<Dim>& given_;
   std::optional<SearchInput<Dim>> moved_;  ///< the same with its clusters moved
@@ -141,11 +143,9 @@ class SetSearch {
   Workspace<Dim>& workspace_;
   std::size_t worker_count_;
   base::DetectionContext& context_;
-  WaitingParts<Dim>& waiting_parts_;
   std::uint64_t next_unit_ = 0;
-  std::mutex waiting_mutex_;
-  std::vector<Waiting> waiting_;
-  std::size_t deferred_in_use_ = 0;
+  std::mutex found_mutex_;
+  std::vector<FoundSet> found_;
 };
 
 }  // namespace abut::engine

@@ -9,7 +9,7 @@
 #include "engine/layers/layer_search.hpp"
 #include "engine/set_cells.hpp"
 #include "engine/set_search.hpp"
-#include "engine/size_cut.hpp"
+#include "engine/sizes/size_cut.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -53,6 +53,7 @@ template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
   if (set.locals.empty() || !may_be_in_layers(set.locals.size(), input_->layer_limits))
     return false;
+  workspace_.expect_elements(set.locals.size() + set.halo.size(), worker_count_);
   if (!take_whole(set, choose_by_size(set, place_of_all())) && !take_crowded(set)) return false;
   finish();
   return true;
@@ -158,8 +159,8 @@ bool SetSearch<Dim>::take_levels(const SearchSet<Dim>& set) {
     LayerSearch<Dim> search(input, workspace_, worker_count_, context_);
     next_unit_ = search.search(set, level.layers, next_unit_, CoarsePairs::left_out);
   }
-  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
-  workspace_.levels_of_sizes = levels->size();
+  workspace_.last.most_in_layers = std::max(workspace_.last.most_in_layers, set.locals.size());
+  workspace_.last.levels_of_sizes = levels->size();
   return true;
 }
 
@@ -181,7 +182,7 @@ bool SetSearch<Dim>::take_clusters(const SearchSet<Dim>& set) {
   start_workers(*moved_);
   const bool are_searched = take_layers(moved_set, choose_by_size(moved_set, place_of_all()));
   if (are_searched) {
-    workspace_.clusters_moved = moved->clusters;
+    workspace_.last.clusters_moved = moved->clusters;
   } else {
     start_workers(given_);
   }
@@ -201,8 +202,8 @@ bool SetSearch<Dim>::take_without_coarse(const SearchSet<Dim>& set, double cut) 
   input.spheres = input.spheres.with_coarse(coarse.numbers());
   const auto layers = layers_of_part(others, input);
   if (!layers || !hold_squares_of(*layers, coarse.elements())) return false;
-  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
-  workspace_.beside_layers = coarse.numbers().size();
+  workspace_.last.most_in_layers = std::max(workspace_.last.most_in_layers, set.locals.size());
+  workspace_.last.beside_layers = coarse.numbers().size();
   LayerSearch<Dim> search(input, workspace_, worker_count_, context_);
   next_unit_ = search.search(others, *layers, next_unit_);
   return true;
@@ -210,7 +211,7 @@ bool SetSearch<Dim>::take_without_coarse(const SearchSet<Dim>& set, double cut) 
 
 template <int Dim>
 void SetSearch<Dim>::search_layers(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers) {
-  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
+  workspace_.last.most_in_layers = std::max(workspace_.last.most_in_layers, set.locals.size());
   LayerSearch<Dim> search(*input_, workspace_, worker_count_, context_);
   next_unit_ = search.search(set, layers, next_unit_);
 }
@@ -240,9 +241,9 @@ bool SetSearch<Dim>::take_crowded(const SearchSet<Dim>& set) {
 /// there.
 template <int Dim>
 void SetSearch<Dim>::search_crowds(const SearchSet<Dim>& set, const LayerGrid<Dim>& layers) {
-  workspace_.most_in_layers = std::max(workspace_.most_in_layers, set.locals.size());
+  workspace_.last.most_in_layers = std::max(workspace_.last.most_in_layers, set.locals.size());
   LayerSearch<Dim> search(*input_, workspace_, worker_count_, context_);
-  CrowdSearch<Dim> crowds(*input_, workspace_, waiting_parts_, worker_count_, context_);
+  CrowdSearch<Dim> crowds(*input_, workspace_, worker_count_, context_);
   const PartNumbers& part = input_->part;
   const bool may_be_narrower = layers.has_wide_cells() && layers.cell() <= part.widest_cell();
   if (may_be_narrower && part.free_mark() != 0) {
@@ -253,22 +254,22 @@ void SetSearch<Dim>::search_crowds(const SearchSet<Dim>& set, const LayerGrid<Di
 
 template <int Dim>
 void SetSearch<Dim>::count_radii_of(const SearchSet<Dim>& set, const SearchPlace& at) {
-  at.histogram.clear();
+  at.sets.histogram.clear();
   const bool is_shared = at.worker == nullptr && worker_count_ > 1 && set.locals.are_the_first() &&
                          set.locals.size() >= least_shared_radii;
   if (is_shared) {
     share_radii(set.locals.size(), at);
   } else {
-    count_radii(at.histogram, input_->spheres, set.locals, work_at(at));
+    count_radii(at.sets.histogram, input_->spheres, set.locals, work_at(at));
   }
-  count_radii(at.histogram, input_->spheres, set.halo, work_at(at));
+  count_radii(at.sets.histogram, input_->spheres, set.halo, work_at(at));
 }
 
 /// Counts the radii of the first elements with all workers.
 template <int Dim>
 void SetSearch<Dim>::share_radii(std::size_t elements, const SearchPlace& at) {
   const auto histogram_of = [&](std::size_t worker) -> RadiusHistogram& {
-    return workspace_.workers[worker]->scratch().histogram;
+    return workspace_.workers[worker]->scratch().sets.histogram;
   };
   base::for_each_share(
       worker_count_, work_at(at), [&](std::size_t worker, base::WorkCounter& work) {
@@ -276,7 +277,7 @@ void SetSearch<Dim>::share_radii(std::size_t elements, const SearchPlace& at) {
         histogram_of(worker).clear();
         count_first_radii(histogram_of(worker), input_->spheres, first, last, work);
       });
-  for (std::size_t w = 0; w < worker_count_; ++w) at.histogram.add(histogram_of(w));
+  for (std::size_t w = 0; w < worker_count_; ++w) at.sets.histogram.add(histogram_of(w));
 }
 
 /// Searches the set in layers by size where that costs least; otherwise returns the radius at which
@@ -290,7 +291,7 @@ auto SetSearch<Dim>::choose_by_size(const SearchSet<Dim>& set, const SearchPlace
   count_radii_of(set, at);
   const double volume = volume_in_cells(set.bounds, cell_size_for(set.bounds, *input_));
   const SizeDistribution sizes = sizes_of(set.bounds, input_->margin, volume);
-  const SizeClasses classes(at.histogram, sizes);
+  const SizeClasses classes(at.sets.histogram, sizes);
   const SizePlan plan = plan_sizes<Dim>(classes, sizes);
   if (at.worker != nullptr) return {plan.cut};
   const bool is_searched = search_beside_coarse(set, classes, sizes, plan.cost) ||

@@ -17,6 +17,13 @@ constexpr double least_width_in_cells = 0x1p-30;
 constexpr double most_tiles_along_axis = 0x1p20;
 constexpr double most_tiles_with_frame = 0x1p26 - 1.0;
 
+template <class Bounds>
+auto extent_of(const Bounds& box) {
+  auto extent = box.upper;
+  for (std::size_t axis = 0; axis < extent.size(); ++axis) extent[axis] -= box.lower[axis];
+  return extent;
+}
+
 /// True if tiles of that side over the box are within the limits.
 template <int Dim>
 bool few_enough(const std::array<double, Dim>& extent, double side, double most_tiles) {
@@ -47,18 +54,38 @@ double side_of_tiles(const std::array<double, Dim>& extent, double smallest, dou
 template <int Dim>
 TileGrid<Dim> TileGrid<Dim>::over(const grid::Bounds<Dim>& box, double cell_size,
                                   double least_cells, double most_tiles) {
+  const std::array<double, Dim> extent = extent_of(box);
+  const double side = side_of_tiles<Dim>(extent, least_cells * cell_size, most_tiles);
+  std::array<double, Dim> tiles{};
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    tiles[axis] = std::max(1.0, std::floor(extent[axis] / side));
+  }
+  return of_counts(box, cell_size, tiles);
+}
+
+template <int Dim>
+TileGrid<Dim> TileGrid<Dim>::slices_of(const grid::Bounds<Dim>& box, double cell_size,
+                                       double slices) {
+  const std::array<double, Dim> extent = extent_of(box);
+  std::array<double, Dim> tiles{};
+  tiles.fill(1.0);
+  const auto longest = std::max_element(extent.begin(), extent.end()) - extent.begin();
+  tiles[static_cast<std::size_t>(longest)] = slices;
+  return of_counts(box, cell_size, tiles);
+}
+
+/// The grid of so many tiles along each axis.
+template <int Dim>
+TileGrid<Dim> TileGrid<Dim>::of_counts(const grid::Bounds<Dim>& box, double cell_size,
+                                       const std::array<double, Dim>& tiles) {
   TileGrid grid;
   grid.cell_size = cell_size;
   grid.lower = box.lower;
-  std::array<double, Dim> extent{};
-  for (std::size_t axis = 0; axis < Dim; ++axis) extent[axis] = box.upper[axis] - box.lower[axis];
-  const double side = side_of_tiles<Dim>(extent, least_cells * cell_size, most_tiles);
-
+  const std::array<double, Dim> extent = extent_of(box);
   std::int32_t stride = 1;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
-    const double tiles = std::max(1.0, std::floor(extent[axis] / side));
-    grid.count[axis] = static_cast<std::int32_t>(tiles);
-    grid.size[axis] = std::max(extent[axis] / tiles, cell_size * least_width_in_cells);
+    grid.count[axis] = static_cast<std::int32_t>(tiles[axis]);
+    grid.size[axis] = std::max(extent[axis] / tiles[axis], cell_size * least_width_in_cells);
     grid.inverse_size[axis] = 1.0 / grid.size[axis];
     grid.border[axis] = cell_size * grid.inverse_size[axis] + place_slack;
     grid.stride[axis] = stride;

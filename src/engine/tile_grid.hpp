@@ -38,6 +38,10 @@ struct TileGrid {
   [[nodiscard]] static TileGrid over(const grid::Bounds<Dim>& box, double cell_size,
                                      double least_cells, double most_tiles);
 
+  /// So many along the longest axis of the box, which has as many cells at least.
+  [[nodiscard]] static TileGrid slices_of(const grid::Bounds<Dim>& box, double cell_size,
+                                          double slices);
+
   [[nodiscard]] double tiles_in_box() const noexcept {
     double tiles = 1.0;
     for (const std::int32_t along_axis : count) tiles *= along_axis;
@@ -117,6 +121,9 @@ struct TileGrid {
   }
 
  private:
+  [[nodiscard]] static TileGrid of_counts(const grid::Bounds<Dim>& box, double cell_size,
+                                          const std::array<double, Dim>& tiles);
+
   /// Faces of tile t on the axis that lie within the border of position q, in units of tiles.
   [[nodiscard]] std::uint32_t near(double q, std::int32_t t, std::size_t axis) const noexcept {
     const double within = q - t;

@@ -21,7 +21,7 @@ constexpr std::size_t small_tile = 1 << 13;
 
 template <int Dim>
 TileSearcher<Dim>::TileSearcher(base::MemoryMeter& memory, std::size_t worker)
-    : scratch_(memory), origin_{worker, 0} {
+    : memory_(memory), scratch_(std::in_place, memory), origin_{worker, 0} {
   job_.slack = static_cast<float>(kernels::filter_error);  // numbers of a tile are below 2
   job_.hits = &hits_;
   job_.owner = this;
@@ -31,6 +31,7 @@ TileSearcher<Dim>::TileSearcher(base::MemoryMeter& memory, std::size_t worker)
 template <int Dim>
 void TileSearcher<Dim>::start(const SearchInput<Dim>& input) {
   input_ = &input;
+  scratch_->sets.waiting.start();
   origin_.unit = 0;
   hits_.found = 0;
   hits_.undecided_count = 0;
@@ -44,6 +45,12 @@ void TileSearcher<Dim>::start(const SearchInput<Dim>& input) {
   tests_told_ = 0;
   work_ = {input.progress, origin_.worker};
   exact_decisions_ = 0;
+}
+
+template <int Dim>
+void TileSearcher<Dim>::free_arrays() {
+  scratch_.reset();
+  scratch_.emplace(memory_);
 }
 
 template <int Dim>
@@ -169,21 +176,21 @@ void TileSearcher<Dim>::prepare(const SortedTile<Dim>& tile, double unit) {
   constexpr std::size_t columns = std::extent_v<decltype(job_.block)>;
   const std::size_t vectors = (places + kernels::row_padding) / vector + 2;
   const std::size_t length = vectors * vector;
-  base::make_room(scratch_.block, columns * length + vector);
-  base::make_room(scratch_.block_number, length);
+  base::make_room(scratch_->block, columns * length + vector);
+  base::make_room(scratch_->block_number, length);
   // A vector that lies in two cache lines takes twice as long to read.
-  void* first = scratch_.block.data();
-  std::size_t bytes = scratch_.block.size() * sizeof(float);
+  void* first = scratch_->block.data();
+  std::size_t bytes = scratch_->block.size() * sizeof(float);
   std::align(vector * sizeof(float), columns * length * sizeof(float), first, bytes);
   for (std::size_t k = 0; k < columns; ++k) {
     job_.block[k] = static_cast<float*>(first) + k * length;
   }
-  job_.block_number = scratch_.block_number.data();
+  job_.block_number = scratch_->block_number.data();
 }
 
 template <int Dim>
 void TileSearcher<Dim>::search(double unit) {
-  search(scratch_.tile, kernels::all_layers(scratch_.tile.view(), Dim), unit);
+  search(scratch_->tile, kernels::all_layers(scratch_->tile.view(), Dim), unit);
 }
 
 template <int Dim>
@@ -220,12 +227,12 @@ template <int Dim>
 void TileSearcher<Dim>::test_coarse(const TileFrame<Dim>& frame,
                                     std::span<const std::uint32_t> coarse_elements) {
   if (coarse_elements.empty()) return;
-  prepare(scratch_.tile, frame.unit);
-  const kernels::TileView& tile = scratch_.tile.view();
+  prepare(scratch_->tile, frame.unit);
+  const kernels::TileView& tile = scratch_->tile.view();
   for (const std::uint32_t number : coarse_elements) {
     const std::span<const kernels::Run> runs =
-        scratch_.cross_level.runs(tile, frame, input_->elements, number);
-    work_.did(1 + scratch_.cross_level.rows());
+        scratch_->cross_level.runs(tile, frame, input_->elements, number);
+    work_.did(1 + scratch_->cross_level.rows());
     if (runs.empty()) continue;
     if (const auto coarse = coarse_element_in(frame, input_->elements, number)) {
       input_->kernels.test_coarse(tile, job_, Dim, *coarse, runs);
@@ -240,7 +247,7 @@ template <int Dim>
 void TileSearcher<Dim>::test_far_coarse(std::span<const kernels::Run> runs, std::uint32_t coarse) {
   for (const kernels::Run& run : runs) {
     for (std::uint32_t k = run.begin; k < run.end; ++k) {
-      test_pair(coarse, scratch_.tile.view().number[k]);
+      test_pair(coarse, scratch_->tile.view().number[k]);
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "kernels/tiles/tile_search.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace abut::engine {
@@ -77,7 +78,10 @@ class TileSearcher {
   /// Counts the tests and decisions of a search that was made for this worker.
   void count_in(std::uint64_t tests, std::uint64_t decisions) noexcept;
 
-  [[nodiscard]] WorkerScratch<Dim>& scratch() noexcept { return scratch_; }
+  [[nodiscard]] WorkerScratch<Dim>& scratch() noexcept { return *scratch_; }
+
+  /// Frees its arrays, which no search needs any longer.
+  void free_arrays();
 
   /// Counter of this worker's steps, through which the caller's hook is asked.
   [[nodiscard]] base::WorkCounter& work() noexcept { return work_; }
@@ -125,7 +129,8 @@ class TileSearcher {
   void test_far_coarse(std::span<const kernels::Run> runs, std::uint32_t coarse);
 
   const SearchInput<Dim>* input_ = nullptr;
-  WorkerScratch<Dim> scratch_;
+  base::MemoryMeter& memory_;
+  std::optional<WorkerScratch<Dim>> scratch_;
   base::Origin origin_;
   kernels::SearchJob job_{};
   kernels::HitBuffer hits_;

@@ -77,10 +77,17 @@ void Tiles<Dim>::partition(const exact::Elements<Dim>& elements, const SearchSet
                            const TileGrid<Dim>& grid, double margin,
                            const kernels::ElementKernels& kernels, std::size_t workers,
                            base::WorkCounter& work) {
-  one_tile_ = grid.tiles_in_box() == 1.0;
+  static_cast<void>(count(elements, set, grid, kernels, workers, work));
+  sort(elements, set, grid, margin, kernels, workers, work);
+}
+
+template <int Dim>
+void Tiles<Dim>::sort(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                      const TileGrid<Dim>& grid, double margin,
+                      const kernels::ElementKernels& kernels, std::size_t workers,
+                      base::WorkCounter& work) {
   shape_ = shape_of(elements, set.bounds);
   size_columns_ = kernels::size_columns(shape_, Dim);
-  count(elements, set, grid, kernels, workers, work);
   lay_out(grid.tile_count, workers);
   work.did(workers * grid.tile_count);
   scatter(elements, set, grid, kernels, workers, work);
@@ -88,9 +95,10 @@ void Tiles<Dim>::partition(const exact::Elements<Dim>& elements, const SearchSet
 }
 
 template <int Dim>
-void Tiles<Dim>::count(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
-                       const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
-                       std::size_t workers, base::WorkCounter& work) {
+std::uint64_t Tiles<Dim>::count(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                                const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
+                                std::size_t workers, base::WorkCounter& work) {
+  one_tile_ = grid.tiles_in_box() == 1.0;
   base::make_room(places_, set.locals.size() + set.halo.size());
   base::make_room(cursors_, 3 * workers * grid.tile_count);
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
@@ -99,6 +107,25 @@ void Tiles<Dim>::count(const exact::Elements<Dim>& elements, const SearchSet<Dim
     count_locals(elements, set, grid, kernels, share);
     count_halo(elements, set, grid, share);
   });
+  std::uint64_t records = 0;
+  for (std::size_t tile = 0; tile < grid.tile_count; ++tile) {
+    const TileCounts counts = counts_of(tile, grid.tile_count, workers);
+    records += counts.own + (counts.own == 0 ? 0 : counts.copies);
+  }
+  return records;
+}
+
+/// What the workers counted in a tile.
+template <int Dim>
+auto Tiles<Dim>::counts_of(std::size_t tile, std::size_t tile_count, std::size_t workers) noexcept
+    -> TileCounts {
+  TileCounts counts;
+  for (std::size_t w = 0; w < workers; ++w) {
+    const Cursors its = cursors_of(w, tile_count);
+    counts.own += its.own[tile];
+    counts.copies += its.halo_of_tiles[tile] + its.halo[tile];
+  }
+  return counts;
 }
 
 template <int Dim>

@@ -33,6 +33,16 @@ class Tiles {
                  const TileGrid<Dim>& grid, double margin, const kernels::ElementKernels& kernels,
                  std::size_t workers, base::WorkCounter& work);
 
+  /// The first pass: returns the number of records, own and copies, that the tiles would have.
+  [[nodiscard]] std::uint64_t count(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+                                    const TileGrid<Dim>& grid,
+                                    const kernels::ElementKernels& kernels, std::size_t workers,
+                                    base::WorkCounter& work);
+  /// The second pass, after the first one with the same arguments.
+  void sort(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
+            const TileGrid<Dim>& grid, double margin, const kernels::ElementKernels& kernels,
+            std::size_t workers, base::WorkCounter& work);
+
   [[nodiscard]] std::span<const Record<Dim>> records(std::size_t tile) const noexcept {
     return std::span(records_).subspan(begin_[tile], begin_[tile + 1] - begin_[tile]);
   }
@@ -66,14 +76,19 @@ class Tiles {
     std::uint64_t* halo;
   };
 
+  /// The numbers of records of a tile.
+  struct TileCounts {
+    std::uint64_t own = 0;
+    std::uint64_t copies = 0;
+  };
+
+  [[nodiscard]] TileCounts counts_of(std::size_t tile, std::size_t tile_count,
+                                     std::size_t workers) noexcept;
   [[nodiscard]] Cursors cursors_of(std::size_t worker, std::size_t tile_count) noexcept {
     std::uint64_t* const own = cursors_.data() + 3 * worker * tile_count;
     return {own, own + tile_count, own + 2 * tile_count};
   }
 
-  void count(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
-             const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels, std::size_t workers,
-             base::WorkCounter& work);
   void count_locals(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
                     const TileGrid<Dim>& grid, const kernels::ElementKernels& kernels,
                     const Share& share);

@@ -4,71 +4,24 @@
 #include "engine/cross_level_runs.hpp"
 #include "engine/layers/far_spheres.hpp"
 #include "engine/layers/sorted_layers.hpp"
-#include "engine/radius_histogram.hpp"
-#include "engine/search_set.hpp"
+#include "engine/sizes/radius_histogram.hpp"
 #include "engine/sorted_tile.hpp"
 #include "engine/tiles.hpp"
+#include "engine/waiting_sets.hpp"
 #include "exact/sphere.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <vector>
 
 namespace abut::engine {
 
-/// Lists of the members of a search set that has its own.
-struct Members {
-  base::Array<std::uint32_t> locals;
-  base::Array<std::uint32_t> halo;
-  base::Array<std::uint32_t> coarse_elements;
-
-  explicit Members(base::MemoryMeter& memory)
-      : locals(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
-        halo(locals),
-        coarse_elements(locals) {}
-
-  void clear() noexcept {
-    locals.clear();
-    halo.clear();
-    coarse_elements.clear();
-  }
-
-  [[nodiscard]] bool empty() const noexcept { return locals.empty(); }
-
-  static Numbers numbers(const base::Array<std::uint32_t>& list) {
-    return {list.data(), list.size()};
-  }
-};
-
-/// Arrays of one depth of the recursion from search set to search set.
+/// What comes of a search set, and a look at its sizes; it stays for the next detection.
 template <int Dim>
-struct RecursionLevel {
-  explicit RecursionLevel(base::MemoryMeter& memory)
-      : tiles(memory), large(memory), small(memory), across(memory), part(memory) {}
+struct SetScratch {
+  explicit SetScratch(base::MemoryMeter& memory) : waiting(memory) {}
 
-  Tiles<Dim> tiles;
-  Members large;  ///< after a division by size
-  Members small;
-  Members across;
-  Members part;  ///< of a crowded tile
-};
-
-/// The levels that one line of recursion needs; they stay for the next detection.
-template <int Dim>
-class RecursionLevels {
- public:
-  explicit RecursionLevels(base::MemoryMeter& memory) : memory_(memory) {}
-
-  [[nodiscard]] RecursionLevel<Dim>& at(std::size_t depth) {
-    while (levels_.size() <= depth)
-      levels_.push_back(std::make_unique<RecursionLevel<Dim>>(memory_));
-    return *levels_[depth];
-  }
-
- private:
-  base::MemoryMeter& memory_;
-  std::vector<std::unique_ptr<RecursionLevel<Dim>>> levels_;
+  WaitingSets<Dim> waiting;
+  RadiusHistogram histogram;
 };
 
 /// Arrays that one worker needs to search a tile.
@@ -81,7 +34,8 @@ struct WorkerScratch {
         block_number(base::make_array_for_overwrite<std::uint32_t>(memory, 0)),
         layers(memory),
         far(memory),
-        levels(memory) {}
+        tiles(memory),
+        sets(memory) {}
 
   SortedTile<Dim> tile;
   CrossLevelRuns<Dim> cross_level;
@@ -89,8 +43,8 @@ struct WorkerScratch {
   base::Array<std::uint32_t> block_number;
   SortedLayers<Dim> layers;
   FarSpheresInReach<Dim> far;
-  RecursionLevels<Dim> levels;
-  RadiusHistogram histogram;
+  Tiles<Dim> tiles;  ///< of search sets that the worker has for itself
+  SetScratch<Dim> sets;
 };
 
 }  // namespace abut::engine

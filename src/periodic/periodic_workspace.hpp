@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "engine/radius_histogram.hpp"
+#include "engine/sizes/radius_histogram.hpp"
 #include "exact/box.hpp"
 #include "periodic/image_sink.hpp"
 #include "periodic/images.hpp"

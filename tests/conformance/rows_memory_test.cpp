@@ -1,6 +1,7 @@
 // The law of memory of `rows` that the registry states, on every scene: without the pairs, and
 // without the elements themselves, which every algorithm reads from one packed array.
 
+#include "scenes/many_scales.hpp"
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>
@@ -8,11 +9,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 
 namespace abut::testing {
 namespace {
+
+using scenes::Directions;
+using scenes::Radii;
 
 constexpr std::uint64_t integer_bytes = 4;
 
@@ -44,6 +50,33 @@ TEST_P(RowsMemory, KeepsTheLaw) {
     }
   }
 }
+
+class RowsMemoryOfScales : public ::testing::TestWithParam<std::tuple<Directions, Radii, double>> {
+};
+
+/// Sets within sets, as deep as numbers allow, take no memory for each depth.
+TEST_P(RowsMemoryOfScales, KeepsTheLaw) {
+  const auto [directions, radii, ratio] = GetParam();
+  for (const double decades : {5.0, 12.0, 50.0, 200.0}) {
+    for (const std::size_t count : {1000U, 5000U, 30000U, 70000U}) {
+      const scenes::Scene scene =
+          scenes::spheres_of_scales({directions, radii, ratio}, decades, count);
+      for (const int threads : {1, 2, 16}) {
+        const Statistics statistics = count_contact_pairs(
+            view_of(scene), Domain::open(), {.algorithm = Algorithm::rows, .threads = threads});
+        EXPECT_LE(statistics.working_bytes, allowed_bytes(scene, threads))
+            << decades << " decades, " << count << " elements, " << threads << " threads";
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AroundAPoint, RowsMemoryOfScales,
+                         ::testing::Combine(::testing::Values(Directions::all, Directions::one_ray,
+                                                              Directions::near_three_axes),
+                                            ::testing::Values(Radii::equal, Radii::as_root,
+                                                              Radii::as_distance),
+                                            ::testing::Values(1.0, 30.0)));
 
 /// The largest chunk in which pairs are kept while they are found.
 constexpr std::uint64_t chunk_bytes = std::uint64_t{4} << 20;

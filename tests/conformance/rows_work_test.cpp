@@ -1,6 +1,7 @@
 // How many candidate pairs `rows` tests: a bound on every scene, and what its ways of searching are
 // for. Work is counted, not timed.
 
+#include "scenes/many_scales.hpp"
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>
@@ -12,13 +13,19 @@
 namespace abut::testing {
 namespace {
 
+using scenes::Directions;
+using scenes::Radii;
+
 /// Candidate tests for each element and contact pair.
-double tests_of(const scenes::SceneInfo& info, std::size_t count) {
-  const scenes::Scene scene = info.make(count, 1);
+double tests_of(const scenes::Scene& scene) {
   const Statistics statistics =
       count_contact_pairs(view_of(scene), Domain::open(), {.algorithm = Algorithm::rows});
   return static_cast<double>(statistics.candidate_tests) /
          static_cast<double>(scene.size() + statistics.contact_pairs);
+}
+
+double tests_of(const scenes::SceneInfo& info, std::size_t count) {
+  return tests_of(info.make(count, 1));
 }
 
 class RowsWork : public ::testing::TestWithParam<scenes::SceneInfo> {};
@@ -33,6 +40,22 @@ TEST_P(RowsWork, IsBounded) {
 INSTANTIATE_TEST_SUITE_P(Scenes, RowsWork,
                          ::testing::ValuesIn(scenes::scenes().begin(), scenes::scenes().end()),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
+
+/// Crowds within crowds are cut out until they are none, whatever their shape and depth.
+TEST(RowsWork, IsBoundedWhereDensitySpansDecades) {
+  for (const Directions directions :
+       {Directions::all, Directions::one_ray, Directions::near_three_axes}) {
+    for (const Radii radii : {Radii::equal, Radii::as_root, Radii::as_distance}) {
+      for (const double decades : {12.0, 60.0}) {
+        for (const std::size_t count : {1000U, 20000U, 40000U}) {
+          EXPECT_LE(tests_of(scenes::spheres_of_scales({directions, radii}, decades, count)), 300.0)
+              << static_cast<int>(directions) << static_cast<int>(radii) << ": " << decades
+              << " decades, " << count << " elements";
+        }
+      }
+    }
+  }
+}
 
 TEST(RowsWork, EqualSizesNeedTwentyTestsAtMost) {
   for (const char* const name :

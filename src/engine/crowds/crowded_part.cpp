@@ -117,6 +117,7 @@ void CrowdedPart<Dim>::copy(const SearchInput<Dim>& input, base::WorkCounter& wo
   if (have_boxes_) base::make_room(boxes_, size_);
   bounds_ = {};
   numbers_.used_marks = 0;
+  common_marks_ = ~std::uint32_t{0};
   work.in_pieces(0, size_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t number = given_[k];
@@ -135,6 +136,7 @@ void CrowdedPart<Dim>::copy(const SearchInput<Dim>& input, base::WorkCounter& wo
       marks_[k] = part.is_part() ? part.marks[number] : 0;
       if (k >= crowd_) marks_[k] |= part.free_mark();
       numbers_.used_marks |= marks_[k];
+      common_marks_ &= marks_[k];
     }
   });
   if (have_boxes_) bounds_.count_largest_twice();

@@ -36,8 +36,18 @@ class CrowdedPart {
   /// All its elements.
   [[nodiscard]] SearchSet<Dim> set() const;
 
-  /// The number of elements of the crowd.
+  /// Parts that this one is a part of, and itself.
+  [[nodiscard]] std::size_t depth() const noexcept { return numbers_.depth; }
+
+  /// The number of elements of the crowd, and with those around it.
   [[nodiscard]] std::size_t crowd() const noexcept { return crowd_; }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+
+  /// Elements for which there is room without an allocation.
+  [[nodiscard]] std::size_t room() const noexcept { return marks_.size(); }
+
+  /// Tells whether it has pairs to find: there are none where all elements have a mark in common.
+  [[nodiscard]] bool may_have_pairs() const noexcept { return common_marks_ == 0; }
 
  private:
   void list(const LayerGrid<Dim>& grid, const LayerRecords<Dim>& records,
@@ -50,6 +60,7 @@ class CrowdedPart {
   base::Array<std::uint32_t> marks_;
   std::size_t size_ = 0;
   std::size_t crowd_ = 0;
+  std::uint32_t common_marks_ = 0;
   bool have_boxes_ = false;
   bool have_spheres_ = false;  ///< those of the layer were sorted along
   PartNumbers numbers_;

@@ -28,6 +28,8 @@ void LayerCrowds<Dim>::find(const LayerGrid<Dim>& grid, const LayerRecords<Dim>&
   while (scratch_.size() < workers) scratch_.emplace_back(memory_);
   columns_.assign(layers, {});
   layers_.clear();
+  elements_ = 0;
+  most_crowded_ = 0;
   largest_rest_ = 0;
   base::for_each_share(workers, work, [&](std::size_t worker, base::WorkCounter& its_work) {
     const auto [first, last] = base::share_of(worker, workers, layers);
@@ -40,8 +42,11 @@ void LayerCrowds<Dim>::find(const LayerGrid<Dim>& grid, const LayerRecords<Dim>&
   });
   for (std::size_t k = 0; k < layers; ++k) {
     const std::size_t crowd = columns_[k].crowd;
+    const std::size_t all = records.layer(k).records.size();
+    elements_ += all;
     if (crowd > 0) layers_.push_back(static_cast<std::uint32_t>(k));
-    largest_rest_ = std::max(largest_rest_, records.layer(k).records.size() - crowd);
+    if (crowd > columns_[most_crowded_].crowd) most_crowded_ = k;
+    largest_rest_ = std::max(largest_rest_, all - crowd);
   }
 }
 

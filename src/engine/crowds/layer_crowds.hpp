@@ -29,6 +29,11 @@ class LayerCrowds {
   /// The layers that are crowded, ascending.
   [[nodiscard]] const base::Array<std::uint32_t>& layers() const noexcept { return layers_; }
 
+  /// Elements of all layers.
+  [[nodiscard]] std::size_t elements() const noexcept { return elements_; }
+  /// The layer with the largest crowd, if there is one.
+  [[nodiscard]] std::size_t most_crowded() const noexcept { return most_crowded_; }
+
   /// The elements of layer k that are in no crowd, in its order, without spheres that were sorted
   /// along. They last until this worker asks again.
   [[nodiscard]] LayerElements<Dim> rest(const LayerGrid<Dim>& grid,
@@ -57,6 +62,8 @@ class LayerCrowds {
   std::vector<CrowdScratch> scratch_;
   base::Array<CrowdedColumns> columns_;
   base::Array<std::uint32_t> layers_;
+  std::size_t elements_ = 0;
+  std::size_t most_crowded_ = 0;
   std::size_t largest_rest_ = 0;
 };
 

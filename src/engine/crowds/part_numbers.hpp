@@ -15,6 +15,7 @@ struct PartNumbers {
   const std::uint32_t* marks = nullptr;  ///< by place
   std::uint32_t used_marks = 0;          ///< of any of its elements
   std::size_t depth = 0;                 ///< parts that this one is a part of, and itself
+  std::size_t around = 0;                ///< parts whose search goes on while this one's does
   /// Cells of the layers from which the part was taken: those of its own are narrower.
   double cell_around = std::numeric_limits<double>::infinity();
   /// Unit of the whole to which its pairs belong; none where the units of its search are those.

@@ -1,5 +1,7 @@
 #include "engine/crowds/waiting_parts.hpp"
 
+#include "engine/best_room.hpp"
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -8,20 +10,18 @@ namespace abut::engine {
 
 template <int Dim>
 void WaitingParts<Dim>::start() {
-  for (auto* parts : {&waiting_, &taken_}) {
-    for (WaitingPart<Dim>& one : *parts) {
-      if (one.part) spares_.push_back(std::move(one.part));
-    }
-    parts->clear();
-  }
+  const std::lock_guard lock(mutex_);
+  for (WaitingPart<Dim>& one : waiting_) spares_.push_back(std::move(one.part));
+  waiting_.clear();
 }
 
 template <int Dim>
-std::unique_ptr<CrowdedPart<Dim>> WaitingParts<Dim>::spare() {
+std::unique_ptr<CrowdedPart<Dim>> WaitingParts<Dim>::spare(std::size_t elements) {
   const std::lock_guard lock(mutex_);
-  if (spares_.empty()) return std::make_unique<CrowdedPart<Dim>>(memory_);
-  std::unique_ptr<CrowdedPart<Dim>> part = std::move(spares_.back());
-  spares_.pop_back();
+  const auto best = best_room(spares_, elements);
+  if (best == spares_.end()) return std::make_unique<CrowdedPart<Dim>>(memory_);
+  std::unique_ptr<CrowdedPart<Dim>> part = std::move(*best);
+  spares_.erase(best);
   return part;
 }
 
@@ -38,13 +38,14 @@ void WaitingParts<Dim>::add(std::uint64_t unit, std::unique_ptr<CrowdedPart<Dim>
 }
 
 template <int Dim>
-std::span<WaitingPart<Dim>> WaitingParts<Dim>::take() {
-  taken_.clear();
-  taken_.swap(waiting_);
-  std::sort(taken_.begin(), taken_.end(), [](const auto& a, const auto& b) {
+std::vector<WaitingPart<Dim>> WaitingParts<Dim>::take() {
+  const std::lock_guard lock(mutex_);
+  std::vector<WaitingPart<Dim>> taken;
+  taken.swap(waiting_);
+  std::sort(taken.begin(), taken.end(), [](const auto& a, const auto& b) {
     return std::tie(a.unit, a.found) < std::tie(b.unit, b.found);
   });
-  return taken_;
+  return taken;
 }
 
 template class WaitingParts<2>;

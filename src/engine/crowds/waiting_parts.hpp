@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <vector>
 
 namespace abut::engine {
@@ -20,9 +19,8 @@ struct WaitingPart {
   std::unique_ptr<CrowdedPart<Dim>> part;
 };
 
-/// Crowded parts that are searched by all workers when these are free: large ones, and those that
-/// are parts of so many that a worker would go too deep. They keep their memory from search to
-/// search.
+/// Crowded parts that are searched when the search of the set has ended in which they were found.
+/// They keep their memory from search to search.
 template <int Dim>
 class WaitingParts {
  public:
@@ -31,23 +29,21 @@ class WaitingParts {
   /// Forgets what a search left that failed.
   void start();
 
-  /// A part whose memory is free. For any worker.
-  [[nodiscard]] std::unique_ptr<CrowdedPart<Dim>> spare();
+  /// A part whose memory is free, for so many elements or more. For any worker.
+  [[nodiscard]] std::unique_ptr<CrowdedPart<Dim>> spare(std::size_t elements);
   /// Gives it back. For any worker.
   void give_back(std::unique_ptr<CrowdedPart<Dim>> part);
 
   /// Lets a part wait that was found in this unit. For any worker.
   void add(std::uint64_t unit, std::unique_ptr<CrowdedPart<Dim>> part);
 
-  /// Those that wait, in the order in which a single worker would have found them. They last until
-  /// it is called again, while others may be added.
-  [[nodiscard]] std::span<WaitingPart<Dim>> take();
+  /// Those that wait, in the order in which a single worker would have found them.
+  [[nodiscard]] std::vector<WaitingPart<Dim>> take();
 
  private:
   base::MemoryMeter& memory_;
   std::mutex mutex_;
   std::vector<WaitingPart<Dim>> waiting_;
-  std::vector<WaitingPart<Dim>> taken_;
   std::vector<std::unique_ptr<CrowdedPart<Dim>>> spares_;
 };
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace abut::engine {
@@ -79,22 +78,13 @@ constexpr double elements_of_slice = 16000.0;
 constexpr std::size_t elements_of_two_slices = 32000;
 constexpr std::size_t elements_of_thick_layer = 8;
 
+/// Columns of such rows, for each element: tables of two layers have six times as many entries.
+constexpr std::size_t most_columns_of_long_rows = 1;
+
 /// What a run reaches beyond the reach, for positions are rounded.
 constexpr double slack_of_runs = 2.0 * double{kernels::layer_slack};
 
-/// The axes, the shortest first; of equal ones the first.
-template <int Dim>
-std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
-  std::array<std::size_t, Dim> axes{};
-  std::iota(axes.begin(), axes.end(), std::size_t{0});
-  const auto extent = [&](std::size_t axis) { return bounds.upper[axis] - bounds.lower[axis]; };
-  std::sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
-    return extent(a) != extent(b) ? extent(a) < extent(b) : a < b;
-  });
-  return axes;
-}
-
-/// The same for long cells: all but the long axis remain in this order.
+/// The axes by extent for long cells: all but the long one remain in this order.
 template <int Dim>
 std::array<std::size_t, Dim> axes_of(const LongCells& shape, const grid::Bounds<Dim>& bounds) {
   const std::size_t its_place = shape.along == LongCells::Along::rows ? Dim - 2 : 0;
@@ -123,12 +113,14 @@ LayerGrid<Dim> LayerGrid<Dim>::of_crowds(const grid::Bounds<Dim>& bounds, double
                                          double least_cell, double widest_cell,
                                          std::size_t elements) {
   const auto count = static_cast<double>(elements);
-  double cell = cell_size(bounds, least_cell, cells_of_crowded_element * count);
   const double longest = longest_axis(bounds);
-  const double slices = std::clamp(std::floor(count / elements_of_slice), 1.0, most_cells_of_axis);
-  const double slice = std::max(cell, longest / slices);
+  double cell = std::max(cell_size(bounds, least_cell, cells_of_crowded_element * count),
+                         longest / most_cells_of_axis);
   const bool is_thin = static_cast<double>(elements_of_thick_layer) * longest > count * cell;
-  if (longest > most_cells_of_axis * cell || (is_thin && slice <= widest_cell)) cell = slice;
+  if (is_thin && elements >= elements_of_two_slices) {
+    const double slice = std::max(cell, longest / std::floor(count / elements_of_slice));
+    if (slice <= widest_cell) cell = slice;
+  }
   // No axis has more cells than positions have bits for.
   return of_reach(bounds, margin, least_cell, cell, elements).value();
 }
@@ -156,8 +148,7 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_reach(const grid::Bounds<Dim>& 
     grid.turn(axes);
   }
   grid.cut_rows(bounds, margin, slack_of_runs);
-  // Rows have more cells than all that are beside them.
-  if (is_turned) grid.cut_columns(grid.cell_shift_ - 1, slack_of_runs);
+  if (is_turned) grid.cut_long_rows(elements);
   if constexpr (Dim == 2) grid.join_rows(elements);
   return grid;
 }
@@ -299,6 +290,14 @@ void LayerGrid<Dim>::cut_rows(const grid::Bounds<Dim>& bounds, double margin, do
   largest_size_ = units_of(bounds.largest_radius);
   shape_ = bounds.smallest_radius == bounds.largest_radius ? kernels::ElementShape::equal_spheres
                                                            : kernels::ElementShape::spheres;
+}
+
+/// Cuts rows that have more cells than all that are beside them.
+template <int Dim>
+void LayerGrid<Dim>::cut_long_rows(std::size_t elements) noexcept {
+  int shift = cell_shift_ - 1;
+  do cut_columns(shift++, slack_of_runs);
+  while (columns_ > most_columns_of_long_rows * elements);
 }
 
 /// Cuts rows into columns of 2^shift units.

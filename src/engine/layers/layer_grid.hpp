@@ -257,6 +257,7 @@ class LayerGrid {
   void widen_rows() noexcept;
   void widen_cells(std::size_t elements, LongCells::Along along) noexcept;
   void cut_rows(const grid::Bounds<Dim>& bounds, double margin, double slack);
+  void cut_long_rows(std::size_t elements) noexcept;
   void cut_columns(int shift, double slack) noexcept;
   void cut_rows_by_size(double margin);
   void join_rows(std::size_t elements);

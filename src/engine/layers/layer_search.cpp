@@ -1,5 +1,7 @@
 #include "engine/layers/layer_search.hpp"
 
+#include "engine/memory_law.hpp"
+
 #include "base/asking_workers.hpp"
 #include "engine/layers/coarse_in_layers.hpp"
 
@@ -16,10 +18,8 @@ namespace {
 constexpr std::size_t few_layers_for_each = 12;
 constexpr std::size_t shortest_stretch = 3;
 
-/// The law of memory of `rows`, which the registry states: so many integers for an element, less
-/// those of its record, and for a further thread.
-constexpr std::size_t integers_of_element = 24;
-constexpr std::size_t integers_of_thread = 131072;
+/// The integers of an element that the law of memory leaves for sorted layers, beside its record.
+constexpr std::size_t integers_of_sorted = 24;
 
 /// Spheres that are sorted along take no more than one of so many parts of what memory is left.
 constexpr std::uint64_t parts_of_memory = 8;
@@ -104,7 +104,9 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                          }
                          if (worker_count_ > 1) worker.finish_unit();
                        });
-  workspace_.had_many_undecided = 2 * layers_with_many_undecided_ > grid.layer_count();
+  if (!input_.part.is_part()) {
+    workspace_.had_many_undecided = 2 * layers_with_many_undecided_ > grid.layer_count();
+  }
   context_.progress.poll();
   return unit + count;
 }
@@ -145,9 +147,9 @@ std::size_t LayerSearch<Dim>::workers_for(const LayerGrid<Dim>& grid, std::size_
     constexpr std::size_t integers_of_far = sizeof(kernels::FarSphere) / sizeof(std::uint32_t);
     integers += workspace_.far_spheres.most_in_reach() * integers_of_far;
   }
-  if (integers <= integers_of_thread) return worker_count_;
-  const std::size_t room = integers_of_element * elements;
-  return std::clamp(room / (integers - integers_of_thread), std::size_t{1}, worker_count_);
+  if (integers <= integers_of_worker) return worker_count_;
+  const std::size_t room = integers_of_sorted * elements;
+  return std::clamp(room / (integers - integers_of_worker), std::size_t{1}, worker_count_);
 }
 
 /// Sorts the coarse elements by the layers in which they look.

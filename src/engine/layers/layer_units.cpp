@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace abut::engine {
 namespace {
@@ -24,6 +25,17 @@ double longest_axis(const grid::Bounds<Dim>& bounds) {
 }
 
 template <int Dim>
+std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds) {
+  std::array<std::size_t, Dim> axes{};
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  const auto extent = [&](std::size_t axis) { return bounds.upper[axis] - bounds.lower[axis]; };
+  std::sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
+    return extent(a) != extent(b) ? extent(a) < extent(b) : a < b;
+  });
+  return axes;
+}
+
+template <int Dim>
 LayerUnits units_for(const grid::Bounds<Dim>& bounds, double cell, double least) {
   const double longest = longest_axis(bounds);
   int wider = 0;
@@ -40,6 +52,8 @@ LayerUnits units_for(const grid::Bounds<Dim>& bounds, double cell, double least)
 
 template double longest_axis(const grid::Bounds<2>&);
 template double longest_axis(const grid::Bounds<3>&);
+template std::array<std::size_t, 2> axes_by_extent<2>(const grid::Bounds<2>&);
+template std::array<std::size_t, 3> axes_by_extent<3>(const grid::Bounds<3>&);
 template LayerUnits units_for(const grid::Bounds<2>&, double, double);
 template LayerUnits units_for(const grid::Bounds<3>&, double, double);
 

@@ -2,6 +2,9 @@
 
 #include "grid/bounds.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace abut::engine {
 
 /// A cell has 2^cell_shift units, and the largest reach less than 2^reach_bits, where this bounds
@@ -14,6 +17,10 @@ struct LayerUnits {
 /// The longest axis of a box.
 template <int Dim>
 [[nodiscard]] double longest_axis(const grid::Bounds<Dim>& bounds);
+
+/// The axes of a box, the shortest first; of equal ones the first.
+template <int Dim>
+[[nodiscard]] std::array<std::size_t, Dim> axes_by_extent(const grid::Bounds<Dim>& bounds);
 
 /// Returns the finest units in which positions fit, if there are any: the finer, the fewer pairs
 /// are left undecided. A cell has up to 2^22 of them, or more by the power of two by which it is

@@ -41,11 +41,11 @@ LayerRun layer_run(const KeptPairs& sink, bool in_layers, const engine::Workspac
                    const base::DetectionContext& context) {
   return {sink.pairs(),
           in_layers,
-          workspace.clusters_moved > 0,
-          workspace.beside_layers,
+          workspace.last.clusters_moved > 0,
+          workspace.last.beside_layers,
           context.candidate_tests,
           context.exact_decisions,
-          workspace.levels_of_sizes};
+          workspace.last.levels_of_sizes};
 }
 
 template <int Dim>

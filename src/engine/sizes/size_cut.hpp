@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/size_classes.hpp"
+#include "engine/sizes/size_classes.hpp"
 
 #include <optional>
 

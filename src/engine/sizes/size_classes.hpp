@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/radius_histogram.hpp"
+#include "engine/sizes/radius_histogram.hpp"
 #include "grid/bounds.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "engine/size_classes.hpp"
+#include "engine/sizes/size_classes.hpp"
 
 #include <algorithm>
 

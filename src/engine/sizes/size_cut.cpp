@@ -1,4 +1,4 @@
-#include "engine/size_cut.hpp"
+#include "engine/sizes/size_cut.hpp"
 
 #include "exact/numbers/cube_root.hpp"
 

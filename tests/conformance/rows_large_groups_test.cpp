@@ -1,6 +1,7 @@
 // Groups inside a tile that are large enough to wait for all workers, also within each other, and
 // visitors so large or so far away that single precision says nothing about them.
 
+#include "scenes/many_scales.hpp"
 #include "scenes/random.hpp"
 #include "support/box_oracle.hpp"
 #include "support/rows_variants.hpp"
@@ -18,6 +19,8 @@
 namespace abut::testing {
 namespace {
 
+using scenes::Directions;
+using scenes::Radii;
 using scenes::Random;
 using scenes::Scene;
 
@@ -69,6 +72,36 @@ TEST(RowsLargeGroups, CrowdsWithinCrowds) {
     }();
     ASSERT_GT(expected.size(), 1000U);
     EXPECT_TRUE(rows_agree(expected, view_of(scene), margin, {1, 2, 3}));
+  }
+}
+
+/// Pairs of spheres whose density spans decades by an algorithm without cells.
+void expect_right_at_all_scales(const scenes::ManyScales& what, double decades, std::size_t count) {
+  SCOPED_TRACE(std::to_string(static_cast<int>(what.directions)) +
+               std::to_string(static_cast<int>(what.radii)) + ", decades " +
+               std::to_string(decades));
+  const Scene scene = scenes::spheres_of_scales(what, decades, count);
+  const PairList expected =
+      find_contact_pairs(view_of(scene), Domain::open(), {.algorithm = Algorithm::direct_check});
+  EXPECT_TRUE(rows_agree(expected.pairs(), view_of(scene), 0.0, {1, 2, 3}));
+}
+
+/// Sets within sets, which wait for those that they came of: a hundred depths, by any worker.
+TEST(RowsLargeGroups, AtAllScales) {
+  for (const Directions directions :
+       {Directions::all, Directions::one_ray, Directions::near_three_axes}) {
+    for (const Radii radii : {Radii::equal, Radii::as_root, Radii::as_distance}) {
+      for (const double decades : {5.0, 60.0, 250.0}) {
+        expect_right_at_all_scales({directions, radii, 30.0}, decades, 2000);
+      }
+    }
+  }
+}
+
+/// The same of so many that sets wait for all workers.
+TEST(RowsLargeGroups, OfManyAtAllScales) {
+  for (const Radii radii : {Radii::equal, Radii::as_root, Radii::as_distance}) {
+    expect_right_at_all_scales({Directions::all, radii, 2.5}, 40.0, 36000);
   }
 }
 

@@ -2,6 +2,7 @@
 // (scripts/find-races), which sees races only in what really runs at the same time.
 // Exit code 1 where the results differ.
 
+#include "scenes/many_scales.hpp"
 #include "scenes/scene.hpp"
 #include "support/crowded_systems.hpp"
 #include "support/scene_view.hpp"
@@ -274,6 +275,11 @@ void run() {
   // Groups that wait until all workers are free.
   stress(scenes::scene_named("log_uniform").make(12000, 1), 0.0);  // one tile for all
   stress(scenes::scene_named("two_far_clusters").make(70000, 1), 0.0);
+  for (const scenes::Radii radii : {scenes::Radii::equal, scenes::Radii::as_distance}) {
+    for (const std::size_t count : {12000U, 50000U}) {  // sets within sets
+      stress(scenes::spheres_of_scales({.radii = radii}, 20.0, count), 0.0);
+    }
+  }
   stress_domains(scenes::scene_named("dense").make(20000, 1));
   stress_skin(scenes::scene_named("dense").make(20000, 1));
   stress_history(scenes::scene_named("dense").make(20000, 1));

@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace abut::engine {
+
 template <int Dim>
 void WaitingSets<Dim>::start() {
   let_go();
@@ -41,6 +42,7 @@ void WaitingSets<Dim>::shorten(WaitingSet<Dim>& set) {
   const MemberCounts counts{its.locals.size(), its.halo.size(), its.coarse_elements.size()};
   if (set.members->room() <= 2 * counts.total()) return;
   std::unique_ptr<Members> shorter = spare(counts);
+  if (shorter->room() >= set.members->room()) return spares_.push_back(std::move(shorter));
   shorter->locals.push_back(its.locals);
   shorter->halo.push_back(its.halo);
   shorter->coarse_elements.push_back(its.coarse_elements);

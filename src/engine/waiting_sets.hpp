@@ -23,9 +23,9 @@ struct WaitingSet {
 
 /// Search sets that came of others. They wait until the search of these has ended, so that its
 /// arrays are free: a recursion would need arrays for each depth, and a system whose density spans
-/// decades is deep. Of those that came of one set the smallest is the next, so that what waits
-/// besides is hardly more than the largest ones: each is smaller than half of what it came of.
-/// Lists stay for later sets.
+/// decades is deep. Of those that came of one set the smallest is the next: each but the largest
+/// has at most half of its elements, so that lists that wait are hardly longer than twice those of
+/// the whole. Lists stay for later sets.
 template <int Dim>
 class WaitingSets {
  public:

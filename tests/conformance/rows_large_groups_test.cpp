@@ -98,13 +98,6 @@ TEST(RowsLargeGroups, AtAllScales) {
   }
 }
 
-/// The same of so many that sets wait for all workers.
-TEST(RowsLargeGroups, OfManyAtAllScales) {
-  for (const Radii radii : {Radii::equal, Radii::as_root, Radii::as_distance}) {
-    expect_right_at_all_scales({Directions::all, radii, 2.5}, 40.0, 36000);
-  }
-}
-
 /// Two pairs of clouds: each pair is crowded where it lies, and each cloud of a pair again.
 TEST(RowsLargeGroups, WithinLargeGroups) {
   for (const int dimensions : {2, 3}) {

@@ -18,7 +18,7 @@ struct ManyScales {
 };
 
 /// Spheres at distances that spread over so many decades from 1 on, each as often; near the axes
-/// each coordinate does. Their density spans three times as many decades.
+/// each coordinate does. In all directions density spans three times as many decades.
 [[nodiscard]] Scene spheres_of_scales(const ManyScales& what, double decades, std::size_t count);
 
 }  // namespace abut::scenes

@@ -50,8 +50,12 @@ void measure(Radii radii, double decades, std::size_t count, const Choice& choic
 int main_of(int argc, char** argv) {
   Choice choice;
   CLI::App app("Times rows where density spans decades, and says how much memory it takes.");
-  app.add_option("--counts", choice.counts, "numbers of elements")->delimiter(',');
-  app.add_option("--decades", choice.decades, "decades of distances from a point")->delimiter(',');
+  app.add_option("--counts", choice.counts, "numbers of elements")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 100'000'000));
+  app.add_option("--decades", choice.decades, "decades of distances from a point")
+      ->delimiter(',')
+      ->check(CLI::Range(0.0, 300.0));
   app.add_option("--threads", choice.threads, "threads")->check(CLI::Range(1, 1024));
   app.add_option("--repetitions", choice.repetitions, "detections")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);

@@ -73,15 +73,6 @@ Tiles<Dim>::Tiles(base::MemoryMeter& memory)
       coarse_(base::make_array_for_overwrite<std::uint32_t>(memory, 0)) {}
 
 template <int Dim>
-void Tiles<Dim>::partition(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
-                           const TileGrid<Dim>& grid, double margin,
-                           const kernels::ElementKernels& kernels, std::size_t workers,
-                           base::WorkCounter& work) {
-  static_cast<void>(count(elements, set, grid, kernels, workers, work));
-  sort(elements, set, grid, margin, kernels, workers, work);
-}
-
-template <int Dim>
 void Tiles<Dim>::sort(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
                       const TileGrid<Dim>& grid, double margin,
                       const kernels::ElementKernels& kernels, std::size_t workers,

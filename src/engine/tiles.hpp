@@ -28,12 +28,8 @@ class Tiles {
  public:
   explicit Tiles(base::MemoryMeter& memory);
 
-  /// Counts, then scatters: two passes over locals and halo elements, each shared by the workers.
-  void partition(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
-                 const TileGrid<Dim>& grid, double margin, const kernels::ElementKernels& kernels,
-                 std::size_t workers, base::WorkCounter& work);
-
-  /// The first pass: returns the number of records, own and copies, that the tiles would have.
+  /// The first of two passes over locals and halo elements, each shared by the workers: returns the
+  /// number of records, own and copies, that the tiles would have.
   [[nodiscard]] std::uint64_t count(const exact::Elements<Dim>& elements, const SearchSet<Dim>& set,
                                     const TileGrid<Dim>& grid,
                                     const kernels::ElementKernels& kernels, std::size_t workers,

@@ -51,7 +51,9 @@ TYPED_TEST(CollectedTile, KeepsCoarseElementsThatTouchButForTheirRounding) {
   engine::Tiles<dim> tiles(memory);
   const exact::Elements<dim> elements{spheres, {}};
   abut::testing::NobodyAsked nobody;
-  tiles.partition(elements, set, grid, 0.0, kernels::element_kernels(Simd::scalar), 1, nobody.work);
+  const auto& kernels = kernels::element_kernels(Simd::scalar);
+  EXPECT_EQ(tiles.count(elements, set, grid, kernels, 1, nobody.work), 1U);
+  tiles.sort(elements, set, grid, 0.0, kernels, 1, nobody.work);
   std::size_t tile = 0;
   while (tiles.own_count(tile) == 0) ++tile;
   // The locals' box is flat, and so is their tile.
@@ -60,8 +62,7 @@ TYPED_TEST(CollectedTile, KeepsCoarseElementsThatTouchButForTheirRounding) {
   engine::Members members(memory);
   members.make_room({tiles.own_count(tile), tiles.records(tile).size(), 2});
   const engine::SearchSet<dim> collected =
-      engine::collect_tile(elements, tiles, tile, cell, 0.0, kernels::element_kernels(Simd::scalar),
-                           members, nobody.work);
+      engine::collect_tile(elements, tiles, tile, cell, 0.0, kernels, members, nobody.work);
   EXPECT_EQ(collected.coarse_elements.size(), 2U);
   EXPECT_EQ(sorted(members.coarse_elements), (std::vector<std::uint32_t>{1, 2}));
 }

@@ -44,6 +44,20 @@ class TileGridOf : public ::testing::Test {
 
 TYPED_TEST_SUITE(TileGridOf, Dimensions);
 
+TYPED_TEST(TileGridOf, SlicesLieAlongTheLongestAxis) {
+  constexpr int its_dim = TypeParam::value;
+  std::array<double, 3> upper{2.0, 3.0, 2.5};
+  upper[its_dim - 1] = 30.0;
+  for (const double slices : {2.0, 3.0}) {
+    const auto grid = engine::TileGrid<its_dim>::slices_of(this->box({}, upper), 1.0, slices);
+    EXPECT_EQ(grid.tiles_in_box(), slices);
+    for (std::size_t axis = 0; axis < its_dim; ++axis) {
+      EXPECT_EQ(grid.count[axis], axis == its_dim - 1 ? static_cast<int>(slices) : 1);
+      EXPECT_EQ(grid.size[axis], axis == its_dim - 1 ? 30.0 / slices : upper[axis]);
+    }
+  }
+}
+
 TYPED_TEST(TileGridOf, NoTileIsNarrowerThanAskedForAndNoMoreThanAskedFor) {
   Random random(1);
   for (int k = 0; k < 2000; ++k) {

@@ -58,8 +58,15 @@ class TilesOf : public ::testing::Test {
   abut::testing::NobodyAsked nobody;
 
   void partition(engine::Tiles<dim>& tiles, std::size_t workers, Simd level = Simd::scalar) {
-    tiles.partition({spheres, {}}, set, grid, margin, kernels::element_kernels(level), workers,
-                    nobody.work);
+    const exact::Elements<dim> elements{spheres, {}};
+    const auto& kernels = kernels::element_kernels(level);
+    const auto counted = tiles.count(elements, set, grid, kernels, workers, nobody.work);
+    tiles.sort(elements, set, grid, margin, kernels, workers, nobody.work);
+    std::uint64_t records = 0;
+    for (std::size_t tile = 0; tile < grid.tile_count; ++tile) {
+      records += tiles.records(tile).size();
+    }
+    EXPECT_EQ(counted, records);
   }
 
   /// Own elements and copies of a tile by the rule, element by element.

@@ -109,8 +109,10 @@ std::size_t check(const ExtremeSystem& system, double least_cells, double most_t
                                                 least_cells, most_tiles);
   engine::Tiles<Dim> tiles(memory);
   testing::NobodyAsked nobody;
-  tiles.partition({images.locals_and_ghosts(), {}}, set, grid, margin,
-                  kernels::element_kernels(Simd::scalar), 1, nobody.work);
+  const exact::Elements<Dim> both{images.locals_and_ghosts(), {}};
+  const auto& kernels = kernels::element_kernels(Simd::scalar);
+  static_cast<void>(tiles.count(both, set, grid, kernels, 1, nobody.work));
+  tiles.sort(both, set, grid, margin, kernels, 1, nobody.work);
   const auto where = tiles_of(tiles, images.locals_and_ghosts().size(), grid.tile_count);
   std::size_t meetings = 0;
   for (std::size_t i = 0; i < locals; ++i) {

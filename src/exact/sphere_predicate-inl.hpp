@@ -198,8 +198,8 @@ namespace detail {
 /// THE ERROR. With u = 2^-53, differences err by u of themselves, sums of three numbers that are
 /// not negative by 2 u, and the product by u, which leaves more than 4 u of the 16 u in between.
 /// Sums and differences below 2^-1022 are exact, and the product is never rounded to less than the
-/// reach. A difference beyond the largest double is larger than any finite reach; where the reach is
-/// infinite, nothing is decided.
+/// reach. A difference beyond the largest double is larger than any finite reach; where the reach
+/// is infinite, nothing is decided.
 template <int Dim>
 ABUT_HD bool are_apart_on_an_axis(const Sphere<Dim>& a, const Sphere<Dim>& b,
                                   double margin) noexcept {

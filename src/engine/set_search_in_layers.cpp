@@ -5,6 +5,7 @@
 #include "engine/crowds/crowd_search.hpp"
 #include "engine/layers/cell_by_size.hpp"
 #include "engine/layers/coarse_in_layers.hpp"
+#include "engine/layers/coordinate_step.hpp"
 #include "engine/layers/layer_choice.hpp"
 #include "engine/layers/layer_search.hpp"
 #include "engine/set_cells.hpp"

@@ -54,9 +54,11 @@ double side_of_tiles(const std::array<double, Dim>& extent, double smallest, dou
 template <int Dim>
 TileGrid<Dim> TileGrid<Dim>::over(const grid::Bounds<Dim>& box, double cell_size,
                                   double least_cells, double most_tiles) {
+  std::array<double, Dim> tiles{};
+  tiles.fill(1.0);
+  if (most_tiles < 2.0) return of_counts(box, cell_size, tiles);
   const std::array<double, Dim> extent = extent_of(box);
   const double side = side_of_tiles<Dim>(extent, least_cells * cell_size, most_tiles);
-  std::array<double, Dim> tiles{};
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     tiles[axis] = std::max(1.0, std::floor(extent[axis] / side));
   }

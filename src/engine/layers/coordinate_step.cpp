@@ -3,6 +3,7 @@
 #include "base/asking_workers.hpp"
 #include "exact/numbers/bit_range.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -45,6 +46,13 @@ bool are_in_steps(const kernels::StridedSpheres& spheres, std::size_t begin, std
   return true;
 }
 
+/// The steps of coordinates with which distances are exact in the cells of a grid.
+template <int Dim>
+StepRange steps_for(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
+  return {std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(grid.cell())),
+          input.given.largest_step};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -71,6 +79,20 @@ std::optional<double> coordinate_step(const kernels::StridedSpheres& spheres,
   return are_all ? step : std::nullopt;
 }
 
+template <int Dim>
+std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
+                                              const SearchInput<Dim>& input,
+                                              const LayerGrid<Dim>& grid, std::size_t workers,
+                                              base::WorkCounter& work) {
+  if (grid.shape() != kernels::ElementShape::equal_spheres || grid.has_long_cells()) {
+    return std::nullopt;
+  }
+  const auto step = coordinate_step<Dim>(input.given.spheres, steps_for(grid, input),
+                                         input.layer_kernels, workers, work);
+  if (!step) return std::nullopt;
+  return grid.in_steps(set.bounds, input.margin, set.locals.size(), *step);
+}
+
 template bool may_have_step<2>(const kernels::StridedSpheres&, const StepRange&);
 template bool may_have_step<3>(const kernels::StridedSpheres&, const StepRange&);
 template std::optional<double> coordinate_step<2>(const kernels::StridedSpheres&, const StepRange&,
@@ -79,5 +101,11 @@ template std::optional<double> coordinate_step<2>(const kernels::StridedSpheres&
 template std::optional<double> coordinate_step<3>(const kernels::StridedSpheres&, const StepRange&,
                                                   const kernels::LayerKernels&, std::size_t,
                                                   base::WorkCounter&);
+template std::optional<LayerGrid<2>> layers_in_steps(const SearchSet<2>&, const SearchInput<2>&,
+                                                     const LayerGrid<2>&, std::size_t,
+                                                     base::WorkCounter&);
+template std::optional<LayerGrid<3>> layers_in_steps(const SearchSet<3>&, const SearchInput<3>&,
+                                                     const LayerGrid<3>&, std::size_t,
+                                                     base::WorkCounter&);
 
 }  // namespace abut::engine

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "base/progress_reporter.hpp"
+#include "engine/layers/layer_grid.hpp"
+#include "engine/search_set.hpp"
+#include "engine/tile_searcher.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 #include "kernels/strided_spheres.hpp"
 
@@ -28,5 +31,14 @@ template <int Dim>
                                                     const StepRange& range,
                                                     const kernels::LayerKernels& kernels,
                                                     std::size_t workers, base::WorkCounter& work);
+
+/// Returns a grid like this one in which all distances of a set are exact, if its elements as given
+/// have coordinates that allow it: no pair will be left undecided.
+template <int Dim>
+[[nodiscard]] std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
+                                                            const SearchInput<Dim>& input,
+                                                            const LayerGrid<Dim>& grid,
+                                                            std::size_t workers,
+                                                            base::WorkCounter& work);
 
 }  // namespace abut::engine

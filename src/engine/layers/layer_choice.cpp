@@ -96,8 +96,8 @@ bool may_be_long(const LayerGrid<Dim>& grid, double occupancy, const SearchInput
 
 /// The fewest spheres, but for those whose distances are exact.
 std::size_t fewest_spheres(const LayerLimits& limits) {
-  return std::min(
-      {limits.least_elements, limits.least_elements_of_tiles, limits.least_elements_of_clusters});
+  return std::min({limits.least_elements, limits.least_elements_of_tiles,
+                   limits.least_elements_of_clusters, limits.least_elements_of_dense});
 }
 
 /// The fewest elements of the shape that a search is given.
@@ -107,14 +107,7 @@ std::size_t fewest_elements(const SearchInput<Dim>& input) {
   return are_boxes(input) ? limits.least_boxes_in(Dim) : fewest_spheres(limits);
 }
 
-/// The steps of coordinates with which distances are exact in the cells of a grid.
-template <int Dim>
-StepRange steps_for(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
-  return {std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(grid.cell())),
-          input.given.largest_step};
-}
-
-/// Tells whether some spheres have such steps, in cells of that size or wider.
+/// Tells whether distances may be exact in cells of that size or wider.
 template <int Dim>
 bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double least_cell) {
   const StepRange range{std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(least_cell)),
@@ -149,6 +142,7 @@ bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const La
   if (are_boxes(input) || !input.spheres.coarse().empty()) return true;
   if (grid.cell() >= limits.least_sparse_cell * least_cell) return false;
   if (elements >= limits.least_elements || are_crowded(grid, set, limits)) return true;
+  if (elements >= limits.least_elements_of_dense && !grid.has_wide_cells()) return true;
   return elements >= limits.least_elements_of_tiles &&
          cut_into_tiles(set, least_cell).tiles_in_box() > 1.0;
 }
@@ -157,6 +151,14 @@ bool are_many(const SearchSet<Dim>& set, const SearchInput<Dim>& input, const La
 template <int Dim>
 double elements_joined(const LayerGrid<Dim>& grid, double occupancy) {
   return (occupancy - 1.0) * grid.cells_joined();
+}
+
+/// Tells whether vectors of joined runs hold most of them, and layers suit so many.
+template <int Dim>
+bool joined_fit_vectors(const LayerGrid<Dim>& grid, double occupancy,
+                        const SearchInput<Dim>& input) {
+  return elements_joined(grid, occupancy) <=
+         std::min(input.layer_limits.most_joined_in_vectors, most_joined(grid, input));
 }
 
 /// Returns long cells, if there are some, whose runs have so few elements that they are worth more
@@ -246,9 +248,13 @@ std::optional<LayerGrid<Dim>> choose_layers(const SearchSet<Dim>& set,
       elements >= limits.least_elements_of_clusters && grid->has_wide_cells();
   if (!are_enough && !may_be_clusters) return std::nullopt;
   if (elements <= limits.most_without_sample) return grid;
-  const auto size = are_enough ? SampleSize::full : SampleSize::small;
-  const double occupancy = sample.mean_occupancy(*grid, size);
-  if (!are_enough && occupancy < limits.least_occupancy_of_clusters) return std::nullopt;
+  double occupancy = sample.mean_occupancy(*grid, SampleSize::small);
+  if (are_enough) {
+    if (joined_fit_vectors(*grid, occupancy, input)) return grid;
+    occupancy = sample.mean_occupancy(*grid, SampleSize::full);
+  } else if (occupancy < limits.least_occupancy_of_clusters) {
+    return std::nullopt;
+  }
   return uncrowded(*grid, occupancy, set, input, least_cell, sample);
 }
 
@@ -316,20 +322,6 @@ bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
 }
 
 template <int Dim>
-std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
-                                              const SearchInput<Dim>& input,
-                                              const LayerGrid<Dim>& grid, std::size_t workers,
-                                              base::WorkCounter& work) {
-  if (grid.shape() != kernels::ElementShape::equal_spheres || grid.has_long_cells()) {
-    return std::nullopt;
-  }
-  const auto step = coordinate_step<Dim>(input.given.spheres, steps_for(grid, input),
-                                         input.layer_kernels, workers, work);
-  if (!step) return std::nullopt;
-  return grid.in_steps(set.bounds, input.margin, set.locals.size(), *step);
-}
-
-template <int Dim>
 std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
                                                     const SearchInput<Dim>& input,
                                                     const SizeEstimate& estimate,
@@ -386,11 +378,5 @@ template std::optional<LayerGrid<3>> choose_layers_by_size(const SearchSet<3>&,
                                                            const SearchInput<3>&,
                                                            const SizeEstimate&,
                                                            OccupancySample<3>&);
-template std::optional<LayerGrid<2>> layers_in_steps(const SearchSet<2>&, const SearchInput<2>&,
-                                                     const LayerGrid<2>&, std::size_t,
-                                                     base::WorkCounter&);
-template std::optional<LayerGrid<3>> layers_in_steps(const SearchSet<3>&, const SearchInput<3>&,
-                                                     const LayerGrid<3>&, std::size_t,
-                                                     base::WorkCounter&);
 
 }  // namespace abut::engine

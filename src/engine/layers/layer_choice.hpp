@@ -62,15 +62,6 @@ template <int Dim>
 [[nodiscard]] bool may_have_clusters(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
                                      double reach, OccupancySample<Dim>& sample);
 
-/// Returns the grid of such layers in which all distances are exact, if the elements as given have
-/// coordinates that allow it: no pair will be left undecided.
-template <int Dim>
-[[nodiscard]] std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
-                                                            const SearchInput<Dim>& input,
-                                                            const LayerGrid<Dim>& grid,
-                                                            std::size_t workers,
-                                                            base::WorkCounter& work);
-
 /// What is known of the sizes in a search set.
 struct SizeEstimate {
   const SizeClasses& classes;

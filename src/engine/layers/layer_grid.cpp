@@ -189,7 +189,7 @@ void LayerGrid<Dim>::widen_cells(std::size_t elements, LongCells::Along along) n
     widen_rows();
     if (are_rods) widen_layers();
   }
-  while (columns_ > 1 && have_long_tables()) cut_columns(column_shift_ + 1, slack_of_runs);
+  while (columns_ > 1 && have_long_tables()) cut_columns(column_shift() + 1, slack_of_runs);
 }
 
 /// In 2D a layer is a row until rows are joined.
@@ -197,13 +197,13 @@ template <int Dim>
 void LayerGrid<Dim>::widen_layers() noexcept {
   ++map_.layer_shift;
   layers_ = ((layers_ - 1) >> 1) + 1;
-  if constexpr (Dim == 2) row_shift_ = map_.layer_shift;
+  if constexpr (Dim == 2) row_map_.row_shift = map_.layer_shift;
   if constexpr (Dim == 2) rows_ = layers_;
 }
 
 template <int Dim>
 void LayerGrid<Dim>::widen_rows() noexcept {
-  ++row_shift_;
+  ++row_map_.row_shift;
   rows_ = ((rows_ - 1) >> 1) + 1;
 }
 
@@ -272,11 +272,11 @@ void LayerGrid<Dim>::turn(const std::array<std::size_t, Dim>& axes) {
   const std::size_t layer_axis = axes[Dim - 1];
   map_.layer_axis = static_cast<int>(layer_axis);
   map_.layer_shift = cell_shift_;
-  row_shift_ = cell_shift_;
-  row_axis_ = axes[Dim - 2];
-  next_row_axis_ = Dim == 2 ? layer_axis : axes[0];
+  row_map_.row_shift = cell_shift_;
+  row_map_.row_axis = static_cast<int>(axes[Dim - 2]);
+  row_map_.next_row_axis = static_cast<int>(Dim == 2 ? layer_axis : axes[0]);
   layers_ = cells_[layer_axis];
-  rows_ = cells_[next_row_axis_];
+  rows_ = cells_[next_row_axis()];
 }
 
 template <int Dim>
@@ -303,11 +303,11 @@ void LayerGrid<Dim>::cut_long_rows(std::size_t elements) noexcept {
 /// Cuts rows into columns of 2^shift units.
 template <int Dim>
 void LayerGrid<Dim>::cut_columns(int shift, double slack) noexcept {
-  column_shift_ = shift;
+  row_map_.column_shift = shift;
   const int halvings = cell_shift_ - shift;
-  const std::uint32_t cells = cells_[row_axis_];
+  const std::uint32_t cells = cells_[row_axis()];
   columns_ = halvings >= 0 ? cells << halvings : ((cells - 1) >> -halvings) + 1;
-  columns_in_reach_ = static_cast<std::uint32_t>(std::ldexp(reach_ + slack, -column_shift_)) + 1;
+  columns_in_reach_ = static_cast<std::uint32_t>(std::ldexp(reach_ + slack, -shift)) + 1;
 }
 
 template <int Dim>
@@ -335,11 +335,11 @@ auto LayerGrid<Dim>::layers_around(const kernels::FarSphere& far) const noexcept
 
 template <int Dim>
 void LayerGrid<Dim>::set_layers(kernels::ThreeLayers& layers, std::size_t k) const noexcept {
-  layers.row_axis = static_cast<int>(row_axis_);
-  layers.next_row_axis = static_cast<int>(next_row_axis_);
+  layers.row_axis = row_map_.row_axis;
+  layers.next_row_axis = row_map_.next_row_axis;
   layers.layer_axis = map_.layer_axis;
   layers.cell_shift = cell_shift_;
-  layers.column_shift = column_shift_;
+  layers.column_shift = column_shift();
   layers.columns = columns_;
   layers.layer = static_cast<std::int32_t>(k);
   layers.first_row = Dim == 2 ? static_cast<std::int32_t>(k * rows_) : 0;
@@ -382,7 +382,7 @@ void LayerGrid<Dim>::join_rows(std::size_t elements) {
   int bits = 0;
   while (in_row * std::ldexp(1.0, bits + 1) <= in_strip) ++bits;
   layers_ = ((rows_ - 1) >> bits) + 1;
-  row_mask_ = (std::uint32_t{1} << bits) - 1;
+  row_map_.row_mask = (std::uint32_t{1} << bits) - 1;
   map_.layer_shift += bits;
   rows_ = std::uint32_t{1} << bits;
 }
@@ -390,7 +390,7 @@ void LayerGrid<Dim>::join_rows(std::size_t elements) {
 template <int Dim>
 double LayerGrid<Dim>::cells_joined() const noexcept {
   const double columns = 2.0 * columns_in_reach_ + 1.0;
-  return 2.0 * std::ldexp(columns, column_shift_ - cell_shift_);
+  return 2.0 * std::ldexp(columns, column_shift() - cell_shift_);
 }
 
 template class LayerGrid<2>;

@@ -101,10 +101,16 @@ class LayerGrid {
   }
 
   [[nodiscard]] std::uint32_t row(const kernels::PositionRecord& record) const noexcept {
-    return static_cast<std::uint32_t>(record.position[next_row_axis_]) >> row_shift_ & row_mask_;
+    return row_map_.row(record);
   }
   [[nodiscard]] std::uint32_t column(const kernels::PositionRecord& record) const noexcept {
-    return static_cast<std::uint32_t>(record.position[row_axis_]) >> column_shift_;
+    return row_map_.column(record);
+  }
+
+  /// The map to entries of a table whose rows have that length, column 0 of row 0 being `first`.
+  [[nodiscard]] kernels::EntryMap entry_map(std::uint32_t row_length,
+                                            std::uint32_t first) const noexcept {
+    return {row_map_, row_length, first};
   }
 
   /// Number of the cell of a sphere, which no other cell has; or of one 2^wider times as wide.
@@ -123,8 +129,8 @@ class LayerGrid {
     const auto along = [&](std::size_t axis) {
       return std::uint64_t{static_cast<std::uint32_t>(position(sphere.center[axis], axis))};
     };
-    std::uint64_t piece = (along(row_axis_) >> column_shift_) / (2 * columns_in_reach_ + 1);
-    piece = piece << bits_of_cells | along(next_row_axis_) >> row_shift_;
+    std::uint64_t piece = (along(row_axis()) >> column_shift()) / (2 * columns_in_reach_ + 1);
+    piece = piece << bits_of_cells | along(next_row_axis()) >> row_map_.row_shift;
     if constexpr (Dim == 3) {
       piece = piece << bits_of_cells |
               along(static_cast<std::size_t>(map_.layer_axis)) >> map_.layer_shift;
@@ -144,7 +150,7 @@ class LayerGrid {
   }
   /// Bits of a position below its cell, and below its column.
   [[nodiscard]] int cell_shift() const noexcept { return cell_shift_; }
-  [[nodiscard]] int column_shift() const noexcept { return column_shift_; }
+  [[nodiscard]] int column_shift() const noexcept { return row_map_.column_shift; }
   /// Position along a row of what is no element.
   [[nodiscard]] std::int32_t far_position() const noexcept {
     return kernels::far_position(reach_bits_);
@@ -157,7 +163,9 @@ class LayerGrid {
   [[nodiscard]] float margin() const noexcept { return margin_; }
   [[nodiscard]] float largest_size() const noexcept { return largest_size_; }
   /// The axis along which rows go.
-  [[nodiscard]] std::size_t row_axis() const noexcept { return row_axis_; }
+  [[nodiscard]] std::size_t row_axis() const noexcept {
+    return static_cast<std::size_t>(row_map_.row_axis);
+  }
 
   /// Shape of the elements: spheres, unless they are said to be boxes.
   [[nodiscard]] kernels::ElementShape shape() const noexcept { return shape_; }
@@ -237,10 +245,10 @@ class LayerGrid {
   static constexpr int bits_of_cells = 32 - kernels::least_cell_bits;
 
   [[nodiscard]] std::int32_t position(double x, std::size_t axis) const noexcept {
-    return static_cast<std::int32_t>((x - map_.lower[axis]) * map_.units_of_one);
+    return kernels::position_on(static_cast<int>(axis), x, map_);
   }
   [[nodiscard]] std::uint32_t layer_at(std::int32_t position) const noexcept {
-    return static_cast<std::uint32_t>(position) >> map_.layer_shift;
+    return kernels::layer_of(position, map_);
   }
 
   [[nodiscard]] static std::optional<LayerGrid> of_reach(const grid::Bounds<Dim>& bounds,
@@ -253,6 +261,9 @@ class LayerGrid {
   [[nodiscard]] double rows_of_all() const noexcept {
     return static_cast<double>(rows_) * (Dim == 2 ? 1.0 : static_cast<double>(layers_));
   }
+  [[nodiscard]] std::size_t next_row_axis() const noexcept {
+    return static_cast<std::size_t>(row_map_.next_row_axis);
+  }
   void widen_layers() noexcept;
   void widen_rows() noexcept;
   void widen_cells(std::size_t elements, LongCells::Along along) noexcept;
@@ -264,17 +275,13 @@ class LayerGrid {
 
   kernels::PositionMap map_{};
   std::array<std::uint32_t, Dim> cells_{};  ///< along each axis
-  std::size_t row_axis_ = 0;
-  std::size_t next_row_axis_ = 1;  ///< from row to row
+  kernels::RowMap row_map_;
   std::uint32_t layers_ = 0;
   std::uint32_t rows_ = 0;
   std::uint32_t columns_ = 0;
   std::uint32_t columns_in_reach_ = 0;
-  std::uint32_t row_mask_ = ~std::uint32_t{0};
   int cell_shift_ = kernels::cell_bits;
-  int row_shift_ = kernels::cell_bits;  ///< bits of a position below its row
   int reach_bits_ = kernels::cell_bits;
-  int column_shift_ = kernels::cell_bits;
   double reach_ = 0.0;   ///< the largest, in units
   float margin_ = 0.0f;  ///< in units
   float largest_size_ = 0.0f;

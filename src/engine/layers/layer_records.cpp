@@ -3,6 +3,9 @@
 #include "base/asking_workers.hpp"
 #include "base/fetch_next_line.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace abut::engine {
 namespace {
 
@@ -17,6 +20,53 @@ void for_each_stretch(const LayerSpheres<Dim>& spheres, const kernels::SpheresOf
   spheres.for_each_stretch(
       first + some.begin, first + some.end,
       [&](std::size_t from, std::size_t to) { visit(from - first, to - first); });
+}
+
+/// Spheres that are moved with their clusters, a block of them side by side.
+template <int Dim>
+class MovedBlock {
+ public:
+  static constexpr std::size_t size = 128;
+
+  /// The spheres from place `first` of the columns on, which have these numbers. Radii stay where
+  /// they are.
+  kernels::StridedSpheres of(const LayerSpheres<Dim>& spheres,
+                             const kernels::StridedSpheres& columns, std::size_t first,
+                             std::size_t count, std::size_t number_of_first) noexcept {
+    kernels::StridedSpheres block{{}, {1, 1, 1, 1}, count};
+    constexpr int radii = kernels::StridedSpheres::radii;
+    block.begin[radii] = columns.place(radii, first);
+    block.stride[radii] = columns.stride[radii];
+    for (std::size_t axis = 0; axis < Dim; ++axis) block.begin[axis] = centers_[axis].data();
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto sphere =
+          spheres.moved(kernels::sphere_at<Dim>(columns, first + k), number_of_first + k);
+      for (std::size_t axis = 0; axis < Dim; ++axis) centers_[axis][k] = sphere.center[axis];
+    }
+    return block;
+  }
+
+ private:
+  std::array<std::array<double, size>, Dim> centers_;
+};
+
+/// Scatters moved spheres [from, last) of the columns, the first of which has the number
+/// `to.number_of_first`, and returns the end of those that it treated.
+template <int Dim>
+std::size_t scatter_moved(const LayerSpheres<Dim>& spheres, const kernels::StridedSpheres& columns,
+                          std::size_t from, std::size_t last, const LayerGrid<Dim>& grid,
+                          const kernels::LayerKernels& kernels, kernels::RecordsByLayer to) {
+  const std::uint32_t number_of_columns = to.number_of_first;
+  MovedBlock<Dim> block;
+  while (last - from >= least_in_vectors) {
+    const std::size_t count = std::min(MovedBlock<Dim>::size, last - from);
+    to.number_of_first = number_of_columns + static_cast<std::uint32_t>(from);
+    const auto moved = block.of(spheres, columns, from, count, to.number_of_first);
+    const std::size_t treated = kernels.scatter(moved, 0, count, Dim, grid.map(), to);
+    if (treated == 0) break;
+    from += treated;
+  }
+  return from;
 }
 
 }  // namespace
@@ -46,7 +96,7 @@ void LayerRecords<Dim>::sort(const LayerSpheres<Dim>& spheres, const LayerGrid<D
     std::uint64_t* const counts = cursors_.of(worker);
     const auto [first, last] = base::share_of(worker, workers, spheres.size());
     its_work.in_pieces(first, last, [&](std::size_t begin, std::size_t end) {
-      count(spheres, grid, {begin, end, counts});
+      count(spheres, grid, kernels, {begin, end, counts});
     });
   });
   cursors_.lay_out();
@@ -63,27 +113,33 @@ void LayerRecords<Dim>::sort(const LayerSpheres<Dim>& spheres, const LayerGrid<D
 
 template <int Dim>
 void LayerRecords<Dim>::count(const Spheres& spheres, const LayerGrid<Dim>& grid,
+                              const kernels::LayerKernels& kernels,
                               const SpheresOfWorker& share) const {
-  const auto count_all = [&](const auto& coordinate_of) {
-    for (const auto& some : spheres.given().some(share.begin, share.end)) {
-      for_each_stretch(spheres, some, [&](std::size_t from, std::size_t to) {
-        for (std::size_t k = from; k < to; ++k) {
-          const double x = *some.columns.place(grid.layer_axis(), k);
-          ++share.by_layer[grid.layer_of_coordinate(coordinate_of(x, some.number_of_first + k))];
-        }
-      });
-    }
-  };
-  if (!spheres.are_moved()) return count_all([](double x, std::size_t) { return x; });
-  const auto axis = static_cast<std::size_t>(grid.layer_axis());
-  count_all([&](double x, std::size_t number) { return spheres.moved(x, number, axis); });
+  const int axis = grid.layer_axis();
+  const auto layer_axis = static_cast<std::size_t>(axis);
+  const bool are_moved = spheres.are_moved();
+  for (const auto& some : spheres.given().some(share.begin, share.end)) {
+    const kernels::StridedSpheres columns = some.columns;
+    for_each_stretch(spheres, some, [&](std::size_t from, std::size_t to) {
+      if (!are_moved && columns.stride[axis] == 1) {
+        return kernels.count_layers(columns.place(axis, from), to - from, grid.map(),
+                                    share.by_layer);
+      }
+      for (std::size_t k = from; k < to; ++k) {
+        const double given = *columns.place(axis, k);
+        const std::size_t number = some.number_of_first + k;
+        const double x = are_moved ? spheres.moved(given, number, layer_axis) : given;
+        ++share.by_layer[grid.layer_of_coordinate(x)];
+      }
+    });
+  }
 }
 
 template <int Dim>
 void LayerRecords<Dim>::scatter(const Spheres& spheres, const LayerGrid<Dim>& grid,
                                 const kernels::LayerKernels& kernels,
                                 const SpheresOfWorker& share) {
-  const bool in_vectors = !has_spheres_ && !spheres.are_moved();
+  const bool in_vectors = !has_spheres_;
   for (const auto& some : spheres.given().some(share.begin, share.end)) {
     const kernels::StridedSpheres columns = some.columns;
     const kernels::RecordsByLayer to{share.by_layer,
@@ -94,7 +150,9 @@ void LayerRecords<Dim>::scatter(const Spheres& spheres, const LayerGrid<Dim>& gr
                                      some.number_of_first};
     for_each_stretch(spheres, some, [&](std::size_t from, std::size_t last) {
       std::size_t k = from;
-      if (in_vectors && last - from >= least_in_vectors) {
+      if (in_vectors && spheres.are_moved()) {
+        k = scatter_moved(spheres, columns, from, last, grid, kernels, to);
+      } else if (in_vectors && last - from >= least_in_vectors) {
         k += kernels.scatter(columns, from, last - from, Dim, grid.map(), to);
       }
       for (; k < last; ++k) {

@@ -70,7 +70,7 @@ class LayerRecords {
   };
 
   void count(const Spheres& spheres, const LayerGrid<Dim>& grid,
-             const SpheresOfWorker& share) const;
+             const kernels::LayerKernels& kernels, const SpheresOfWorker& share) const;
   void scatter(const Spheres& spheres, const LayerGrid<Dim>& grid,
                const kernels::LayerKernels& kernels, const SpheresOfWorker& share);
 

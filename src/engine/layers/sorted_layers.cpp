@@ -74,7 +74,7 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
                              const kernels::StridedSpheres* spheres,
                              const kernels::LayerKernels& kernels, base::WorkCounter& work) {
   std::uint32_t* const table = this->table(k);
-  count(grid, table, elements.records, work);
+  count(grid, table, elements.records, kernels, work);
   const auto begin = static_cast<std::uint32_t>(lead + k % parts_ * part_);
   const std::uint32_t end = lay_out_table(grid, table, begin, kernels);
   if (spheres != nullptr) base::make_room(copies_, lead + parts_ * part_);
@@ -100,18 +100,14 @@ void SortedLayers<Dim>::sort(const LayerGrid<Dim>& grid, std::size_t k,
 template <int Dim>
 void SortedLayers<Dim>::count(const LayerGrid<Dim>& grid, std::uint32_t* table,
                               std::span<const kernels::PositionRecord> records,
-                              base::WorkCounter& work) {
+                              const kernels::LayerKernels& kernels, base::WorkCounter& work) {
   std::fill_n(table, table_size_, std::uint32_t{0});
-  const auto first = static_cast<std::uint32_t>(row_length_ + grid.columns_in_reach() + 1);
-  const auto row_length = static_cast<std::uint32_t>(row_length_);
-  std::uint32_t* const entry_of = entry_of_.data();
+  const kernels::EntryMap map =
+      grid.entry_map(static_cast<std::uint32_t>(row_length_),
+                     static_cast<std::uint32_t>(row_length_ + grid.columns_in_reach() + 1));
   work.in_pieces(0, records.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) {
-      const std::uint32_t entry =
-          grid.row(records[r]) * row_length + grid.column(records[r]) + first;
-      entry_of[r] = entry;
-      ++table[entry];
-    }
+    kernels.count_entries(records.data() + begin, end - begin, map, entry_of_.data() + begin,
+                          table);
   });
 }
 

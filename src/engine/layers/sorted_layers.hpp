@@ -53,7 +53,8 @@ class SortedLayers {
 
  private:
   void count(const LayerGrid<Dim>& grid, std::uint32_t* table,
-             std::span<const kernels::PositionRecord> records, base::WorkCounter& work);
+             std::span<const kernels::PositionRecord> records, const kernels::LayerKernels& kernels,
+             base::WorkCounter& work);
   void lay_out(const LayerGrid<Dim>& grid, std::size_t largest_layer) noexcept;
   [[nodiscard]] std::uint32_t lay_out_table(const LayerGrid<Dim>& grid, std::uint32_t* table,
                                             std::uint32_t begin,

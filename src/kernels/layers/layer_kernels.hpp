@@ -69,6 +69,15 @@ struct PositionMap {
   int layer_shift;
 };
 
+[[nodiscard]] inline std::int32_t position_on(int axis, double coordinate,
+                                              const PositionMap& map) noexcept {
+  return static_cast<std::int32_t>((coordinate - map.lower[axis]) * map.units_of_one);
+}
+[[nodiscard]] inline std::uint32_t layer_of(std::int32_t position,
+                                            const PositionMap& map) noexcept {
+  return static_cast<std::uint32_t>(position) >> map.layer_shift;
+}
+
 /// A radius or width in units; never -0, so that radii are ordered as their bits are.
 [[nodiscard]] inline float length_in_units(double length, const PositionMap& map) noexcept {
   return static_cast<float>(length * map.units_of_one) + 0.0f;
@@ -117,6 +126,33 @@ struct LayerColumns {
   std::uint32_t* column;  ///< of the element in its row
   int row_axis;           ///< along which rows go
   int column_shift;       ///< bits of a position below its column
+};
+
+/// The map from records to rows and columns of their layer.
+struct RowMap {
+  int row_axis = 0;                            ///< along which rows go
+  int next_row_axis = 1;                       ///< from row to row
+  int column_shift = cell_bits;                ///< bits of a position below its column
+  int row_shift = cell_bits;                   ///< the same below its row
+  std::uint32_t row_mask = ~std::uint32_t{0};  ///< of the bits above these, those of a row
+
+  [[nodiscard]] std::uint32_t row(const PositionRecord& record) const noexcept {
+    return static_cast<std::uint32_t>(record.position[next_row_axis]) >> row_shift & row_mask;
+  }
+  [[nodiscard]] std::uint32_t column(const PositionRecord& record) const noexcept {
+    return static_cast<std::uint32_t>(record.position[row_axis]) >> column_shift;
+  }
+};
+
+/// The map from records to entries of a table, entry = row * row_length + column + first.
+struct EntryMap {
+  RowMap rows;
+  std::uint32_t row_length;
+  std::uint32_t first;
+
+  [[nodiscard]] std::uint32_t entry(const PositionRecord& record) const noexcept {
+    return rows.row(record) * row_length + rows.column(record) + first;
+  }
 };
 
 /// Two adjacent layers, sorted by row and column, in one set of arrays. In 2D a layer is a strip of
@@ -214,6 +250,10 @@ struct FarSphere {
 
 /// The kernels of layers for one instruction set. All give the same pairs in the same order.
 struct LayerKernels {
+  /// Adds one to the count of the layer of each of these coordinates on the layer axis.
+  void (*count_layers)(const double* coordinates, std::size_t count, const PositionMap& map,
+                       std::uint64_t* counts);
+
   /// Writes the record of each of `count` spheres of the columns, from place `first` on, to the
   /// next place of its layer. Treats spheres from the front and returns how many it treated: none
   /// where their centers lie neither in contiguous columns nor in contiguous records.
@@ -225,6 +265,10 @@ struct LayerKernels {
   /// `step`, a power of two. Whole vectors; none where scatter treats none.
   std::size_t (*count_in_steps)(const kernels::StridedSpheres& spheres, std::size_t first,
                                 std::size_t count, int dimensions, double step);
+
+  /// Writes the entry of each record, and adds one to the count of that entry in the table.
+  void (*count_entries)(const PositionRecord* records, std::size_t count, const EntryMap& map,
+                        std::uint32_t* entry_of, std::uint32_t* table);
 
   /// Turns the counts of a table into first places, the first of which is `place`, and returns the
   /// next one.

@@ -274,6 +274,13 @@ class ScalarCoarseTester : ScalarTester {
   const ThreeLayers& layers_;
 };
 
+void count_layers(const double* coordinates, std::size_t count, const PositionMap& map,
+                  std::uint64_t* counts) {
+  for (std::size_t k = 0; k < count; ++k) {
+    ++counts[layer_of(position_on(map.layer_axis, coordinates[k], map), map)];
+  }
+}
+
 std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, int,
                     const PositionMap&, const RecordsByLayer&) {
   return 0;
@@ -281,6 +288,11 @@ std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, in
 
 std::size_t count_in_steps(const kernels::StridedSpheres&, std::size_t, std::size_t, int, double) {
   return 0;
+}
+
+void count_entries(const PositionRecord* records, std::size_t count, const EntryMap& map,
+                   std::uint32_t* entry_of, std::uint32_t* table) {
+  for (std::size_t k = 0; k < count; ++k) ++table[entry_of[k] = map.entry(records[k])];
 }
 
 std::uint32_t turn_into_places(std::uint32_t* counts, std::size_t size, std::uint32_t place) {
@@ -348,8 +360,8 @@ void search_coarse(const ThreeLayers& layers, const FarSphere* coarse, std::size
 }  // namespace
 
 LayerKernels scalar_layer_kernels() {
-  return {scatter, count_in_steps, turn_into_places, split,
-          search,  search_near,    search_far,       search_coarse};
+  return {count_layers, scatter, count_in_steps, count_entries, turn_into_places,
+          split,        search,  search_near,    search_far,    search_coarse};
 }
 
 }  // namespace abut::kernels

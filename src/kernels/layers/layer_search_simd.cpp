@@ -45,6 +45,8 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
   return hn::Add(hn::Iota(numbers, 0), hn::Set(numbers, first));
 }
 
+#include "kernels/layers/simd_row_tables-inl.hpp"
+
 #include "kernels/layers/runs_of_row-inl.hpp"
 
 #include "kernels/layers/near_runs-inl.hpp"
@@ -94,6 +96,13 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 #include "kernels/layers/simd_coarse_tester-inl.hpp"
 
 #if HWY_TARGET == HWY_SCALAR
+void count_layers(const double* coordinates, std::size_t count, const PositionMap& map,
+                  std::uint64_t* counts) {
+  for (std::size_t k = 0; k < count; ++k) {
+    ++counts[layer_of(position_on(map.layer_axis, coordinates[k], map), map)];
+  }
+}
+
 std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, int,
                     const PositionMap&, const RecordsByLayer&) {
   return 0;
@@ -141,27 +150,6 @@ std::size_t count_in_steps(const kernels::StridedSpheres& spheres, std::size_t f
   });
 }
 #endif
-
-/// Four at a time: the sums of the next ones do not wait for those of these.
-std::uint32_t turn_into_places(std::uint32_t* counts, std::size_t size, std::uint32_t place) {
-  using QuadTag = hn::CappedTag<std::uint32_t, 4>;
-  constexpr QuadTag four{};
-  constexpr std::size_t at_once = hn::MaxLanes(four);
-  std::size_t k = 0;
-  if constexpr (at_once == 4) {
-    auto first = hn::Set(four, place);
-    for (; k + at_once <= size; k += at_once) {
-      const auto count = hn::LoadU(four, counts + k);
-      const auto of_two = hn::Add(count, hn::ShiftLeftLanes<1>(four, count));
-      const auto of_four = hn::Add(of_two, hn::ShiftLeftLanes<2>(four, of_two));
-      hn::StoreU(hn::Add(first, hn::Sub(of_four, count)), four, counts + k);
-      first = hn::Add(first, hn::Broadcast<3>(of_four));
-    }
-    place = hn::GetLane(first);
-  }
-  for (; k < size; ++k) place += std::exchange(counts[k], place);
-  return place;
-}
 
 void split(const PositionRecord* records, std::size_t count, const LayerColumns& columns) {
   for (std::size_t k = 0; k < count; k += lanes) {
@@ -281,8 +269,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace abut::kernels {
 
+HWY_EXPORT(count_layers);
 HWY_EXPORT(scatter);
 HWY_EXPORT(count_in_steps);
+HWY_EXPORT(count_entries);
 HWY_EXPORT(turn_into_places);
 HWY_EXPORT(split);
 HWY_EXPORT(search_layers);
@@ -292,7 +282,8 @@ HWY_EXPORT(search_coarse);
 
 LayerKernels simd_layer_kernels(std::int64_t target) {
   const std::size_t level = table_index(target);
-  return {HWY_DISPATCH_TABLE(scatter)[level],          HWY_DISPATCH_TABLE(count_in_steps)[level],
+  return {HWY_DISPATCH_TABLE(count_layers)[level],     HWY_DISPATCH_TABLE(scatter)[level],
+          HWY_DISPATCH_TABLE(count_in_steps)[level],   HWY_DISPATCH_TABLE(count_entries)[level],
           HWY_DISPATCH_TABLE(turn_into_places)[level], HWY_DISPATCH_TABLE(split)[level],
           HWY_DISPATCH_TABLE(search_layers)[level],    HWY_DISPATCH_TABLE(search_near)[level],
           HWY_DISPATCH_TABLE(search_far)[level],       HWY_DISPATCH_TABLE(search_coarse)[level]};

@@ -1,9 +1,27 @@
-// Elements scattered to their layers, a block of records at a time, included once for each
+// Elements counted and scattered by layer, a block of records at a time, included once for each
 // instruction set into the namespace of layer_search_simd.cpp.
 
 using WordTag = hn::Rebind<std::int32_t, DoubleTag>;
 constexpr WordTag words{};
 constexpr std::size_t elements_at_once = hn::MaxLanes(DoubleTag());
+
+/// Whole numbers of units from the lower bound of an axis on.
+HWY_INLINE hn::Vec<WordTag> positions_on(int axis, Doubles coordinates, const PositionMap& map) {
+  const Doubles from_lower = hn::Sub(coordinates, hn::Set(doubles, map.lower[axis]));
+  return hn::DemoteTo(words, hn::Mul(from_lower, hn::Set(doubles, map.units_of_one)));
+}
+
+void count_layers(const double* coordinates, std::size_t count, const PositionMap& map,
+                  std::uint64_t* counts) {
+  const int axis = map.layer_axis;
+  std::size_t k = 0;
+  for (; k + elements_at_once <= count; k += elements_at_once) {
+    HWY_ALIGN std::int32_t position[elements_at_once];
+    hn::Store(positions_on(axis, hn::LoadU(doubles, coordinates + k), map), words, position);
+    for (const std::int32_t its : position) ++counts[layer_of(its, map)];
+  }
+  for (; k < count; ++k) ++counts[layer_of(position_on(axis, coordinates[k], map), map)];
+}
 
 template <int Dim>
 class LayerWriter {
@@ -32,14 +50,10 @@ class LayerWriter {
   template <class Centers>
   HWY_INLINE void make_records(const Centers& centers, std::size_t first, std::size_t count,
                                PositionRecord* block) const {
-    const Doubles units = hn::Set(doubles, map_.units_of_one);
     for (std::size_t k = 0; k < count; k += elements_at_once) {
       Doubles center[Dim];
       centers.load(first + k, center);
-      auto position = [&](int axis) HWY_ATTR {
-        const Doubles from_lower = hn::Sub(center[axis], hn::Set(doubles, map_.lower[axis]));
-        return hn::DemoteTo(words, hn::Mul(from_lower, units));
-      };
+      auto position = [&](int axis) HWY_ATTR { return positions_on(axis, center[axis], map_); };
       const auto third = Dim == 2 ? hn::Zero(words) : position(Dim - 1);
       const auto number =
           hn::Add(hn::Iota(words, 0),
@@ -69,8 +83,8 @@ class LayerWriter {
   HWY_INLINE void write_each(std::size_t count, const PositionRecord* block,
                              const Visit& visit) const {
     for (std::size_t k = 0; k < count; ++k) {
-      const auto position = static_cast<std::uint32_t>(block[k].position[map_.layer_axis]);
-      const std::uint64_t place = to_.cursors[position >> map_.layer_shift]++;
+      const std::int32_t position = block[k].position[map_.layer_axis];
+      const std::uint64_t place = to_.cursors[layer_of(position, map_)]++;
       base::fetch_next_line(to_.records + place);
       to_.records[place] = block[k];
       visit(place, k);

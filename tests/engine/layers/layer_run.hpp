@@ -83,6 +83,7 @@ inline constexpr engine::LayerLimits always_in_levels = [] {
   engine::LayerLimits limits = always_in_layers;
   constexpr std::size_t never = std::size_t{1} << 40;
   limits.least_elements = limits.least_elements_of_tiles = limits.least_sparse_elements = never;
+  limits.least_elements_of_dense = never;
   limits.least_elements_of_clusters = limits.least_elements_of_crowds = never;
   limits.least_elements_in_steps = never;
   limits.least_boxes = limits.least_rectangles = limits.least_elements_beside_coarse = never;

@@ -334,11 +334,24 @@ TYPED_TEST(LayerSizesOf, RadiiOfManyAreCountedByAllWorkers) {
   }
 }
 
+/// The same where cells are as narrow as the reach allows.
+TYPED_TEST(LayerSizesOf, FewElementsOfNarrowCells) {
+  constexpr int dim = TypeParam::value;
+  engine::LayerLimits limits{.least_elements_of_tiles = 1'500'000, .most_by_size = 0.0};
+  this->expect_layers_from(&engine::LayerLimits::least_elements_of_dense, limits,
+                           this->log_uniform(3000, 1.1, 0.6));
+  const auto sparse = this->log_uniform(3000, 1.1, dim == 2 ? 0.1 : 0.03);
+  limits.least_elements_of_dense = 0;
+  EXPECT_FALSE((run_rows<dim>(sparse, {0.0, 1, Simd::scalar, limits}).in_layers));
+}
+
 /// Where elements crowd, fewer of them are searched in layers than otherwise.
 TYPED_TEST(LayerSizesOf, FewElementsOfCrowds) {
   constexpr int dim = TypeParam::value;
   const auto spheres = this->log_uniform(2000, 1.1, dim == 2 ? 20.0 : 8.0);
-  engine::LayerLimits limits{.least_elements_of_tiles = 1'500'000, .most_by_size = 0.0};
+  engine::LayerLimits limits{.least_elements_of_tiles = 1'500'000,
+                             .least_elements_of_dense = 1'500'000,
+                             .most_by_size = 0.0};
   this->expect_layers_from(&engine::LayerLimits::least_elements_of_crowds, limits, spheres);
   limits.least_joined_of_crowds = std::numeric_limits<double>::infinity();
   EXPECT_FALSE((run_rows<dim>(spheres, {0.0, 1, Simd::scalar, limits}).in_layers));

@@ -1,6 +1,7 @@
 """Compiles every C++ block of the pages; runs whole programs and compares what they print."""
 
 import argparse
+import functools
 import pathlib
 import subprocess
 import sys
@@ -24,49 +25,72 @@ namespace {
 """
 
 
-def source_of(block):
-    """A block as a whole file: programs as they are, fragments inside a function."""
-    if "int main(" in block.text:
-        return block.text
+class Compiler:
+    """Compiles blocks in a folder. Fragments share one header, which is compiled once."""
+
+    def __init__(self, arguments, folder):
+        self.folder = pathlib.Path(folder)
+        self.library = pathlib.Path(arguments.library)
+        self.command = [arguments.compiler, "-std=c++20", "-Wall", "-Wextra",
+                        "-Wno-unused-variable", "-Werror", f"-I{arguments.include}"]
+        if arguments.sanitize:
+            self.command.append(f"-fsanitize={arguments.sanitize}")
+
+    @functools.cached_property
+    def prelude(self):
+        """The header of all fragments."""
+        header = self.folder / "prelude.hpp"
+        header.write_text(PRELUDE, encoding="utf-8")
+        self.run("-x", "c++-header", header, "-o", f"{header}.gch")
+        return header
+
+    def run(self, *arguments):
+        subprocess.run(self.command + list(arguments), check=True)
+
+    def compile(self, block):
+        """Returns the program, or None for a fragment; raises CalledProcessError."""
+        source = self.folder / "block.cpp"
+        if "int main(" in block.text:
+            source.write_text(block.text, encoding="utf-8")
+            program = self.folder / "block"
+            self.run(source, self.library, f"-Wl,-rpath,{self.library.parent}", "-o", program)
+            return program
+        source.write_text(function_of(block), encoding="utf-8")
+        self.run("-include", self.prelude, "-fsyntax-only", "-Wno-unused-function", source)
+        return None
+
+
+def function_of(block):
+    """A fragment inside a function, behind what it includes."""
     lines = block.text.splitlines()
     includes = [line for line in lines if line.startswith("#include")]
     body = [line for line in lines if not line.startswith("#include")]
-    return "\n".join(includes) + "\n" + PRELUDE + "void fragment() {\n" + "\n".join(body) + "\n}\n"
+    return "\n".join([*includes, "void fragment() {", *body, "}", ""])
 
 
-def compile_block(block, arguments, folder):
-    """Returns the program, or None for a fragment; raises CalledProcessError."""
-    source = folder / "block.cpp"
-    source.write_text(source_of(block), encoding="utf-8")
-    command = [arguments.compiler, "-std=c++20", "-Wall", "-Wextra", "-Wno-unused-variable",
-               "-Werror", f"-I{arguments.include}"]
-    if arguments.sanitize:
-        command.append(f"-fsanitize={arguments.sanitize}")
-    if "int main(" not in block.text:
-        subprocess.run(command + ["-fsyntax-only", "-Wno-unused-function", source], check=True)
-        return None
-    program = folder / "block"
-    library = pathlib.Path(arguments.library)
-    subprocess.run(command + [source, library, f"-Wl,-rpath,{library.parent}", "-o", program],
-                   check=True)
-    return program
-
-
-def check(block, expected, arguments):
+def check(block, expected, compiler):
     """One sentence about what is wrong, or None."""
-    with tempfile.TemporaryDirectory() as folder:
-        try:
-            program = compile_block(block, arguments, pathlib.Path(folder))
-        except subprocess.CalledProcessError:
-            return f"{block.where()}: does not compile"
-        if program is None:
-            return None
-        done = subprocess.run([program], capture_output=True, text=True, timeout=60, check=False)
-        if done.returncode != 0:
-            return f"{block.where()}: ends with {done.returncode}: {done.stderr}"
-        if expected is not None and done.stdout != expected.text:
-            return f"{block.where()}: prints\n{done.stdout}instead of\n{expected.text}"
+    try:
+        program = compiler.compile(block)
+    except subprocess.CalledProcessError:
+        return f"{block.where()}: does not compile"
+    if program is None:
+        return None
+    done = subprocess.run([program], capture_output=True, text=True, timeout=60, check=False)
+    if done.returncode != 0:
+        return f"{block.where()}: ends with {done.returncode}: {done.stderr}"
+    if expected is not None and done.stdout != expected.text:
+        return f"{block.where()}: prints\n{done.stdout}instead of\n{expected.text}"
     return None
+
+
+def problems_of(page, compiler):
+    """What is wrong with each C++ block of a page, None where nothing is."""
+    on_page = blocks.blocks_of(page)
+    for block, following in zip(on_page, on_page[1:] + [None]):
+        if block.language == "cpp":
+            shows_output = following is not None and following.language == "text output"
+            yield check(block, following if shows_output else None, compiler)
 
 
 def main():
@@ -76,21 +100,15 @@ def main():
     parser.add_argument("--sanitize", default="", help="what the library was built with")
     arguments = parser.parse_args()
 
-    problems, checked = [], 0
-    for page in blocks.pages(pathlib.Path(arguments.root)):
-        on_page = blocks.blocks_of(page)
-        for block, following in zip(on_page, on_page[1:] + [None]):
-            if block.language != "cpp":
-                continue
-            shows_output = following is not None and following.language == "text output"
-            checked += 1
-            problem = check(block, following if shows_output else None, arguments)
-            if problem:
-                problems.append(problem)
+    with tempfile.TemporaryDirectory() as folder:
+        compiler = Compiler(arguments, folder)
+        found = [problem for page in blocks.pages(pathlib.Path(arguments.root))
+                 for problem in problems_of(page, compiler)]
+    problems = [problem for problem in found if problem]
     for problem in problems:
         print(problem)
-    print(f"{checked} C++ blocks, {len(problems)} problems")
-    return 1 if problems or checked == 0 else 0
+    print(f"{len(found)} C++ blocks, {len(problems)} problems")
+    return 1 if problems or not found else 0
 
 
 if __name__ == "__main__":

@@ -98,8 +98,9 @@ class Checkers(unittest.TestCase):
 
     def test_programs_are_compiled_and_compared(self):
         arguments = argparse.Namespace(compiler="c++", include=".", library="", sanitize="")
+        compiler = check_cpp.Compiler(arguments, self.folder)
         broken = self.block("cpp", "int main() { return undeclared; }")
-        self.assertIn("does not compile", check_cpp.check(broken, None, arguments))
+        self.assertIn("does not compile", check_cpp.check(broken, None, compiler))
 
     def test_links_paths_and_anchors(self):
         (self.folder / "docs").mkdir()

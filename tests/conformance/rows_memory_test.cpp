@@ -1,7 +1,9 @@
 // The law of memory of `rows` that the registry states, on every scene: without the pairs, and
 // without the elements themselves, which every algorithm reads from one packed array.
 
+#include "scenes/box_scene.hpp"
 #include "scenes/many_scales.hpp"
+#include "support/box_oracle.hpp"
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>
@@ -23,16 +25,26 @@ using scenes::Radii;
 constexpr std::uint64_t integer_bytes = 4;
 
 /// Each worker has the arrays of one tile; which tiles it takes is chance.
-std::uint64_t allowed_bytes(const scenes::Scene& scene, int threads) {
-  const auto count = static_cast<std::uint64_t>(scene.size());
-  const auto numbers = static_cast<std::uint64_t>(scene.dimensions + 1);
+std::uint64_t allowed_bytes(std::uint64_t integers_of_element, std::uint64_t numbers,
+                            std::size_t count, int threads) {
   const auto further_threads = static_cast<std::uint64_t>(threads - 1);
-  const std::uint64_t integers = 32 * count + 32768 + 131072 * further_threads;
+  const std::uint64_t integers = integers_of_element * count + 32768 + 131072 * further_threads;
   return count * numbers * sizeof(double) + integer_bytes * integers;
 }
 
+std::uint64_t allowed_bytes(const scenes::Scene& scene, int threads) {
+  return allowed_bytes(32, static_cast<std::uint64_t>(scene.dimensions + 1), scene.size(), threads);
+}
+
+/// A box is packed with the sphere that stands for it.
+std::uint64_t allowed_bytes(const scenes::BoxScene& scene, int threads) {
+  return allowed_bytes(36, static_cast<std::uint64_t>(3 * scene.dimensions + 1), scene.size(),
+                       threads);
+}
+
 TEST(RowsMemory, TheRegistryStatesTheLaw) {
-  EXPECT_EQ(info(Algorithm::rows).memory, "at most 32 N + 32768, and 131072 a further thread");
+  EXPECT_EQ(info(Algorithm::rows).memory,
+            "at most 32 N + 32768 (boxes 36 N), and 131072 a further thread");
 }
 
 class RowsMemory : public ::testing::TestWithParam<scenes::SceneInfo> {};
@@ -66,6 +78,22 @@ TEST_P(RowsMemoryOfScales, KeepsTheLaw) {
             view_of(scene), Domain::open(), {.algorithm = Algorithm::rows, .threads = threads});
         EXPECT_LE(statistics.working_bytes, allowed_bytes(scene, threads))
             << decades << " decades, " << count << " elements, " << threads << " threads";
+      }
+    }
+  }
+}
+
+TEST_P(RowsMemoryOfScales, BoxesKeepTheirs) {
+  const auto [directions, radii, ratio] = GetParam();
+  for (const double decades : {12.0, 200.0}) {
+    for (const std::size_t count : {1000U, 5000U, 70000U}) {
+      const scenes::BoxScene scene = scenes::boxes_in(
+          scenes::spheres_of_scales({directions, radii, ratio}, decades, count), 3);
+      for (const int threads : {1, 2}) {
+        const Statistics statistics = count_contact_pairs(
+            view_of(scene), Domain::open(), {.algorithm = Algorithm::rows, .threads = threads});
+        EXPECT_LE(statistics.working_bytes, allowed_bytes(scene, threads))
+            << decades << " decades, " << count << " boxes, " << threads << " threads";
       }
     }
   }

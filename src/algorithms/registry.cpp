@@ -117,7 +117,7 @@ constexpr std::array table{
         {Algorithm::munjiza_nbs, "munjiza_nbs", "lists of rows, then of the cells of two rows only",
          "N", "2 N + n_y + 2 n_x in 2D, 3 N + n_z + 2 n_y + 2 n_x in 3D", "102-127"},
         munjiza_nbs_2d_entry, munjiza_nbs_3d_entry),
-    entry({Algorithm::rows, "rows", "rows of cells in tiles, contiguous", "N",
+    entry({Algorithm::rows, "rows", "rows of cells in layers or tiles, contiguous", "N",
            "at most 32 N + 32768 (boxes 36 N), and 131072 a further thread", ""},
           rows_entry<2>, rows_entry<3>),
 };

@@ -46,13 +46,6 @@ bool are_in_steps(const kernels::StridedSpheres& spheres, std::size_t begin, std
   return true;
 }
 
-/// The steps of coordinates with which distances are exact in the cells of a grid.
-template <int Dim>
-StepRange steps_for(const LayerGrid<Dim>& grid, const SearchInput<Dim>& input) {
-  return {std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(grid.cell())),
-          input.given.largest_step};
-}
-
 }  // namespace
 
 template <int Dim>
@@ -80,6 +73,12 @@ std::optional<double> coordinate_step(const kernels::StridedSpheres& spheres,
 }
 
 template <int Dim>
+StepRange steps_for(double cell, const SearchInput<Dim>& input) {
+  return {std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(cell)),
+          input.given.largest_step};
+}
+
+template <int Dim>
 std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
                                               const SearchInput<Dim>& input,
                                               const LayerGrid<Dim>& grid, std::size_t workers,
@@ -87,12 +86,14 @@ std::optional<LayerGrid<Dim>> layers_in_steps(const SearchSet<Dim>& set,
   if (grid.shape() != kernels::ElementShape::equal_spheres || grid.has_long_cells()) {
     return std::nullopt;
   }
-  const auto step = coordinate_step<Dim>(input.given.spheres, steps_for(grid, input),
+  const auto step = coordinate_step<Dim>(input.given.spheres, steps_for(grid.cell(), input),
                                          input.layer_kernels, workers, work);
   if (!step) return std::nullopt;
   return grid.in_steps(set.bounds, input.margin, set.locals.size(), *step);
 }
 
+template StepRange steps_for(double, const SearchInput<2>&);
+template StepRange steps_for(double, const SearchInput<3>&);
 template bool may_have_step<2>(const kernels::StridedSpheres&, const StepRange&);
 template bool may_have_step<3>(const kernels::StridedSpheres&, const StepRange&);
 template std::optional<double> coordinate_step<2>(const kernels::StridedSpheres&, const StepRange&,

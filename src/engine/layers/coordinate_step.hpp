@@ -18,6 +18,10 @@ struct StepRange {
   double largest;
 };
 
+/// The steps of coordinates with which distances are exact in cells of that size.
+template <int Dim>
+[[nodiscard]] StepRange steps_for(double cell, const SearchInput<Dim>& input);
+
 /// Tells whether a look at a few spheres leaves it open that there is a power of two in the range
 /// of which all coordinates are multiples.
 template <int Dim>

@@ -110,10 +110,8 @@ std::size_t fewest_elements(const SearchInput<Dim>& input) {
 /// Tells whether distances may be exact in cells of that size or wider.
 template <int Dim>
 bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double least_cell) {
-  const StepRange range{std::max(input.given.least_step, LayerGrid<Dim>::least_step_of(least_cell)),
-                        input.given.largest_step};
   return !are_boxes(input) && set.bounds.smallest_radius == set.bounds.largest_radius &&
-         may_have_step<Dim>(input.given.spheres, range);
+         may_have_step<Dim>(input.given.spheres, steps_for(least_cell, input));
 }
 
 /// Elements in two joined runs of another one, if all are spread equally.

@@ -78,6 +78,14 @@ struct PositionMap {
   return static_cast<std::uint32_t>(position) >> map.layer_shift;
 }
 
+/// Adds one to the count of the layer of each of these coordinates, one after the other.
+inline void count_each_layer(const double* coordinates, std::size_t count, const PositionMap& map,
+                             std::uint64_t* counts) noexcept {
+  for (std::size_t k = 0; k < count; ++k) {
+    ++counts[layer_of(position_on(map.layer_axis, coordinates[k], map), map)];
+  }
+}
+
 /// A radius or width in units; never -0, so that radii are ordered as their bits are.
 [[nodiscard]] inline float length_in_units(double length, const PositionMap& map) noexcept {
   return static_cast<float>(length * map.units_of_one) + 0.0f;

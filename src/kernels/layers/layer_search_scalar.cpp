@@ -274,13 +274,6 @@ class ScalarCoarseTester : ScalarTester {
   const ThreeLayers& layers_;
 };
 
-void count_layers(const double* coordinates, std::size_t count, const PositionMap& map,
-                  std::uint64_t* counts) {
-  for (std::size_t k = 0; k < count; ++k) {
-    ++counts[layer_of(position_on(map.layer_axis, coordinates[k], map), map)];
-  }
-}
-
 std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, int,
                     const PositionMap&, const RecordsByLayer&) {
   return 0;
@@ -360,8 +353,8 @@ void search_coarse(const ThreeLayers& layers, const FarSphere* coarse, std::size
 }  // namespace
 
 LayerKernels scalar_layer_kernels() {
-  return {count_layers, scatter, count_in_steps, count_entries, turn_into_places,
-          split,        search,  search_near,    search_far,    search_coarse};
+  return {count_each_layer, scatter,     count_in_steps, count_entries, turn_into_places, split,
+          search,           search_near, search_far,     search_coarse};
 }
 
 }  // namespace abut::kernels

@@ -98,9 +98,7 @@ HWY_INLINE Numbers numbers_from(std::uint32_t first) {
 #if HWY_TARGET == HWY_SCALAR
 void count_layers(const double* coordinates, std::size_t count, const PositionMap& map,
                   std::uint64_t* counts) {
-  for (std::size_t k = 0; k < count; ++k) {
-    ++counts[layer_of(position_on(map.layer_axis, coordinates[k], map), map)];
-  }
+  count_each_layer(coordinates, count, map, counts);
 }
 
 std::size_t scatter(const kernels::StridedSpheres&, std::size_t, std::size_t, int,

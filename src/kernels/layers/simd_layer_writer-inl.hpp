@@ -13,14 +13,14 @@ HWY_INLINE hn::Vec<WordTag> positions_on(int axis, Doubles coordinates, const Po
 
 void count_layers(const double* coordinates, std::size_t count, const PositionMap& map,
                   std::uint64_t* counts) {
-  const int axis = map.layer_axis;
   std::size_t k = 0;
   for (; k + elements_at_once <= count; k += elements_at_once) {
     HWY_ALIGN std::int32_t position[elements_at_once];
-    hn::Store(positions_on(axis, hn::LoadU(doubles, coordinates + k), map), words, position);
+    const Doubles some = hn::LoadU(doubles, coordinates + k);
+    hn::Store(positions_on(map.layer_axis, some, map), words, position);
     for (const std::int32_t its : position) ++counts[layer_of(its, map)];
   }
-  for (; k < count; ++k) ++counts[layer_of(position_on(axis, coordinates[k], map), map)];
+  count_each_layer(coordinates + k, count - k, map, counts);
 }
 
 template <int Dim>

@@ -8,6 +8,7 @@
 #include "grid/bounds.hpp"
 #include "kernels/strided_boxes.hpp"
 #include "kernels/strided_spheres.hpp"
+#include "kernels/wide_vectors.hpp"
 
 #include <abut/simd.hpp>
 
@@ -21,6 +22,7 @@ struct RowsSettings {
   std::size_t workers = 1;
   Simd simd = Simd::scalar;  ///< an available level
   LayerLimits layers = {};
+  kernels::WideVectors wide_vectors = kernels::wide_vectors_here();
 };
 
 /// The production algorithm: Munjiza's rows, contiguous and in tiles (docs/algorithms/rows.md).

@@ -38,6 +38,7 @@ void TileSearcher<Dim>::start(const SearchInput<Dim>& input) {
   hits_.copies = nullptr;
   job_.has_many_undecided = false;
   job_.has_few_hits = false;
+  job_.wide_vectors = input.wide_vectors;
   job_.candidate_tests = 0;
   pairs_ = {};
   filled_ = 0;

@@ -40,6 +40,7 @@ struct SearchInput {
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
   kernels::LayerKernels layer_kernels;
+  kernels::WideVectors wide_vectors;
   LayerLimits layer_limits;
   base::PairSink& sink;
   base::ProgressReporter& progress;

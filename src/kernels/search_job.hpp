@@ -1,5 +1,7 @@
 #pragma once
 
+#include "kernels/wide_vectors.hpp"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -59,6 +61,7 @@ struct SearchJob {
   bool has_many_undecided;  ///< most elements of the layer that was searched last
   bool has_few_hits;        ///< of the last elements of that layer, so that some have none
   std::uint8_t way;         ///< of testing that suited the elements of that layer: the kernel's own
+  WideVectors wide_vectors;  ///< whether two runs of candidates or more share a wide vector
   void* owner;
   /// Empties the hits, and tells how many tests were made. It may throw, to stop the search.
   void (*take)(SearchJob& job);

@@ -85,7 +85,7 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
     slack_ = lattice::slack_of_ghosts * magnitude_of(windows.of_large, along, settings.shape);
     return add_ghosts(given, {orthogonal_cell, windows, {}, false}, settings);
   }
-  if (!are_packed_ && find_in_oblique_cell(given, settings)) return;
+  if (find_in_oblique_cell(given, settings)) return;
   overwrite(own_spheres_, given_.size, given_.size + given_.size / 8);
   locals_ = kernels::strided_spheres<Dim>(own_spheres_);
   if (unit_ == 1.0) {
@@ -103,14 +103,15 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
   add_ghosts({own_spheres_, given_.size}, {scaled_orthogonal_cell, after, {}, false}, settings);
 }
 
-/// Finds the images where the elements, which are not packed, lie in one cell of the vectors
-/// themselves, so that none must be moved. Returns false where they do not, as some of them show if
-/// they lie anywhere, or where it is so far away that rounding would make cells larger than the
-/// reach asks for; nothing has changed then.
+/// Finds the images where enough spheres lie in one cell of the vectors themselves, so that none
+/// must be moved. Returns false where they do not, as some of them show if they lie anywhere, or
+/// where it is so far away that rounding would make cells larger than the reach asks for; nothing
+/// has changed then.
 template <int Dim>
 bool Images<Dim>::find_in_oblique_cell(const GhostArray& given, const ImageSettings& settings) {
   constexpr std::size_t samples = 64;
-  if (unit_ != 1.0 || lattice_->count < Dim) return false;
+  if (unit_ != 1.0 || lattice_->count < Dim || settings.shape != Shape::sphere) return false;
+  if (given_.size < settings.least_in_oblique_cell) return false;
   const lattice::ObliqueCell<Dim> cell(*lattice_, 1.0);
   const lattice::Reaches reaches{bounds_.largest_radius, settings.margin, settings.shape};
   const auto windows_around = [&](const lattice::CellExtent<Dim>& extent) {

@@ -34,7 +34,9 @@ struct ImageSettings {
   kernels::ImageKernels kernels;
   Shape shape = Shape::sphere;
   double size_cut = HUGE_VAL;  ///< GhostWindows::cut, of spheres
-  double given_unit = 1.0;     ///< what elements, lattice and all lengths are given times
+  /// Spheres from which on those in one cell of oblique vectors stay there.
+  std::size_t least_in_oblique_cell = 0;
+  double given_unit = 1.0;  ///< what elements, lattice and all lengths are given times
   base::ProgressReporter* progress = nullptr;  ///< asked now and then, by the first worker
 };
 

@@ -151,6 +151,7 @@ struct PeriodicSearch {
     ImageSettings result{settings.margin * given_unit, settings.workers,
                          kernels::image_kernels(settings.simd)};
     result.shape = shape;
+    result.least_in_oblique_cell = settings.layers.least_elements_in_oblique_cell;
     result.given_unit = given_unit;
     result.progress = &context.progress;
     return result;
@@ -176,6 +177,7 @@ struct PeriodicSearch {
         kernels::tile_kernels(settings.simd),
         kernels::element_kernels(settings.simd),
         kernels::layer_kernels(settings.simd),
+        settings.wide_vectors,
         settings.layers,
         own.image_sink,
         context.progress};

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace abut::testing {
@@ -85,13 +86,16 @@ struct Found {
   friend bool operator==(const Found&, const Found&) = default;
 };
 
-Found as_found(const ElementView& elements, const Domain& domain, int threads) {
-  const PairList list = find_contact_pairs(elements, domain,
-                                           {.algorithm = Algorithm::rows,
-                                            .order = Order::as_found,
-                                            .shifts = Shifts::stored,
-                                            .threads = threads});
+Found found_in(const PairList& list) {
   return {{list.begin(), list.end()}, {list.shifts().begin(), list.shifts().end()}};
+}
+
+Found as_found(const ElementView& elements, const Domain& domain, int threads) {
+  return found_in(find_contact_pairs(elements, domain,
+                                     {.algorithm = Algorithm::rows,
+                                      .order = Order::as_found,
+                                      .shifts = Shifts::stored,
+                                      .threads = threads}));
 }
 
 void expect_same_in_each_layout(const Scene& scene, const Domain& domain) {
@@ -142,6 +146,47 @@ TEST(PeriodicInPlace, FindsTheSameOfDiscsWithACommonRadius) {
     EXPECT_FALSE(expected.pairs.empty());
     EXPECT_TRUE(expected == as_found(discs(points, flat.radius), domain, 2));
     EXPECT_TRUE(expected == as_found(discs(flat.x, flat.y, flat.radius.front()), domain, 3));
+  }
+}
+
+/// The elements of a block at the same fractions of the vectors of another cell.
+Scene moved_into_cell(const Scene& scene, const Domain& domain) {
+  const auto [x, y, z] = block_around(scene);
+  Scene moved = scene;
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    const std::array fraction{scene.x[k] / x, scene.y[k] / y, scene.z[k] / z};
+    std::array<double, 3> point{};
+    for (int v = 0; v < 3; ++v) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        point[axis] += fraction[static_cast<std::size_t>(v)] * domain.vector(v)[axis];
+      }
+    }
+    std::tie(moved.x[k], moved.y[k], moved.z[k]) = std::tie(point[0], point[1], point[2]);
+  }
+  return Float32Scene(moved).widened;
+}
+
+/// So few are packed in the first call of a detector, and may stay where they lie in the next one.
+TEST(PeriodicInPlace, OrderIsThatOfTheElementsAlone) {
+  for (const std::size_t size : {900U, 3000U, 9000U, 12000U}) {
+    for (const char* const name : {"dense", "gas", "polydisperse"}) {
+      const Scene block = rounded(name, size);
+      for (const auto& [kind, domain] : domains_around(block)) {
+        if (kind == "one axis") continue;
+        SCOPED_TRACE(std::string(name) + ", " + std::to_string(size) + ", " + kind);
+        const Scene scene = moved_into_cell(block, domain);
+        expect_same_in_each_layout(scene, domain);
+        const Found expected = as_found(view_of(scene), domain, 1);
+        Detector detector({.algorithm = Algorithm::rows,
+                           .order = Order::as_found,
+                           .shifts = Shifts::stored,
+                           .threads = 1});
+        for (int call = 0; call < 3; ++call) {
+          EXPECT_TRUE(expected == found_in(detector.find_contact_pairs(view_of(scene), domain)))
+              << "call " << call;
+        }
+      }
+    }
   }
 }
 

@@ -2,61 +2,25 @@
 // too: `rows` decides by exact distances in layers, also of images. The pairs of direct_check,
 // forced into layers where these would not pay.
 
-#include "elements/lattice_of.hpp"
 #include "engine/layers/layer_run.hpp"
 #include "engine/layers/layer_scenes.hpp"
 #include "kernels/simd_level.hpp"
-#include "periodic/periodic_rows.hpp"
-#include "periodic/periodic_search.hpp"
+#include "periodic/periodic_run.hpp"
 #include "support/rows_variants.hpp"
 
-#include <abut/detect.hpp>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace abut::testing {
 namespace {
 
-/// Keeps pairs with their shifts.
-class KeptImagePairs final : public base::PairSink {
- public:
-  void expect_workers(std::size_t) override {}
-  [[nodiscard]] std::span<ContactPair> buffer(std::size_t) override { return pairs_; }
-  [[nodiscard]] std::span<ImageShift> shift_buffer(std::size_t) override { return shifts_; }
-  void commit(std::size_t count, const base::Origin&) override {
-    for (std::size_t k = 0; k < count; ++k) {
-      found_.push_back(canonical(pairs_[k].first, pairs_[k].second, shifts_[k]));
-    }
-  }
-
-  [[nodiscard]] std::vector<FoundPair> sorted() const {
-    std::vector<FoundPair> pairs = found_;
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
-  }
-
- private:
-  std::vector<ContactPair> pairs_ = std::vector<ContactPair>(smallest_buffer);
-  std::vector<ImageShift> shifts_ = std::vector<ImageShift>(smallest_buffer);
-  std::vector<FoundPair> found_;
-};
-
 /// Sites to a side.
 constexpr std::size_t sites = 8;
 constexpr auto side = static_cast<double>(sites);
 
-struct System {
-  Spheres<3> spheres;
-  Domain domain = Domain::open();
-  double margin = 0.0;
-};
+using System = SpheresInDomain<3>;
 
 System cubic_system(double radius = 0.5) {
   System system;
@@ -104,52 +68,27 @@ std::vector<Domain> domains() {
           Domain::lattice({0, side, 0}, {0, 1, side}, {side, 0, 0})};
 }
 
-std::vector<FoundPair> checked_directly(const System& system) {
-  std::vector<std::array<double, 3>> centers;
-  for (const auto& sphere : system.spheres) {
-    centers.push_back({sphere.center[0], sphere.center[1], sphere.center[2]});
-  }
-  const PairList list = find_contact_pairs(
-      spheres(centers, system.spheres[0].radius), system.domain,
-      {.algorithm = Algorithm::direct_check, .shifts = Shifts::stored, .margin = system.margin});
-  std::vector<FoundPair> pairs;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    pairs.push_back(canonical(list[k].first, list[k].second, list.shifts()[k]));
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
 /// Whether all pairs are decided by their distances in layers.
 enum class Exact { yes, no };
+
+void expect_right(const PeriodicRun& run, const std::vector<FoundPair>& expected, Exact exact) {
+  EXPECT_EQ(in_order(run.pairs), expected);
+  EXPECT_EQ(run.exact_decisions == 0, exact == Exact::yes);
+  EXPECT_GT(run.most_in_layers, 0U);
+}
 
 /// Both where the elements lie, and from a packed copy.
 void expect_right(const System& system, Exact exact) {
   const std::vector<FoundPair> expected = checked_directly(system);
   EXPECT_FALSE(expected.empty());
-  const grid::Bounds<3> bounds = bounds_of<3>(system.spheres);
-  const exact::Lattice lattice = elements::lattice_of(system.domain);
   for (const Simd level : simd_levels_here()) {
     SCOPED_TRACE(std::string(name_of(level)));
     const engine::RowsSettings settings{system.margin, 1, level, always_in_layers};
-    const periodic::PeriodicInput<3> input{{}, bounds, lattice, settings};
-    base::DetectionContext context;
-    engine::Workspace<3> workspace(context.memory);
-    periodic::PeriodicWorkspace<3> own(context.memory);
-    KeptImagePairs in_place;
-    const auto columns = kernels::strided_spheres(std::span(system.spheres));
-    if (periodic::periodic_rows_in_place<3>(columns, input, workspace, own, in_place, context)) {
-      EXPECT_EQ(in_place.sorted(), expected);
-      EXPECT_EQ(context.exact_decisions == 0, exact == Exact::yes);
-    }
-    KeptImagePairs packed;
-    base::Array<exact::Sphere<3>> copy =
-        base::make_array_for_overwrite<exact::Sphere<3>>(context.memory, system.spheres.size());
-    std::copy(system.spheres.begin(), system.spheres.end(), copy.begin());
-    ASSERT_TRUE(periodic::periodic_rows<3>(copy, input, workspace, own, packed, context));
-    EXPECT_EQ(packed.sorted(), expected);
-    EXPECT_EQ(context.exact_decisions == 0, exact == Exact::yes);
-    EXPECT_GT(workspace.layer_records.largest_layer(), 0u);
+    const auto in_place = run_periodic_in_place(system, settings);
+    if (in_place) expect_right(*in_place, expected, exact);
+    const auto packed = run_periodic(system, settings);
+    ASSERT_TRUE(packed.has_value());
+    expect_right(*packed, expected, exact);
   }
 }
 

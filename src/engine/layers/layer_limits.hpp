@@ -107,6 +107,9 @@ struct LayerLimits {
   std::size_t most_of_parts_without_sample = 256;
   /// Elements up to which layers are taken without a look at how crowded they are.
   std::size_t most_without_sample = 0;
+  /// Elements from which on those in one cell of oblique vectors are not moved into an orthogonal
+  /// one, around which ghosts would lie as halo elements of tiles.
+  std::size_t least_elements_in_oblique_cell = 2'000;
   /// Elements from which on spheres are sorted by layer along with their records, where most pairs
   /// must be decided: fewer are in the caches wherever they lie.
   std::size_t least_elements_with_spheres = 400000;

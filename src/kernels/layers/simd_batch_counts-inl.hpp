@@ -5,11 +5,11 @@
 /// before it.
 enum class Way : std::uint8_t { usual, for_more, in_blocks, with_care };
 
-/// Tells whether all runs of most elements go into one vector, instead of two into each.
+/// Tells whether all runs of most elements may go into one vector, instead of two into each.
 template <class Search>
 constexpr bool takes_all = fit_one_vector<Search::runs> && !Search::some_have_hits;
 /// The same of two vectors, where many elements have too many candidates for one. Otherwise each
-/// run has its own.
+/// run has its own. Both are as wide as vectors can be.
 template <class Search>
 constexpr bool takes_halves = Search::runs == 5 && takes_all<Search>;
 
@@ -23,6 +23,10 @@ struct ElementRuns {
 /// The elements of a batch by what they are like.
 template <class Search>
 struct BatchCounts {
+  HWY_INLINE explicit BatchCounts(WideVectors wide)
+      : shares_wide(takes_halves<Search> && wide == WideVectors::whole) {}
+
+  bool shares_wide;                    ///< runs share vectors of sixteen lanes
   std::uint32_t crowded = 0;           ///< those that the usual vectors do not hold
   std::uint32_t crowded_for_more = 0;  ///< those that vectors for more do not, where that is known
   std::uint32_t with_care = 0;         ///< those that no way but the last one settles
@@ -36,9 +40,10 @@ struct BatchCounts {
 
   /// Adds so many elements with single runs of these sizes.
   HWY_INLINE void add(const VectorSizes& singles, std::uint32_t elements = 1) {
-    const bool is_usual = takes_all<Search> ? singles.total() <= AllRuns<Search::runs>::capacity
-                                            : singles.fit_if_joined();
-    const bool fits_more = takes_halves<Search> ? singles.fit_halves() : singles.fit();
+    const bool shares_one = shares_wide || (takes_all<Search> && !takes_halves<Search>);
+    const bool is_usual =
+        shares_one ? singles.total() <= AllRuns<Search::runs>::capacity : singles.fit_if_joined();
+    const bool fits_more = shares_wide ? singles.fit_halves() : singles.fit();
     crowded += is_usual ? 0 : elements;
     crowded_for_more += fits_more ? 0 : elements;
   }

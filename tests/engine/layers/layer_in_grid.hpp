@@ -28,6 +28,7 @@ engine::SearchInput<Dim> search_input(const exact::Elements<Dim>& elements,
           kernels::tile_kernels(settings.simd),
           kernels::element_kernels(settings.simd),
           kernels::layer_kernels(settings.simd),
+          settings.wide_vectors,
           settings.layers,
           sink,
           context.progress};

@@ -88,6 +88,8 @@ void expect_same_everywhere(
                    " workers, turn " + std::to_string(++turn));
       settings.simd = level;
       settings.workers = workers;
+      settings.wide_vectors =
+          turn % 2 == 0 ? kernels::WideVectors::whole : kernels::WideVectors::in_halves;
       expect_same(first, run(settings));
       const LayerRun where_they_lie = in_place(turn, settings);
       if (where_they_lie.in_layers) {

@@ -32,7 +32,8 @@ inline constexpr engine::LayerLimits always_in_layers{
     .most_joined_of_clusters = std::numeric_limits<double>::infinity(),
     .most_by_size = 0.0,
     .cost_in_blocks = 0.0,
-    .cost_of_joined = 0.0};
+    .cost_of_joined = 0.0,
+    .least_elements_in_oblique_cell = 0};
 
 /// Elements look for smaller ones, whatever that costs. Elements of one radius are not asked.
 inline constexpr engine::LayerLimits always_by_size{
@@ -48,7 +49,8 @@ inline constexpr engine::LayerLimits always_by_size{
     .most_joined_of_clusters = 0.0,
     .radii_alike = 1.0,
     .most_by_size = std::numeric_limits<double>::infinity(),
-    .most_crowded_by_size = std::numeric_limits<double>::infinity()};
+    .most_crowded_by_size = std::numeric_limits<double>::infinity(),
+    .least_elements_in_oblique_cell = 0};
 
 /// Layers hold all but the few coarse elements, whatever that costs.
 inline constexpr engine::LayerLimits always_beside_coarse = [] {
@@ -76,7 +78,8 @@ inline constexpr engine::LayerLimits always_moved{
     .most_joined_of_clusters = 0.0,
     .most_by_size = 0.0,
     .cost_in_blocks = 0.0,
-    .cost_of_joined = 0.0};
+    .cost_of_joined = 0.0,
+    .least_elements_in_oblique_cell = 0};
 
 /// Each octave of sizes stands in layers of its own, whatever that costs.
 inline constexpr engine::LayerLimits always_in_levels = [] {
@@ -151,8 +154,9 @@ LayerRun run_in_place(const Spheres<Dim>& spheres, Layout layout,
 
 void expect_same(const LayerRun& first, const LayerRun& other);
 
-/// Expects what came of the first run from every level and number of workers, and in layers from
-/// elements where they lie, in a layout that each turn chooses.
+/// Expects what came of the first run from every level and number of workers, with wide vectors at
+/// once and in halves, and in layers from elements where they lie, in a layout that each turn
+/// chooses.
 void expect_same_everywhere(
     const LayerRun& first, engine::RowsSettings settings,
     const std::function<LayerRun(const engine::RowsSettings&)>& run,

@@ -1,0 +1,138 @@
+#include "periodic/periodic_run.hpp"
+
+#include "elements/lattice_of.hpp"
+#include "periodic/periodic_rows.hpp"
+
+#include <abut/detect.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <mutex>
+#include <span>
+
+namespace abut::testing {
+namespace {
+
+/// Keeps pairs with their shifts in their `as_found` order.
+class KeptImagePairs final : public base::PairSink {
+ public:
+  void expect_workers(std::size_t count) override { workers_.resize(count); }
+  [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) override {
+    workers_[worker].pairs.resize(smallest_buffer);
+    return workers_[worker].pairs;
+  }
+  [[nodiscard]] std::span<ImageShift> shift_buffer(std::size_t worker) override {
+    workers_[worker].shifts.resize(smallest_buffer);
+    return workers_[worker].shifts;
+  }
+  void commit(std::size_t count, const base::Origin& origin) override {
+    const std::lock_guard lock(mutex_);
+    const auto& [pairs, shifts] = workers_[origin.worker];
+    auto& of_unit = by_unit_[origin.unit];
+    for (std::size_t k = 0; k < count; ++k) {
+      of_unit.push_back(canonical(pairs[k].first, pairs[k].second, shifts[k]));
+    }
+  }
+
+  [[nodiscard]] std::vector<FoundPair> pairs() const {
+    std::vector<FoundPair> all;
+    for (const auto& [unit, pairs] : by_unit_) all.insert(all.end(), pairs.begin(), pairs.end());
+    return all;
+  }
+
+ private:
+  struct Buffers {
+    std::vector<ContactPair> pairs;
+    std::vector<ImageShift> shifts;
+  };
+
+  std::mutex mutex_;
+  std::vector<Buffers> workers_;
+  std::map<std::uint64_t, std::vector<FoundPair>> by_unit_;
+};
+
+/// Runs `search` with all that a search needs.
+template <int Dim, class Search>
+std::optional<PeriodicRun> run(const SpheresInDomain<Dim>& system,
+                               const engine::RowsSettings& settings, const Search& search) {
+  const grid::Bounds<Dim> bounds = bounds_of<Dim>(system.spheres);
+  const exact::Lattice lattice = elements::lattice_of(system.domain);
+  base::DetectionContext context;
+  engine::Workspace<Dim> workspace(context.memory);
+  periodic::PeriodicWorkspace<Dim> own(context.memory);
+  KeptImagePairs sink;
+  if (!search(periodic::PeriodicInput<Dim>{{}, bounds, lattice, settings}, workspace, own, sink,
+              context)) {
+    return std::nullopt;
+  }
+  const engine::LastSearch& last = workspace.last;
+  return PeriodicRun{sink.pairs(),
+                     context.exact_decisions,
+                     last.most_in_layers,
+                     last.clusters_moved,
+                     last.beside_layers,
+                     last.levels_of_sizes,
+                     workspace.layer_crowds.layers().size()};
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<PeriodicRun> run_periodic(const SpheresInDomain<Dim>& system,
+                                        const engine::RowsSettings& settings) {
+  return run(system, settings,
+             [&](const auto& input, auto& workspace, auto& own, auto& sink, auto& context) {
+               auto packed = array_of(system.spheres, context.memory);
+               return periodic::periodic_rows<Dim>(packed, input, workspace, own, sink, context);
+             });
+}
+
+template <int Dim>
+std::optional<PeriodicRun> run_periodic_in_place(const SpheresInDomain<Dim>& system,
+                                                 const engine::RowsSettings& settings) {
+  return run(system, settings,
+             [&](const auto& input, auto& workspace, auto& own, auto& sink, auto& context) {
+               const auto columns = kernels::strided_spheres(std::span(system.spheres));
+               return periodic::periodic_rows_in_place<Dim>(columns, input, workspace, own, sink,
+                                                            context);
+             });
+}
+
+std::vector<FoundPair> in_order(std::vector<FoundPair> pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+template <int Dim>
+std::vector<FoundPair> checked_directly(const SpheresInDomain<Dim>& system) {
+  std::array<std::vector<double>, 3> columns;
+  std::vector<double> radii;
+  for (const auto& sphere : system.spheres) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) columns[axis].push_back(sphere.center[axis]);
+    radii.push_back(sphere.radius);
+  }
+  const auto& [x, y, z] = columns;
+  const ElementView view = Dim == 2 ? discs(x, y, radii) : spheres(x, y, z, radii);
+  const PairList list = find_contact_pairs(
+      view, system.domain,
+      {.algorithm = Algorithm::direct_check, .shifts = Shifts::stored, .margin = system.margin});
+  std::vector<FoundPair> pairs;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    pairs.push_back(canonical(list[k].first, list[k].second, list.shifts()[k]));
+  }
+  return in_order(std::move(pairs));
+}
+
+template std::optional<PeriodicRun> run_periodic(const SpheresInDomain<2>&,
+                                                 const engine::RowsSettings&);
+template std::optional<PeriodicRun> run_periodic(const SpheresInDomain<3>&,
+                                                 const engine::RowsSettings&);
+template std::optional<PeriodicRun> run_periodic_in_place(const SpheresInDomain<2>&,
+                                                          const engine::RowsSettings&);
+template std::optional<PeriodicRun> run_periodic_in_place(const SpheresInDomain<3>&,
+                                                          const engine::RowsSettings&);
+template std::vector<FoundPair> checked_directly(const SpheresInDomain<2>&);
+template std::vector<FoundPair> checked_directly(const SpheresInDomain<3>&);
+
+}  // namespace abut::testing

@@ -14,14 +14,9 @@
 namespace abut::exact {
 namespace {
 
-constexpr double largest_double = std::numeric_limits<double>::max();
-
 double clamped(double value) noexcept {
   return std::clamp(value, -largest_double, largest_double);
 }
-
-/// The largest number that cannot overflow when it is split for an exact product.
-constexpr double largest_summed = 0x1p900;
 
 /// Returns what moved_sum does, for numbers of any size.
 template <int Dim>

@@ -7,15 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace abut::exact {
 namespace {
-
-constexpr double largest_double = std::numeric_limits<double>::max();
-
-/// The largest number that cannot overflow when it is split for an exact product.
-constexpr double largest_summed = 0x1p900;
 
 /// Tells whether a component of v is neither so large nor so small that its square leaves the
 /// range.

@@ -1,24 +1,19 @@
 #include "exact/distance_vector.hpp"
 
 #include "exact/center_vector.hpp"
+#include "exact/direction.hpp"
 #include "exact/numbers/double_double.hpp"
 #include "exact/periodic_predicate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace abut::exact {
 namespace {
 
 /// Smallest component whose square counts beside that of the largest component.
 constexpr double smallest_squared = 0x1p-480;
-
-constexpr double largest_double = std::numeric_limits<double>::max();
-
-/// Products of larger numbers and an integer of 32 bits, and sums of these, might overflow.
-constexpr double largest_summed = 0x1p900;
 
 /// Brings differences that exceed this bound back to where their squares can be scaled.
 constexpr double scale_of_large = 0x1p-128;
@@ -88,14 +83,6 @@ bool is_nearer_to_lower(Sphere<Dim> a, Sphere<Dim> b, const ImageShift& shift,
   b.radius = 0.5 * distance.above;
   std::uint64_t exact_decisions = 0;
   return within_reach(a, b, shift, lattice, 0.0, exact_decisions);
-}
-
-template <int Dim>
-double largest_of(const DoubleDouble (&difference)[Dim]) noexcept {
-  double largest = 0.0;
-  for (const DoubleDouble& component : difference)
-    largest = std::max(largest, std::fabs(component.high));
-  return largest;
 }
 
 }  // namespace

@@ -61,10 +61,6 @@ class ScaledDifference {
   }
 
  private:
-  /// The largest number whose sums and products by a shift neither overflow nor lose bits in
-  /// Dekker's splitting: n A is below 2^1055.
-  static constexpr double largest_summed = 0x1p900;
-
   /// Brings differences and radii that exceed this bound to where their squares can be scaled.
   static constexpr double scale_of_large = 0x1p-128;
 

@@ -1,14 +1,13 @@
 #include "engine/layers/coarse_in_layers.hpp"
 
+#include "engine/layers/layer_units.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace abut::engine {
 namespace {
-
-/// Sizes and positions beyond have squares that single precision does not hold.
-constexpr double most_units = 0x1p60;
 
 /// More than what rounds a reach and a position.
 constexpr double roundings = 0x1p-18;

@@ -17,9 +17,6 @@ constexpr int most_halvings = 2;
 /// Cells that are wider than the reach by more than this have half as many columns.
 constexpr double wide_cell = 1.5;
 
-/// Radii and margins beyond have squares that single precision does not hold.
-constexpr float most_units = 0x1p60f;
-
 /// Elements of a strip in 2D, at most, which is sorted within the nearest caches; the same of up to
 /// four long rows, for a table has two rows besides; and strips, at least, that workers may share
 /// out, if these have so many elements.

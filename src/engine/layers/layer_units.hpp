@@ -7,6 +7,9 @@
 
 namespace abut::engine {
 
+/// Sizes, margins and positions beyond, in units, have squares that single precision does not hold.
+inline constexpr float most_units = 0x1p60f;
+
 /// A cell has 2^cell_shift units, and the largest reach less than 2^reach_bits, where this bounds
 /// errors.
 struct LayerUnits {

@@ -2,7 +2,15 @@
 
 #include "base/host_device.hpp"
 
+#include <limits>
+
 namespace abut::exact {
+
+inline constexpr double largest_double = std::numeric_limits<double>::max();
+
+/// The largest number that neither overflows nor loses bits where it is split for an exact product
+/// with an integer of 32 bits, nor in a sum of such products.
+inline constexpr double largest_summed = 0x1p900;
 
 /// high + low, exactly.
 struct DoubleDouble {

@@ -9,9 +9,15 @@ enum class Way : std::uint8_t { usual, for_more, in_blocks, with_care };
 template <class Search>
 constexpr bool takes_all = fit_one_vector<Search::runs> && !Search::some_have_hits;
 /// The same of two vectors, where many elements have too many candidates for one. Otherwise each
-/// run has its own. Both are as wide as vectors can be.
+/// run has its own.
 template <class Search>
 constexpr bool takes_halves = Search::runs == 5 && takes_all<Search>;
+
+/// Tells whether they do on this processor: wide vectors must be computed at once.
+template <class Search>
+[[nodiscard]] HWY_INLINE bool shares_all(WideVectors wide) {
+  return takes_all<Search> && (!takes_halves<Search> || wide == WideVectors::whole);
+}
 
 /// Runs of an element that was tested by itself.
 struct ElementRuns {
@@ -23,10 +29,9 @@ struct ElementRuns {
 /// The elements of a batch by what they are like.
 template <class Search>
 struct BatchCounts {
-  HWY_INLINE explicit BatchCounts(WideVectors wide)
-      : shares_wide(takes_halves<Search> && wide == WideVectors::whole) {}
+  HWY_INLINE explicit BatchCounts(bool shares) : shares_vectors(shares) {}
 
-  bool shares_wide;                    ///< runs share vectors of sixteen lanes
+  bool shares_vectors;                 ///< whether all runs of an element share one, or two
   std::uint32_t crowded = 0;           ///< those that the usual vectors do not hold
   std::uint32_t crowded_for_more = 0;  ///< those that vectors for more do not, where that is known
   std::uint32_t with_care = 0;         ///< those that no way but the last one settles
@@ -40,10 +45,10 @@ struct BatchCounts {
 
   /// Adds so many elements with single runs of these sizes.
   HWY_INLINE void add(const VectorSizes& singles, std::uint32_t elements = 1) {
-    const bool shares_one = shares_wide || (takes_all<Search> && !takes_halves<Search>);
-    const bool is_usual =
-        shares_one ? singles.total() <= AllRuns<Search::runs>::capacity : singles.fit_if_joined();
-    const bool fits_more = shares_wide ? singles.fit_halves() : singles.fit();
+    const bool is_usual = shares_vectors ? singles.total() <= AllRuns<Search::runs>::capacity
+                                         : singles.fit_if_joined();
+    const bool fits_more =
+        takes_halves<Search> && shares_vectors ? singles.fit_halves() : singles.fit();
     crowded += is_usual ? 0 : elements;
     crowded_for_more += fits_more ? 0 : elements;
   }

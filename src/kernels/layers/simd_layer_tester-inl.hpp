@@ -11,7 +11,7 @@ class SimdLayerTester {
         job_(job),
         hits_(layers, job),
         careful_(layers, hits_),
-        shares_wide_(job.wide_vectors == WideVectors::whole),
+        shares_all_(shares_all<Search>(job.wide_vectors)),
         has_few_hits_(job.has_few_hits) {
     if (!Search::some_have_hits) way_ = Way{job.way};
   }
@@ -51,8 +51,7 @@ class SimdLayerTester {
   HWY_INLINE void test_batch(const Elements& elements) {
     if (HWY_UNLIKELY(way_ != Way::usual)) return test_crowded_batch(elements);
     if constexpr (takes_all<Search>) {
-      const bool has_such = !takes_halves<Search> || shares_wide_;
-      if (has_such && (!has_few_hits_ || was_crowded_)) {
+      if (shares_all_ && (!has_few_hits_ || was_crowded_)) {
         return test_batch_of_all<AllRuns<Search::runs>>(elements);
       }
     }
@@ -65,7 +64,7 @@ class SimdLayerTester {
       if (way_ == Way::in_blocks) return test_batch_in_blocks(elements);
     }
     if constexpr (takes_halves<Search>) {
-      if (shares_wide_) return test_batch_of_all<FirstHalf, SecondHalf>(elements);
+      if (shares_all_) return test_batch_of_all<FirstHalf, SecondHalf>(elements);
     }
     test_batch_by_list<Filling::single>(elements);
   }
@@ -73,7 +72,7 @@ class SimdLayerTester {
   /// Writes hits as soon as all vectors of an element have been tested.
   template <class... Vectors>
   HWY_INLINE void test_batch_of_all(const Elements& elements) {
-    Counts counts(job_.wide_vectors);
+    Counts counts(shares_all_);
     std::uint64_t tests = 0;
     const std::size_t before = hits_.found();
     std::size_t found = before;
@@ -129,7 +128,7 @@ class SimdLayerTester {
   /// writes these.
   template <Filling filling, class NumbersOfList>
   HWY_NOINLINE void test_batch_with_numbers(const Elements& elements) {
-    Counts counts(job_.wide_vectors);
+    Counts counts(shares_all_);
     NumbersOfList kept;
     HitBits hits[batch_size];
     std::uint32_t with_hits[batch_size + 1];
@@ -205,7 +204,7 @@ class SimdLayerTester {
 
   /// The elements of a batch most of which need care, as on a lattice or in a crowd.
   HWY_NOINLINE void test_batch_with_care(const Elements& elements) {
-    Counts counts(job_.wide_vectors);
+    Counts counts(shares_all_);
     for (std::uint32_t k = 0; k < elements.size(); ++k) {
       const ElementRuns its = test_runs_of(elements, k);
       counts.add(its);
@@ -216,7 +215,7 @@ class SimdLayerTester {
 
   /// The elements of a batch most of which are in crowds.
   HWY_NOINLINE void test_batch_in_blocks(const Elements& elements) {
-    Counts counts(job_.wide_vectors);
+    Counts counts(shares_all_);
     CrowdTester<Search>(layers_, hits_, careful_).test(elements, counts);
     expect(counts, elements);
   }
@@ -247,7 +246,7 @@ class SimdLayerTester {
   SearchJob& job_;
   LayerHits hits_;
   CarefulTester<Search> careful_;
-  bool shares_wide_;  ///< runs share vectors of sixteen lanes, where there are some
+  const bool shares_all_;  ///< all runs of an element share a vector, or two
   Way way_ = Way::usual;
   bool has_many_undecided_ = false;
   bool has_few_hits_;

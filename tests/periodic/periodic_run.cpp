@@ -2,6 +2,7 @@
 
 #include "elements/lattice_of.hpp"
 #include "periodic/periodic_rows.hpp"
+#include "support/box_oracle.hpp"
 
 #include <abut/detect.hpp>
 
@@ -52,17 +53,17 @@ class KeptImagePairs final : public base::PairSink {
   std::map<std::uint64_t, std::vector<FoundPair>> by_unit_;
 };
 
-/// Runs `search` with all that a search needs.
+/// Runs `search` with all that a search needs, of spheres with these bounds, or of boxes.
 template <int Dim, class Search>
-std::optional<PeriodicRun> run(const SpheresInDomain<Dim>& system,
+std::optional<PeriodicRun> run(const Domain& domain, const Boxes<Dim>& boxes,
+                               const grid::Bounds<Dim>& bounds,
                                const engine::RowsSettings& settings, const Search& search) {
-  const grid::Bounds<Dim> bounds = bounds_of<Dim>(system.spheres);
-  const exact::Lattice lattice = elements::lattice_of(system.domain);
+  const exact::Lattice lattice = elements::lattice_of(domain);
   base::DetectionContext context;
   engine::Workspace<Dim> workspace(context.memory);
   periodic::PeriodicWorkspace<Dim> own(context.memory);
   KeptImagePairs sink;
-  if (!search(periodic::PeriodicInput<Dim>{{}, bounds, lattice, settings}, workspace, own, sink,
+  if (!search(periodic::PeriodicInput<Dim>{boxes, bounds, lattice, settings}, workspace, own, sink,
               context)) {
     return std::nullopt;
   }
@@ -76,27 +77,55 @@ std::optional<PeriodicRun> run(const SpheresInDomain<Dim>& system,
                      workspace.layer_crowds.layers().size()};
 }
 
+/// Of spheres with these bounds, or of boxes for which they stand.
+template <int Dim>
+std::optional<PeriodicRun> run_packed(const Domain& domain, const Boxes<Dim>& boxes,
+                                      const Spheres<Dim>& spheres, const grid::Bounds<Dim>& bounds,
+                                      const engine::RowsSettings& settings) {
+  return run(domain, boxes, bounds, settings,
+             [&](const auto& input, auto& workspace, auto& own, auto& sink, auto& context) {
+               auto packed = array_of(spheres, context.memory);
+               return periodic::periodic_rows<Dim>(packed, input, workspace, own, sink, context);
+             });
+}
+
+std::vector<FoundPair> checked_directly(const ElementView& view, const Domain& domain,
+                                        double margin) {
+  const PairList list = find_contact_pairs(
+      view, domain,
+      {.algorithm = Algorithm::direct_check, .shifts = Shifts::stored, .margin = margin});
+  std::vector<FoundPair> pairs;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    pairs.push_back(canonical(list[k].first, list[k].second, list.shifts()[k]));
+  }
+  return in_order(std::move(pairs));
+}
+
 }  // namespace
 
 template <int Dim>
 std::optional<PeriodicRun> run_periodic(const SpheresInDomain<Dim>& system,
                                         const engine::RowsSettings& settings) {
-  return run(system, settings,
-             [&](const auto& input, auto& workspace, auto& own, auto& sink, auto& context) {
-               auto packed = array_of(system.spheres, context.memory);
-               return periodic::periodic_rows<Dim>(packed, input, workspace, own, sink, context);
-             });
+  return run_packed<Dim>(system.domain, {}, system.spheres, bounds_of<Dim>(system.spheres),
+                         settings);
+}
+
+template <int Dim>
+std::optional<PeriodicRun> run_periodic(const BoxesInDomain<Dim>& system,
+                                        const engine::RowsSettings& settings) {
+  return run_packed<Dim>(system.domain, system.boxes, stand_ins<Dim>(system.boxes),
+                         bounds_of_boxes<Dim>(system.boxes), settings);
 }
 
 template <int Dim>
 std::optional<PeriodicRun> run_periodic_in_place(const SpheresInDomain<Dim>& system,
                                                  const engine::RowsSettings& settings) {
-  return run(system, settings,
-             [&](const auto& input, auto& workspace, auto& own, auto& sink, auto& context) {
-               const auto columns = kernels::strided_spheres(std::span(system.spheres));
-               return periodic::periodic_rows_in_place<Dim>(columns, input, workspace, own, sink,
-                                                            context);
-             });
+  return run<Dim>(system.domain, {}, bounds_of<Dim>(system.spheres), settings,
+                  [&](const auto& input, auto& workspace, auto& own, auto& sink, auto& context) {
+                    const auto columns = kernels::strided_spheres(std::span(system.spheres));
+                    return periodic::periodic_rows_in_place<Dim>(columns, input, workspace, own,
+                                                                 sink, context);
+                  });
 }
 
 std::vector<FoundPair> in_order(std::vector<FoundPair> pairs) {
@@ -114,14 +143,20 @@ std::vector<FoundPair> checked_directly(const SpheresInDomain<Dim>& system) {
   }
   const auto& [x, y, z] = columns;
   const ElementView view = Dim == 2 ? discs(x, y, radii) : spheres(x, y, z, radii);
-  const PairList list = find_contact_pairs(
-      view, system.domain,
-      {.algorithm = Algorithm::direct_check, .shifts = Shifts::stored, .margin = system.margin});
-  std::vector<FoundPair> pairs;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    pairs.push_back(canonical(list[k].first, list[k].second, list.shifts()[k]));
+  return checked_directly(view, system.domain, system.margin);
+}
+
+template <int Dim>
+std::vector<FoundPair> checked_directly(const BoxesInDomain<Dim>& system) {
+  scenes::BoxScene scene;
+  scene.dimensions = Dim;
+  for (const exact::Box<Dim>& box : system.boxes) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      scene.lower[axis].push_back(box.lower[axis]);
+      scene.upper[axis].push_back(box.upper[axis]);
+    }
   }
-  return in_order(std::move(pairs));
+  return checked_directly(view_of(scene), system.domain, system.margin);
 }
 
 template std::optional<PeriodicRun> run_periodic(const SpheresInDomain<2>&,
@@ -132,6 +167,12 @@ template std::optional<PeriodicRun> run_periodic_in_place(const SpheresInDomain<
                                                           const engine::RowsSettings&);
 template std::optional<PeriodicRun> run_periodic_in_place(const SpheresInDomain<3>&,
                                                           const engine::RowsSettings&);
+template std::optional<PeriodicRun> run_periodic(const BoxesInDomain<2>&,
+                                                 const engine::RowsSettings&);
+template std::optional<PeriodicRun> run_periodic(const BoxesInDomain<3>&,
+                                                 const engine::RowsSettings&);
+template std::vector<FoundPair> checked_directly(const BoxesInDomain<2>&);
+template std::vector<FoundPair> checked_directly(const BoxesInDomain<3>&);
 template std::vector<FoundPair> checked_directly(const SpheresInDomain<2>&);
 template std::vector<FoundPair> checked_directly(const SpheresInDomain<3>&);
 

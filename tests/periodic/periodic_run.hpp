@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/layers/layer_box_run.hpp"
 #include "engine/random_spheres.hpp"
 #include "engine/rows.hpp"
 #include "periodic/periodic_search.hpp"
@@ -23,6 +24,13 @@ struct SpheresInDomain {
   double margin = 0.0;
 };
 
+template <int Dim>
+struct BoxesInDomain {
+  Boxes<Dim> boxes;
+  Domain domain = Domain::open();
+  double margin = 0.0;
+};
+
 /// What came of a search of locals and ghosts.
 struct PeriodicRun {
   std::vector<FoundPair> pairs;  ///< as found
@@ -39,6 +47,9 @@ struct PeriodicRun {
 template <int Dim>
 [[nodiscard]] std::optional<PeriodicRun> run_periodic(const SpheresInDomain<Dim>& system,
                                                       const engine::RowsSettings& settings);
+template <int Dim>
+[[nodiscard]] std::optional<PeriodicRun> run_periodic(const BoxesInDomain<Dim>& system,
+                                                      const engine::RowsSettings& settings);
 
 /// The same where the spheres lie. Nothing is returned where they must be packed as well.
 template <int Dim>
@@ -51,5 +62,7 @@ template <int Dim>
 /// The pairs of direct_check, which looks at each pair and image apart, in canonical order.
 template <int Dim>
 [[nodiscard]] std::vector<FoundPair> checked_directly(const SpheresInDomain<Dim>& system);
+template <int Dim>
+[[nodiscard]] std::vector<FoundPair> checked_directly(const BoxesInDomain<Dim>& system);
 
 }  // namespace abut::testing

@@ -1,5 +1,7 @@
 #include "engine/tile_cells.hpp"
 
+#include "kernels/search_job.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +12,11 @@ namespace {
 /// Most cells for each element; with more, too many are empty.
 constexpr double most_cells_per_element = 1.0;
 
+/// Rows, at most, for each element, beside those of a small tile: each has its padding, and in a
+/// tile that is thin along the rows, as many as there are cells.
+constexpr double most_rows_per_element = 1.0 / kernels::row_padding;
+constexpr double rows_of_small_tile = 512.0;
+
 /// Positions are known to 2^-23 of a tile; a cell is to be known to 2^-10 of itself.
 constexpr double most_cells_per_axis = 1 << 10;
 
@@ -18,6 +25,11 @@ double product(const std::array<double, Dim>& counts) {
   double result = 1.0;
   for (const double count : counts) result *= count;
   return result;
+}
+
+template <int Dim>
+double rows_of(const std::array<double, Dim>& counts) {
+  return product<Dim>(counts) / counts[0];
 }
 
 }  // namespace
@@ -32,8 +44,11 @@ TileCells<Dim> choose_tile_cells(const TileGrid<Dim>& grid, double unit,
     finest[axis] = std::max(1.0, std::floor(grid.size[axis] / grid.cell_size));
     count[axis] = std::min(finest[axis], most_cells_per_axis);
   }
-  const double affordable = most_cells_per_element * static_cast<double>(element_count) + 8.0;
-  for (double scale = 1.0; product<Dim>(count) > affordable; scale *= 0.9375) {
+  const auto elements = static_cast<double>(element_count);
+  const double most_cells = most_cells_per_element * elements + 8.0;
+  const double most_rows = most_rows_per_element * elements + rows_of_small_tile;
+  for (double scale = 1.0; product<Dim>(count) > most_cells || rows_of<Dim>(count) > most_rows;
+       scale *= 0.9375) {
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       count[axis] = std::clamp(std::floor(std::min(finest[axis], most_cells_per_axis) * scale), 1.0,
                                most_cells_per_axis);

@@ -11,10 +11,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace abut::testing {
 namespace {
@@ -78,6 +80,31 @@ TEST_P(RowsMemoryOfScales, KeepsTheLaw) {
             view_of(scene), Domain::open(), {.algorithm = Algorithm::rows, .threads = threads});
         EXPECT_LE(statistics.working_bytes, allowed_bytes(scene, threads))
             << decades << " decades, " << count << " elements, " << threads << " threads";
+      }
+    }
+  }
+}
+
+/// Some of the elements far away along an axis: tiles around either half are thin along it.
+scenes::Scene in_two_places(scenes::Scene scene, std::size_t axis) {
+  std::vector<double>& along = *std::array{&scene.x, &scene.y, &scene.z}[axis];
+  const auto [least, most] = std::minmax_element(along.begin(), along.end());
+  const double apart = 1.3 * std::max(-*least, *most);
+  for (std::size_t k = 1; k < scene.size(); k += 2) along[k] += apart;
+  return scene;
+}
+
+TEST_P(RowsMemoryOfScales, SideBySideKeepTheLaw) {
+  const auto [directions, radii, ratio] = GetParam();
+  for (const std::size_t count : {5000U, 30000U}) {
+    for (const std::size_t axis : {0U, 1U}) {
+      const scenes::Scene scene =
+          in_two_places(scenes::spheres_of_scales({directions, radii, ratio}, 200.0, count), axis);
+      for (const int threads : {1, 2}) {
+        const Statistics statistics = count_contact_pairs(
+            view_of(scene), Domain::open(), {.algorithm = Algorithm::rows, .threads = threads});
+        EXPECT_LE(statistics.working_bytes, allowed_bytes(scene, threads))
+            << count << " elements, axis " << axis << ", " << threads << " threads";
       }
     }
   }

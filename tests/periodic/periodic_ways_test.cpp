@@ -110,6 +110,8 @@ void check(const System& system, InObliqueCell oblique, Shown& shown) {
     engine::RowsSettings settings{system.margin, 1, Simd::scalar, ways[way].limits};
     settings.layers.least_elements_in_oblique_cell =
         oblique == InObliqueCell::stay ? 0 : std::numeric_limits<std::size_t>::max();
+    settings.wide_vectors = oblique == InObliqueCell::stay ? kernels::WideVectors::whole
+                                                           : kernels::WideVectors::in_halves;
     const auto first = run_periodic(system, settings);
     if (!first) return;  // the reach is too long for any of them
     const std::vector<FoundPair> found = in_order(first->pairs);
@@ -119,8 +121,6 @@ void check(const System& system, InObliqueCell oblique, Shown& shown) {
     for (const Simd level : simd_levels_here()) {
       settings.simd = level;
       settings.workers = settings.workers == 1 ? 3 : 1;
-      settings.wide_vectors =
-          settings.workers == 1 ? kernels::WideVectors::whole : kernels::WideVectors::in_halves;
       SCOPED_TRACE(std::string(name_of(level)) + ", " + std::to_string(settings.workers) +
                    " workers");
       expect_same(*first, run_periodic(system, settings).value());

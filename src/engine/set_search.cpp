@@ -30,7 +30,6 @@ constexpr double least_cells_of_thirds = 12.0;
 /// finer cells will be empty; above, the tile becomes a search set of its own.
 constexpr std::uint64_t least_mean_occupancy = 4;
 constexpr std::uint64_t most_mean_occupancy = 60;
-constexpr std::size_t cells_of_cluster = 8;
 
 /// Search sets in a tile that are worth all workers' time.
 constexpr std::size_t large_set = 1 << 15;
@@ -279,7 +278,7 @@ void SetSearch<Dim>::search_tile(const SearchSet<Dim>& set, const TileGrid<Dim>&
   base::WorkCounter& work = at.worker->work();
   sorted.count(records, own, cells, input_->element_kernels, work);
   if (cells.coarse && is_clustered(sorted)) {
-    cells = choose_tile_cells(grid, tiles.unit(), cells_of_cluster * records.size());
+    cells = choose_tile_cells(grid, tiles.unit(), records.size(), cells_of_clustered_tile);
     sorted.count(records, own, cells, input_->element_kernels, work);
   }
   if (records.size() > never_crowded &&

@@ -9,9 +9,6 @@
 namespace abut::engine {
 namespace {
 
-/// Most cells for each element; with more, too many are empty.
-constexpr double most_cells_per_element = 1.0;
-
 /// Rows, at most, for each element, beside those of a small tile: each has its padding, and in a
 /// tile that is thin along the rows, as many as there are cells.
 constexpr double most_rows_per_element = 1.0 / kernels::row_padding;
@@ -35,8 +32,8 @@ double rows_of(const std::array<double, Dim>& counts) {
 }  // namespace
 
 template <int Dim>
-TileCells<Dim> choose_tile_cells(const TileGrid<Dim>& grid, double unit,
-                                 std::size_t element_count) {
+TileCells<Dim> choose_tile_cells(const TileGrid<Dim>& grid, double unit, std::size_t element_count,
+                                 double cells_per_element) {
   TileCells<Dim> cells;
   std::array<double, Dim> finest{};
   std::array<double, Dim> count{};
@@ -45,7 +42,7 @@ TileCells<Dim> choose_tile_cells(const TileGrid<Dim>& grid, double unit,
     count[axis] = std::min(finest[axis], most_cells_per_axis);
   }
   const auto elements = static_cast<double>(element_count);
-  const double most_cells = most_cells_per_element * elements + 8.0;
+  const double most_cells = cells_per_element * elements + 8.0;
   const double most_rows = most_rows_per_element * elements + rows_of_small_tile;
   for (double scale = 1.0; product<Dim>(count) > most_cells || rows_of<Dim>(count) > most_rows;
        scale *= 0.9375) {
@@ -65,7 +62,7 @@ TileCells<Dim> choose_tile_cells(const TileGrid<Dim>& grid, double unit,
   return cells;
 }
 
-template TileCells<2> choose_tile_cells(const TileGrid<2>&, double, std::size_t);
-template TileCells<3> choose_tile_cells(const TileGrid<3>&, double, std::size_t);
+template TileCells<2> choose_tile_cells(const TileGrid<2>&, double, std::size_t, double);
+template TileCells<3> choose_tile_cells(const TileGrid<3>&, double, std::size_t, double);
 
 }  // namespace abut::engine

@@ -35,9 +35,16 @@ struct TileCells {
   }
 };
 
-/// Chooses cells that are as small as the reach allows, but not many more than there are elements.
+/// Most cells for each element of a tile: with more, too many are empty. Where elements lie in
+/// clusters, most cells are empty anyway.
+inline constexpr double cells_of_even_tile = 1.0;
+inline constexpr double cells_of_clustered_tile = 8.0;
+
+/// Chooses cells that are as small as the reach allows, but not many more than `cells_per_element`
+/// of them.
 template <int Dim>
 [[nodiscard]] TileCells<Dim> choose_tile_cells(const TileGrid<Dim>& grid, double unit,
-                                               std::size_t element_count);
+                                               std::size_t element_count,
+                                               double cells_per_element = cells_of_even_tile);
 
 }  // namespace abut::engine

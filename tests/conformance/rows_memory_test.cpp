@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -155,6 +157,40 @@ TEST(RowsMemory, AListIsWrittenWhenTheSearchIsGone) {
       EXPECT_LE(statistics.peak_bytes,
                 pairs + chunk_bytes + (order == Order::as_found ? at_once : ordered))
           << static_cast<int>(order) << quantities.empty();
+    }
+  }
+}
+
+/// Clusters of as many spheres each, in the middle plane of a plate that is one cell thick.
+scenes::Scene plate_of_clusters(std::size_t count, std::size_t in_each, double cells_of_each) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> within(0.0, 1.0);
+  const double width =
+      std::sqrt(static_cast<double>(count) / static_cast<double>(in_each) * cells_of_each);
+  std::array<double, 3> middle{};
+  scenes::Scene scene;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k % in_each == 0) middle = {0.0, width * within(random), width * within(random)};
+    scene.x.push_back(middle[0] + within(random));
+    scene.y.push_back(middle[1] + within(random));
+    scene.z.push_back(middle[2] + within(random));
+    scene.radius.push_back(0.5);
+  }
+  return scene;
+}
+
+/// Tiles of clusters have more cells than even ones, but no more rows, of which each has padding.
+TEST(RowsMemory, PlatesOfClustersKeepTheLaw) {
+  for (const std::size_t count : {500U, 1900U, 5000U}) {
+    for (const std::size_t in_each : {5U, 12U, 40U}) {
+      for (const double cells_of_each : {10.0, 100.0, 1000.0, 10000.0}) {
+        const scenes::Scene scene = plate_of_clusters(count, in_each, cells_of_each);
+        const Statistics statistics = count_contact_pairs(
+            view_of(scene), Domain::open(), {.algorithm = Algorithm::rows, .threads = 1});
+        EXPECT_LE(statistics.working_bytes, allowed_bytes(scene, 1))
+            << count << " elements, " << in_each << " in each cluster, " << cells_of_each
+            << " cells for each";
+      }
     }
   }
 }

@@ -26,8 +26,8 @@ engine::TileGrid<Dim> one_tile(const std::array<double, 3>& sides) {
   return grid;
 }
 
-/// No cell is narrower than the reach; not many more cells than elements; coarse only if the reach
-/// would allow more.
+/// No cell is narrower than the reach; not many more cells than wanted; a row for eight elements
+/// but in small tiles; coarse only if the reach would allow more.
 TYPED_TEST(TileCellsOf, AreNeitherTooSmallNorTooMany) {
   Random random(8);
   for (int k = 0; k < 5000; ++k) {
@@ -37,7 +37,8 @@ TYPED_TEST(TileCellsOf, AreNeitherTooSmallNorTooMany) {
     const auto grid = one_tile<TypeParam::value>(sides);
     const double unit = 0x1p-24;
     const std::size_t elements = random.below(5000);
-    const auto cells = engine::choose_tile_cells(grid, unit, elements);
+    const double wanted = k % 2 == 0 ? engine::cells_of_even_tile : engine::cells_of_clustered_tile;
+    const auto cells = engine::choose_tile_cells(grid, unit, elements, wanted);
     double total = 1.0;
     double finest = 1.0;
     for (std::size_t axis = 0; axis < TypeParam::value; ++axis) {
@@ -52,7 +53,8 @@ TYPED_TEST(TileCellsOf, AreNeitherTooSmallNorTooMany) {
                 static_cast<float>(cells.count[axis]))
           << "the upper face of the tile lies behind its last cell";
     }
-    EXPECT_LE(total, 2.0 * static_cast<double>(elements) + 8.0);
+    EXPECT_LE(total, wanted * static_cast<double>(elements) + 8.0);
+    EXPECT_LE(total / cells.count[0], static_cast<double>(elements) / 8.0 + 512.0);
     EXPECT_EQ(cells.coarse, total < finest);
   }
 }

@@ -24,7 +24,7 @@ struct AlgorithmInfo {
   std::string_view name;        ///< as written on the command line
   std::string_view idea;        ///< one line
   std::string_view time;        ///< cost law
-  std::string_view memory;      ///< law of its own arrays, in integers
+  std::string_view memory;      ///< law of its own arrays in open space, in integers
   std::string_view book_pages;  ///< Munjiza, The Combined Finite-Discrete Element Method, 2004
   int min_dimensions = 2;       ///< fewest dimensions of its elements
   int max_dimensions = 3;       ///< most dimensions of its elements

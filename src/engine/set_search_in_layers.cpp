@@ -245,11 +245,7 @@ void SetSearch<Dim>::search_crowds(const SearchSet<Dim>& set, const LayerGrid<Di
   workspace_.last.most_in_layers = std::max(workspace_.last.most_in_layers, set.locals.size());
   LayerSearch<Dim> search(*input_, workspace_, worker_count_, context_);
   CrowdSearch<Dim> crowds(*input_, workspace_, worker_count_, context_);
-  const PartNumbers& part = input_->part;
-  const bool may_be_narrower = layers.has_wide_cells() && layers.cell() <= part.widest_cell();
-  if (may_be_narrower && part.free_mark() != 0) {
-    search.leave_crowds_to(crowds);
-  }
+  if (input_->part.may_have_parts(layers)) search.leave_crowds_to(crowds);
   next_unit_ = search.search(set, layers, next_unit_);
 }
 

@@ -22,10 +22,12 @@ struct WrapSettings {
   Shape shape = Shape::sphere;  ///< says what errors call a position
   double given_unit = 1.0;      ///< what the caller's positions were multiplied by
   double result_unit = 1.0;     ///< what is moved is multiplied by, a power of two of 1 at most
+  double start = 0.0;           ///< of the cell along each side, in sides: -1/2 around the origin
 };
 
-/// Moves elements into the orthogonal cell at the origin, 0 <= coordinate < 1 but for the rounding
-/// of the coordinate, along some of its sides. Along the others they move by the offsets of these.
+/// Moves elements into the orthogonal cell at the origin, 0 <= coordinate < 1 (or from another
+/// start on) but for the rounding of the coordinate, along some of its sides. Along the others they
+/// move by the offsets of these.
 template <int Dim>
 class Wrapper {
  public:
@@ -91,7 +93,7 @@ class Wrapper {
       if (!along_[k]) continue;
       double place = orthogonal_cell_.coordinate(k, position) * times;
       for (std::size_t l = 0; l < k; ++l) place -= cells[l] * orthogonal_cell_.offset[l][k];
-      cells[k] = std::floor(place);
+      cells[k] = std::floor(place - settings_.start);
     }
     return cells;
   }

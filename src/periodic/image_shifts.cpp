@@ -76,6 +76,17 @@ lattice::ImageNumbers Images<Dim>::numbers_between(std::size_t i, std::size_t j,
 }
 
 template <int Dim>
+lattice::ImageNumbers Images<Dim>::numbers_from_given(const Ghost& image) const {
+  lattice::ImageNumbers numbers{};
+  for (std::size_t k = 0; k < lattice_->count; ++k) {
+    std::int64_t& number = numbers[vector_of_[k]];
+    number = image.image[k];
+    if (moved_any_) number -= cells_moved_[image.element][k];
+  }
+  return numbers;
+}
+
+template <int Dim>
 ImageShift Images<Dim>::shift_between(std::size_t i, std::size_t j,
                                       const std::array<std::int32_t, 3>& image) const {
   if (const auto shift = lattice_->shift_of(numbers_between(i, j, image))) return *shift;
@@ -86,12 +97,14 @@ template void Images<2>::note_shifts(const lattice::CellSides<2>&, const Window&
 template void Images<2>::shifts_between(std::span<const ContactPair>, std::span<ImageShift>) const;
 template lattice::ImageNumbers Images<2>::numbers_between(std::size_t, std::size_t,
                                                           const std::array<std::int32_t, 3>&) const;
+template lattice::ImageNumbers Images<2>::numbers_from_given(const Ghost&) const;
 template ImageShift Images<2>::shift_between(std::size_t, std::size_t,
                                              const std::array<std::int32_t, 3>&) const;
 template void Images<3>::note_shifts(const lattice::CellSides<3>&, const Window&);
 template void Images<3>::shifts_between(std::span<const ContactPair>, std::span<ImageShift>) const;
 template lattice::ImageNumbers Images<3>::numbers_between(std::size_t, std::size_t,
                                                           const std::array<std::int32_t, 3>&) const;
+template lattice::ImageNumbers Images<3>::numbers_from_given(const Ghost&) const;
 template ImageShift Images<3>::shift_between(std::size_t, std::size_t,
                                              const std::array<std::int32_t, 3>&) const;
 

@@ -76,9 +76,8 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
   take(orthogonal_cell, extent_in(orthogonal_cell, settings));
   const lattice::Reaches reaches{bounds_.largest_radius, settings.margin, settings.shape};
   const Windows windows(lattice, orthogonal_cell, extent_, reaches, settings.size_cut, 1.0);
-  if (!lattice::is_in_range(orthogonal_cell, extent_, windows.of_large)) {
-    check_range(given, settings);
-  }
+  const bool is_in_range = lattice::is_in_range(orthogonal_cell, extent_, windows.of_large);
+  if (!is_in_range) check_range(given, settings);
   const Along along = lattice::sides_to_wrap<Dim>(orthogonal_cell, extent_, windows.of_large);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
@@ -94,7 +93,9 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
                         1.0);
     if (wrap_fast_if_near(wrap_estimate, {orthogonal_cell, after, along, true}, settings)) return;
   }
-  wrap_exactly(orthogonal_cell, along, settings.workers);
+  // What lies around the origin is known best, and stays together there.
+  const bool stays_together = is_in_range && !is_covered_by_cells(slack_, settings.margin);
+  wrap_exactly(orthogonal_cell, along, stays_together ? -0.5 : 0.0, settings.workers);
   const lattice::OrthogonalCell<Dim> scaled_orthogonal_cell(lattice, unit_);
   const lattice::Reaches scaled{reaches.largest_radius * unit_, settings.margin * unit_,
                                 settings.shape};
@@ -198,6 +199,18 @@ lattice::CellExtent<Dim> Images<Dim>::extent_in(const lattice::CellSides<Dim>& c
   return extent;
 }
 
+template <int Dim>
+bool Images<Dim>::turn_towards_origin(lattice::ReducedLattice<Dim>& lattice) const {
+  constexpr double clearly = 0.5;  // in sides: of a cell around the origin either is as good
+  bool turned = false;
+  for (std::size_t k = 0; k < lattice.count; ++k) {
+    if (extent_.lower[k] + extent_.upper[k] <= clearly) continue;
+    lattice.turn(vector_of_[k]);
+    turned = true;
+  }
+  return turned;
+}
+
 /// Looks at each element, since bounds do not tell whether all are in range.
 template <int Dim>
 void Images<Dim>::check_range(const GhostArray& given, const ImageSettings& settings) {
@@ -237,9 +250,10 @@ bool Images<Dim>::wrap_fast_if_near(const WrapEstimate<Dim>& wrap_estimate, cons
 
 template <int Dim>
 void Images<Dim>::wrap_exactly(const lattice::OrthogonalCell<Dim>& orthogonal_cell,
-                               const Along& along, std::size_t workers) {
+                               const Along& along, double start, std::size_t workers) {
   lattice::WrapSettings wrap_settings;
   wrap_settings.result_unit = unit_;
+  wrap_settings.start = start;
   const lattice::Wrapper<Dim> wrapper(*lattice_, orthogonal_cell, along, wrap_settings);
   cells_moved_.make_room(given_.size, false);
   const lattice::OrthogonalCell<Dim> scaled_orthogonal_cell(*lattice_, unit_);

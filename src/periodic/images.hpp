@@ -113,6 +113,24 @@ class Images {
   /// True if some locals are not where their elements are given.
   [[nodiscard]] bool moved_any() const noexcept { return moved_any_; }
 
+  /// True if local or ghost k is where its element is given.
+  [[nodiscard]] bool is_as_given(std::size_t k) const noexcept {
+    return k < locals_.size && (!moved_any_ || cells_moved_[k] == lattice::CellsMoved{});
+  }
+
+  /// True if the slack makes cells more than twice as wide as the smallest elements ask for;
+  /// elements without any size ask for none.
+  [[nodiscard]] bool are_coarse(double margin) const noexcept {
+    const double smallest = bounds_.smallest_radius;
+    const double least =
+        smallest > 0.0 ? 2.0 * smallest : bounds_.largest_radius + bounds_.second_largest_radius;
+    return least_cell() > 2.0 * (least + margin * unit());
+  }
+
+  /// Turns the vectors of sides along which images lie farther from the origin than their elements.
+  /// Returns whether there are any; the images must be found again then.
+  bool turn_towards_origin(lattice::ReducedLattice<Dim>& lattice) const;
+
   /// True if no shift can exceed 2^31 - 1, so that shift_between never throws.
   [[nodiscard]] bool shifts_always_fit() const noexcept { return shifts_always_fit_; }
 
@@ -139,6 +157,9 @@ class Images {
   /// Returns the shift in terms of the reduced lattice, of any size.
   [[nodiscard]] lattice::ImageNumbers numbers_between(
       std::size_t i, std::size_t j, const std::array<std::int32_t, 3>& image) const;
+
+  /// Returns how many vectors of the reduced lattice lead from an element as given to its image.
+  [[nodiscard]] lattice::ImageNumbers numbers_from_given(const Ghost& image) const;
 
   /// Times given_unit(), as the elements that were given to `find`.
   [[nodiscard]] const lattice::ReducedLattice<Dim>& reduced_lattice() const noexcept {
@@ -191,7 +212,7 @@ class Images {
   bool wrap_fast_if_near(const WrapEstimate<Dim>& wrap_estimate, const Plan& plan,
                          const ImageSettings& settings);
   void wrap_exactly(const lattice::OrthogonalCell<Dim>& orthogonal_cell, const Along& along,
-                    std::size_t workers);
+                    double start, std::size_t workers);
   void add_ghosts(const GhostArray& array, const Plan& plan, const ImageSettings& settings);
   void join_boxes(std::size_t workers);
   void join_ghosts(std::size_t workers);

@@ -19,6 +19,10 @@
 
 namespace abut::periodic {
 
+/// What becomes of pairs of which an element was moved: they are decided, or kept for the one who
+/// decides all that is found of them (DecidingSink).
+enum class MovedPairs : std::uint8_t { decided, kept };
+
 /// Numbers from the count of locals on are those of ghosts. Two ghosts are no pair. Where no sphere
 /// was moved, pairs of two locals are decided as in open space.
 template <int Dim>
@@ -29,12 +33,13 @@ class PeriodicDecider final : public engine::ExactDecider {
   /// may be missing where all shifts fit.
   PeriodicDecider(const exact::Elements<Dim>& originals, const kernels::StridedSpheres& spheres,
                   const exact::Lattice& lattice, const Images<Dim>& images, double margin,
-                  kernels::TieKernels kernels)
+                  kernels::TieKernels kernels, MovedPairs moved = MovedPairs::decided)
       : originals_(originals),
         spheres_(spheres),
         lattice_(lattice),
         images_(images),
         margin_(margin),
+        moved_(moved),
         of_locals_(spheres, margin, kernels),
         by_numbers_(originals, lattice, images.reduced_lattice(), images.given_unit(), margin) {}
 
@@ -43,6 +48,7 @@ class PeriodicDecider final : public engine::ExactDecider {
     const std::size_t locals = spheres_.size;
     if (second < first) std::swap(first, second);
     if (first >= locals) return false;
+    if (moved_ == MovedPairs::kept && !are_as_given(first, second)) return true;
     if (second < locals) return within_reach(first, {second, {}}, exact_decisions);
     return within_reach(first, images_.ghosts()[second - locals], exact_decisions);
   }
@@ -85,6 +91,10 @@ class PeriodicDecider final : public engine::ExactDecider {
     }
   }
 
+  [[nodiscard]] bool are_as_given(std::uint32_t first, std::uint32_t second) const {
+    return images_.is_as_given(first) && images_.is_as_given(second);
+  }
+
   [[nodiscard]] bool within_reach(std::uint32_t i, const Ghost& image,
                                   std::uint64_t& exact_decisions) const {
     const auto& [j, cells] = image;
@@ -106,6 +116,7 @@ class PeriodicDecider final : public engine::ExactDecider {
   const exact::Lattice& lattice_;
   const Images<Dim>& images_;
   double margin_;
+  MovedPairs moved_;
   engine::SphereDecider<Dim> of_locals_;
   lattice::ImageDecider<Dim> by_numbers_;
 };

@@ -138,6 +138,13 @@ void find_images(Spheres&& spheres, const grid::Bounds<Dim>& bounds,
   own.images.find(spheres, bounds, reduced, settings);
 }
 
+/// True if images are coarse, and none was moved so far, or is so large, that it cannot be placed
+/// anew.
+template <int Dim>
+bool must_be_grown(const Images<Dim>& images, double margin) {
+  return images.are_coarse(margin) && images.shifts_always_fit() && images.unit() == 1.0;
+}
+
 /// What a search among images is made of, but for the elements themselves.
 template <int Dim>
 struct PeriodicSearch {
@@ -162,27 +169,83 @@ struct PeriodicSearch {
   auto run(const engine::ExactDecider& decider, const engine::GivenSteps& steps,
            Search&& search) const {
     const Images<Dim>& images = own.images;
-    own.image_sink.start_anew(sink, images, kernels::image_kernels(settings.simd));
-    own.image_sink.expect_workers(settings.workers);
+    start_sink();
     const exact::Elements<Dim> moved{images.locals_and_ghosts(), own.moved_boxes};
-    const engine::SearchInput<Dim> input{
-        moved,
-        engine::LayerSpheres<Dim>(
-            {images.locals(), kernels::strided_spheres(images.ghost_spheres())})
-            .standing_for(kernels::strided_boxes<Dim>(own.moved_boxes)),
-        steps,
-        decider,
-        settings.margin * images.unit(),
-        images.least_cell(),
-        kernels::tile_kernels(settings.simd),
-        kernels::element_kernels(settings.simd),
-        kernels::layer_kernels(settings.simd),
-        settings.wide_vectors,
-        settings.layers,
-        own.image_sink,
-        context.progress};
+    const auto spheres = engine::LayerSpheres<Dim>(
+                             {images.locals(), kernels::strided_spheres(images.ghost_spheres())})
+                             .standing_for(kernels::strided_boxes<Dim>(own.moved_boxes));
+    const auto input =
+        input_of(moved, spheres, steps, decider, images.least_cell(), own.image_sink);
     engine::SetSearch<Dim> set_search(input, workspace, settings.workers, context);
     return search(set_search, moved);
+  }
+
+  /// Searches the images that were found of packed elements.
+  void run_packed(const exact::Elements<Dim>& originals, const exact::Lattice& lattice) const {
+    const Images<Dim>& images = own.images;
+    const auto columns = kernels::strided_spheres(originals.spheres);
+    const auto decider_with = [&](MovedPairs moved) {
+      return PeriodicDecider<Dim>(originals, columns, lattice, images, settings.margin,
+                                  kernels::tie_kernels(settings.simd), moved);
+    };
+    const auto decider = decider_with(MovedPairs::decided);
+    own.moved_boxes.clear();
+    if (must_be_grown(images, settings.margin)) {
+      return run_grown(originals, decider_with(MovedPairs::kept), decider);
+    }
+    const bool are_boxes = originals.are_boxes();
+    if (are_boxes) move_boxes<Dim>(originals.boxes, images, settings.workers, own.moved_boxes);
+    const auto steps = are_boxes ? engine::GivenSteps{} : steps_of(columns, images);
+    run(decider, steps, [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
+      periodic::search(set_search, moved, images);
+    });
+  }
+
+  /// Searches the images that were found, each grown by what its own place is off. The search keeps
+  /// pairs of moved elements, which `of_moved` decides.
+  void run_grown(const exact::Elements<Dim>& originals, const engine::ExactDecider& decider,
+                 const engine::ExactDecider& of_moved) const {
+    start_sink();
+    own.deciding_sink.start_anew(own.image_sink, own.images, of_moved);
+    own.deciding_sink.expect_workers(settings.workers);
+    own.grown.place(originals, own.images, settings.workers, context.work);
+    const exact::Elements<Dim> grown = own.grown.elements();
+    const auto spheres = engine::LayerSpheres<Dim>({kernels::strided_spheres(grown.spheres), {}})
+                             .standing_for(kernels::strided_boxes<Dim>(grown.boxes));
+    const auto input = input_of(grown, spheres, {}, decider, 0.0, own.deciding_sink);
+    engine::SetSearch<Dim> set_search(input, workspace, settings.workers, context);
+    engine::SearchSet<Dim> all;
+    all.locals = engine::Numbers(grown.size());
+    all.bounds = own.grown.bounds();
+    set_search.search(all);
+    context.exact_decisions += own.deciding_sink.exact_decisions();
+  }
+
+ private:
+  void start_sink() const {
+    own.image_sink.start_anew(sink, own.images, kernels::image_kernels(settings.simd));
+    own.image_sink.expect_workers(settings.workers);
+  }
+
+  [[nodiscard]] engine::SearchInput<Dim> input_of(const exact::Elements<Dim>& moved,
+                                                  const engine::LayerSpheres<Dim>& spheres,
+                                                  const engine::GivenSteps& steps,
+                                                  const engine::ExactDecider& decider,
+                                                  double least_cell,
+                                                  base::PairSink& searched_into) const {
+    return {moved,
+            spheres,
+            steps,
+            decider,
+            settings.margin * own.images.unit(),
+            least_cell,
+            kernels::tile_kernels(settings.simd),
+            kernels::element_kernels(settings.simd),
+            kernels::layer_kernels(settings.simd),
+            settings.wide_vectors,
+            settings.layers,
+            searched_into,
+            context.progress};
   }
 };
 
@@ -207,19 +270,14 @@ bool periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
     lattice::check_range<Dim>(spheres, reduced, settings.margin, image_settings.shape, unit);
   }
   find_images<Dim>(given.spheres(), given.bounds(), reduced, image_settings, own);
+  if (boxes.empty() && must_be_grown(own.images, settings.margin) &&
+      own.images.turn_towards_origin(reduced)) {
+    spheres.resize(locals);
+    find_images<Dim>(given.spheres(), given.bounds(), reduced, image_settings, own);
+  }
 
-  const Images<Dim>& images = own.images;
-  if (images.reach_is_long()) return false;
-  own.moved_boxes.clear();
-  if (!boxes.empty()) move_boxes<Dim>(boxes, images, settings.workers, own.moved_boxes);
-  const exact::Elements<Dim> originals{std::span(spheres).first(locals), boxes};
-  const auto columns = kernels::strided_spheres(originals.spheres);
-  const PeriodicDecider<Dim> decider(originals, columns, lattice, images, settings.margin,
-                                     kernels::tie_kernels(settings.simd));
-  const auto steps = boxes.empty() ? steps_of(columns, images) : engine::GivenSteps{};
-  search_of_all.run(decider, steps, [&](engine::SetSearch<Dim>& set_search, const auto& moved) {
-    search(set_search, moved, images);
-  });
+  if (own.images.reach_is_long()) return false;
+  search_of_all.run_packed({std::span(spheres).first(locals), boxes}, lattice);
   return true;
 }
 
@@ -237,6 +295,7 @@ bool periodic_rows_in_place(const kernels::StridedSpheres& spheres, const Period
 
   const Images<Dim>& images = own.images;
   if (images.reach_is_long() || !images.shifts_always_fit()) return false;
+  if (must_be_grown(images, settings.margin)) return false;
   own.moved_boxes.clear();
   const PeriodicDecider<Dim> decider({}, spheres, lattice, images, settings.margin,
                                      kernels::tie_kernels(settings.simd));

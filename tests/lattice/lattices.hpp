@@ -2,6 +2,7 @@
 
 #include "exact/hard_pairs.hpp"
 #include "exact/lattice.hpp"
+#include "lattice/reduced_lattice.hpp"
 
 #include <gmpxx.h>
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <ostream>
+#include <string>
 #include <utility>
 
 /// Lattices of every kind, for tests.
@@ -103,6 +105,23 @@ template <int Dim>
   const std::size_t always = random.below(Dim);
   for (std::size_t k = 0; k < Dim; ++k) {
     result.lattice.periodic[k] = k == always || random.below(3) != 0;
+  }
+  return result;
+}
+
+/// A coordinate moved by so many vectors of the reduced lattice, exactly.
+template <int Dim>
+[[nodiscard]] mpq_class moved_exactly(double coordinate, std::size_t axis,
+                                      const lattice::ImageNumbers& numbers,
+                                      const lattice::ReducedLattice<Dim>& reduced,
+                                      const exact::Lattice& given) {
+  mpq_class result(coordinate);
+  for (std::size_t k = 0; k < reduced.count; ++k) {
+    for (std::size_t l = 0; l < reduced.count; ++l) {
+      result += mpq_class(std::to_string(numbers[k])) *
+                mpq_class(std::to_string(reduced.to_given[k][l])) *
+                mpq_class(given.vectors[reduced.axis_of[l]][axis]);
+    }
   }
   return result;
 }

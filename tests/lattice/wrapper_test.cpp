@@ -16,19 +16,13 @@ namespace {
 
 /// x - W b on one axis, exactly.
 template <int Dim>
-mpq_class moved_exactly(double x, const exact::Lattice& given,
-                        const lattice::ReducedLattice<Dim>& reduced,
-                        const lattice::OrthogonalCell<Dim>& orthogonal_cell,
-                        const lattice::CellsMoved& cells, std::size_t axis) {
-  mpq_class result(x);
-  for (std::size_t k = 0; k < reduced.count; ++k) {
-    for (std::size_t l = 0; l < reduced.count; ++l) {
-      result -= cells[k] *
-                mpq_class(std::to_string(reduced.to_given[orthogonal_cell.vector_of[k]][l])) *
-                mpq_class(given.vectors[reduced.axis_of[l]][axis]);
-    }
-  }
-  return result;
+mpq_class wrapped_exactly(double x, const exact::Lattice& given,
+                          const lattice::ReducedLattice<Dim>& reduced,
+                          const lattice::OrthogonalCell<Dim>& orthogonal_cell,
+                          const lattice::CellsMoved& cells, std::size_t axis) {
+  lattice::ImageNumbers numbers{};
+  for (std::size_t k = 0; k < reduced.count; ++k) numbers[orthogonal_cell.vector_of[k]] = -cells[k];
+  return moved_exactly(x, axis, numbers, reduced, given);
 }
 
 template <class Dimension>
@@ -60,8 +54,8 @@ TYPED_TEST(Wrapper, IsOffByHalfALastPlaceHoweverFar) {
     exact::Sphere<dim> wrapped = sphere;
     const auto cells = wrapper.wrap(wrapped, 0);
     for (std::size_t axis = 0; axis < dim; ++axis) {
-      const mpq_class exact =
-          moved_exactly(sphere.center[axis], named.lattice, reduced, orthogonal_cell, cells, axis);
+      const mpq_class exact = wrapped_exactly(sphere.center[axis], named.lattice, reduced,
+                                              orthogonal_cell, cells, axis);
       const double off = mpq_class(mpq_class(wrapped.center[axis]) - exact).get_d();
       ASSERT_LE(std::fabs(off), 0x1p-53 * std::fabs(wrapped.center[axis]) + 0x1p-55 * cell)
           << named;

@@ -24,7 +24,8 @@ add_test(NAME value.is_right COMMAND ${CMAKE_COMMAND} -E compare_files
 add_test(NAME value.is_there COMMAND ${CMAKE_COMMAND} -E cat ${CMAKE_BINARY_DIR}/value.txt)
 add_test(NAME other.is_right COMMAND ${CMAKE_COMMAND} -E compare_files
   ${CMAKE_SOURCE_DIR}/right.txt ${CMAKE_BINARY_DIR}/other.txt)
-add_test(NAME slow.is_right COMMAND ${CMAKE_COMMAND} -E cat ${CMAKE_BINARY_DIR}/value.txt)
+add_test(NAME slow.is_right COMMAND ${CMAKE_COMMAND} -E compare_files
+  ${CMAKE_SOURCE_DIR}/right.txt ${CMAKE_BINARY_DIR}/value.txt)
 set_tests_properties(slow.is_right PROPERTIES LABELS full)
 set_tests_properties(value.is_right value.is_there other.is_right PROPERTIES LABELS fast)
 """
@@ -114,11 +115,17 @@ def test_a_fault_that_no_test_sees_fails(tree, capsys, fault, outcome):
     assert outcome in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("tests", ["is_elsewhere", "^other", "^slow"])
-def test_without_a_fast_test_of_what_was_built_nothing_is_said(tree, capsys, tests):
+@pytest.mark.parametrize("tests", ["is_elsewhere", "^other"])
+def test_without_a_test_of_what_was_built_nothing_is_said(tree, capsys, tests):
     assert mutate.main([], tree(entry(tests=tests))) == 1
     said = capsys.readouterr()
-    assert said.out == "" and f"wrong: value.txt has no fast test {tests}" in said.err
+    assert said.out == "" and f"wrong: value.txt has no test {tests}" in said.err
+
+
+@pytest.mark.parametrize("tests,catchers", [("^slow", "slow.is_right"), ("is_right", "value.is_right")])
+def test_full_tests_run_only_where_no_fast_one_is_named(tree, capsys, tests, catchers):
+    assert mutate.main([], tree(entry(tests=tests))) == 0
+    assert f"wrong: caught by {catchers} (" in capsys.readouterr().out
 
 
 def test_repeated_tests_are_told_once():

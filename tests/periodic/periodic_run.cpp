@@ -74,7 +74,8 @@ std::optional<PeriodicRun> run(const Domain& domain, const Boxes<Dim>& boxes,
                      last.clusters_moved,
                      last.beside_layers,
                      last.levels_of_sizes,
-                     workspace.layer_crowds.layers().size()};
+                     workspace.layer_crowds.layers().size(),
+                     own.images.ghosts().size()};
 }
 
 /// Of spheres with these bounds, or of boxes for which they stand.
@@ -102,6 +103,33 @@ std::vector<FoundPair> checked_directly(const ElementView& view, const Domain& d
 }
 
 }  // namespace
+
+template <int Dim>
+SpheresInDomain<Dim> spheres_in(const scenes::Scene& scene, const Domain& domain, double margin) {
+  const std::array columns{&scene.x, &scene.y, &scene.z};
+  SpheresInDomain<Dim> system{{}, domain, margin};
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    exact::Sphere<Dim> sphere{};
+    for (std::size_t axis = 0; axis < Dim; ++axis) sphere.center[axis] = (*columns[axis])[k];
+    sphere.radius = scene.radius[k];
+    system.spheres.push_back(sphere);
+  }
+  return system;
+}
+
+template <int Dim>
+BoxesInDomain<Dim> boxes_in(const scenes::BoxScene& scene, const Domain& domain, double margin) {
+  BoxesInDomain<Dim> system{{}, domain, margin};
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    exact::Box<Dim> box{};
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      box.lower[axis] = scene.lower[axis][k];
+      box.upper[axis] = scene.upper[axis][k];
+    }
+    system.boxes.push_back(box);
+  }
+  return system;
+}
 
 template <int Dim>
 std::optional<PeriodicRun> run_periodic(const SpheresInDomain<Dim>& system,
@@ -159,6 +187,10 @@ std::vector<FoundPair> checked_directly(const BoxesInDomain<Dim>& system) {
   return checked_directly(view_of(scene), system.domain, system.margin);
 }
 
+template SpheresInDomain<2> spheres_in(const scenes::Scene&, const Domain&, double);
+template SpheresInDomain<3> spheres_in(const scenes::Scene&, const Domain&, double);
+template BoxesInDomain<2> boxes_in(const scenes::BoxScene&, const Domain&, double);
+template BoxesInDomain<3> boxes_in(const scenes::BoxScene&, const Domain&, double);
 template std::optional<PeriodicRun> run_periodic(const SpheresInDomain<2>&,
                                                  const engine::RowsSettings&);
 template std::optional<PeriodicRun> run_periodic(const SpheresInDomain<3>&,

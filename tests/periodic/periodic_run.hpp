@@ -4,6 +4,7 @@
 #include "engine/random_spheres.hpp"
 #include "engine/rows.hpp"
 #include "periodic/periodic_search.hpp"
+#include "scenes/box_scene.hpp"
 
 #include <abut/domain.hpp>
 
@@ -31,6 +32,13 @@ struct BoxesInDomain {
   double margin = 0.0;
 };
 
+template <int Dim>
+[[nodiscard]] SpheresInDomain<Dim> spheres_in(const scenes::Scene& scene, const Domain& domain,
+                                              double margin);
+template <int Dim>
+[[nodiscard]] BoxesInDomain<Dim> boxes_in(const scenes::BoxScene& scene, const Domain& domain,
+                                          double margin);
+
 /// What came of a search of locals and ghosts.
 struct PeriodicRun {
   std::vector<FoundPair> pairs;  ///< as found
@@ -40,6 +48,7 @@ struct PeriodicRun {
   std::size_t beside_layers = 0;
   std::size_t levels_of_sizes = 0;
   std::size_t crowded_layers = 0;
+  std::size_t ghosts = 0;
 };
 
 /// Searches a packed copy. Nothing is returned where the reach is so long that `rows` has no grid.

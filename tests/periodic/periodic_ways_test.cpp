@@ -45,17 +45,10 @@ constexpr std::array ways{
     ForcedWay{"parts", always_in_parts, &PeriodicRun::crowded_layers},
     ForcedWay{"tiles", always_in_tiles, nullptr}};
 
+/// Boxes in the elements, which are packed always.
 template <int Dim>
-SpheresInDomain<Dim> spheres_in(const scenes::Scene& scene, const Domain& domain, double margin) {
-  const std::array columns{&scene.x, &scene.y, &scene.z};
-  SpheresInDomain<Dim> system{{}, domain, margin};
-  for (std::size_t k = 0; k < scene.size(); ++k) {
-    exact::Sphere<Dim> sphere{};
-    for (std::size_t axis = 0; axis < Dim; ++axis) sphere.center[axis] = (*columns[axis])[k];
-    sphere.radius = scene.radius[k];
-    system.spheres.push_back(sphere);
-  }
-  return system;
+BoxesInDomain<Dim> boxes_inside(const scenes::Scene& scene, const Domain& domain, double margin) {
+  return boxes_in<Dim>(scenes::boxes_in(scene, 5), domain, margin);
 }
 
 /// How often each way was shown, and how many pairs lie across a face.
@@ -74,22 +67,6 @@ enum class InObliqueCell { stay, move };
 
 InObliqueCell one_of_two(std::uint64_t seed) {
   return seed % 2 == 0 ? InObliqueCell::stay : InObliqueCell::move;
-}
-
-/// Boxes in the elements, which are packed always.
-template <int Dim>
-BoxesInDomain<Dim> boxes_in(const scenes::Scene& scene, const Domain& domain, double margin) {
-  const scenes::BoxScene boxes = scenes::boxes_in(scene, 5);
-  BoxesInDomain<Dim> system{{}, domain, margin};
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    exact::Box<Dim> box{};
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      box.lower[axis] = boxes.lower[axis][k];
-      box.upper[axis] = boxes.upper[axis][k];
-    }
-    system.boxes.push_back(box);
-  }
-  return system;
 }
 
 template <int Dim>
@@ -159,8 +136,8 @@ TEST_P(PeriodicWays, Spheres) {
 }
 
 TEST_P(PeriodicWays, Boxes) {
-  expect_each_way(check_extremes(GetParam(), 2, boxes_in<2>));
-  expect_each_way(check_extremes(GetParam(), 3, boxes_in<3>));
+  expect_each_way(check_extremes(GetParam(), 2, boxes_inside<2>));
+  expect_each_way(check_extremes(GetParam(), 3, boxes_inside<3>));
 }
 
 INSTANTIATE_TEST_SUITE_P(Domains, PeriodicWays,
@@ -212,8 +189,8 @@ TEST(PeriodicCrowds, Spheres) {
 }
 
 TEST(PeriodicCrowds, Boxes) {
-  expect_each_way(check_crowds(2, boxes_in<2>));
-  expect_each_way(check_crowds(3, boxes_in<3>));
+  expect_each_way(check_crowds(2, boxes_inside<2>));
+  expect_each_way(check_crowds(3, boxes_inside<3>));
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ void CrowdedPart<Dim>::take(const SearchInput<Dim>& input, const LayerGrid<Dim>&
   numbers_.marks = marks_.data();
   numbers_.depth = input.part.depth + 1;
   numbers_.cell_around = grid.cell();
+  numbers_.long_rows_around = grid.has_long_rows();
 }
 
 /// Lists the elements by their numbers in the set that is searched.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/layers/layer_grid.hpp"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +20,7 @@ struct PartNumbers {
   std::size_t around = 0;                ///< parts whose search goes on while this one's does
   /// Cells of the layers from which the part was taken: those of its own are narrower.
   double cell_around = std::numeric_limits<double>::infinity();
+  bool long_rows_around = false;  ///< LayerGrid::has_long_rows of these layers
   /// Unit of the whole to which its pairs belong; none where the units of its search are those.
   std::optional<std::uint64_t> unit = {};
 
@@ -40,6 +43,19 @@ struct PartNumbers {
   [[nodiscard]] double widest_cell() const noexcept {
     constexpr double most_of_cell_around = 0.8;
     return most_of_cell_around * cell_around;
+  }
+
+  /// Of two crowds at the ends of a long row no part is narrower; rows across it tell them apart.
+  [[nodiscard]] RowsOfThin rows_of_thin() const noexcept {
+    return long_rows_around ? RowsOfThin::across : RowsOfThin::along;
+  }
+
+  /// Tells whether crowds of this set, in these layers, may become parts.
+  template <int Dim>
+  [[nodiscard]] bool may_have_parts(const LayerGrid<Dim>& layers) const noexcept {
+    const bool tells_apart = long_rows_around && !layers.has_long_rows();
+    return layers.has_wide_cells() && (layers.cell() <= widest_cell() || tells_apart) &&
+           free_mark() != 0;
   }
 
   /// The unit of the whole in which a unit of the search is.

@@ -266,7 +266,7 @@ std::optional<LayerGrid<Dim>> layers_for_crowds(const SearchSet<Dim>& set,
   }
   return for_elements<Dim>(
       LayerGrid<Dim>::of_crowds(set.bounds, input.margin, least_cell, input.part.widest_cell(),
-                                elements_in_layers(set, input)),
+                                elements_in_layers(set, input), input.part.rows_of_thin()),
       input);
 }
 

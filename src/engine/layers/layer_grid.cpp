@@ -108,7 +108,7 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::over(const grid::Bounds<Dim>& boun
 template <int Dim>
 LayerGrid<Dim> LayerGrid<Dim>::of_crowds(const grid::Bounds<Dim>& bounds, double margin,
                                          double least_cell, double widest_cell,
-                                         std::size_t elements) {
+                                         std::size_t elements, RowsOfThin rows) {
   const auto count = static_cast<double>(elements);
   const double longest = longest_axis(bounds);
   double cell = std::max(cell_size(bounds, least_cell, cells_of_crowded_element * count),
@@ -118,8 +118,9 @@ LayerGrid<Dim> LayerGrid<Dim>::of_crowds(const grid::Bounds<Dim>& bounds, double
     const double slice = std::max(cell, longest / std::floor(count / elements_of_slice));
     if (slice <= widest_cell) cell = slice;
   }
+  if (cell <= widest_cell) rows = RowsOfThin::along;
   // No axis has more cells than positions have bits for.
-  return of_reach(bounds, margin, least_cell, cell, elements).value();
+  return of_reach(bounds, margin, least_cell, cell, elements, rows).value();
 }
 
 template <int Dim>
@@ -132,20 +133,21 @@ std::optional<LayerGrid<Dim>> LayerGrid<Dim>::narrow(const grid::Bounds<Dim>& bo
 template <int Dim>
 std::optional<LayerGrid<Dim>> LayerGrid<Dim>::of_reach(const grid::Bounds<Dim>& bounds,
                                                        double margin, double least_cell,
-                                                       double cell, std::size_t elements) {
+                                                       double cell, std::size_t elements,
+                                                       RowsOfThin rows) {
   LayerGrid grid;
   const LayerUnits units = units_for(bounds, cell, least_cell);
   if (!grid.lay_out(bounds, std::ldexp(1.0, units.cell_shift) / cell, units)) return std::nullopt;
   grid.has_wide_cells_ = cell > least_cell;
   const bool are_thin = elements_of_thick_layer * grid.layers_ > elements;
-  const bool is_turned = are_thin && elements < elements_of_two_slices;
-  if (is_turned) {
+  grid.has_long_rows_ = are_thin && elements < elements_of_two_slices && rows == RowsOfThin::along;
+  if (grid.has_long_rows_) {
     auto axes = axes_by_extent(bounds);
     std::swap(axes[Dim - 2], axes[Dim - 1]);
     grid.turn(axes);
   }
   grid.cut_rows(bounds, margin, slack_of_runs);
-  if (is_turned) grid.cut_long_rows(elements);
+  if (grid.has_long_rows_) grid.cut_long_rows(elements);
   if constexpr (Dim == 2) grid.join_rows(elements);
   return grid;
 }

@@ -21,6 +21,9 @@ struct LongCells {
   Along along;
 };
 
+/// The rows of a set that is thin, a few elements to a layer: along its longest axis, or across it.
+enum class RowsOfThin : std::uint8_t { along, across };
+
 /// Positions, columns, rows and layers of elements of one reach. A box is where its stand-in is
 /// (exact::Elements).
 ///
@@ -37,10 +40,11 @@ class LayerGrid {
                                                      double least_cell, std::size_t elements);
 
   /// Returns the grid for elements that crowd in parts of their box, which may be long: there
-  /// always is one. Thin sets are cut into slices, if these are no wider than `widest_cell`.
+  /// always is one. Thin sets are cut into slices, if these are no wider than `widest_cell`. Where
+  /// cells must be wider, rows of thin sets go as they are asked to.
   [[nodiscard]] static LayerGrid of_crowds(const grid::Bounds<Dim>& bounds, double margin,
                                            double least_cell, double widest_cell,
-                                           std::size_t elements);
+                                           std::size_t elements, RowsOfThin rows);
 
   /// The same with cells as narrow as the reach allows while there are no more than sixteen for
   /// each element.
@@ -228,7 +232,9 @@ class LayerGrid {
 
   /// Tells whether cells are wider than the reach needs.
   [[nodiscard]] bool has_wide_cells() const noexcept { return has_wide_cells_; }
-  /// Tells whether they are wider on some axes than on others.
+  /// Tells whether rows go along the longest axis, and layers along another one.
+  [[nodiscard]] bool has_long_rows() const noexcept { return has_long_rows_; }
+  /// Tells whether cells are wider on some axes than on others.
   [[nodiscard]] bool has_long_cells() const noexcept { return has_long_cells_; }
   /// Cells of two runs that are joined in a vector.
   [[nodiscard]] double cells_joined() const noexcept;
@@ -253,7 +259,8 @@ class LayerGrid {
 
   [[nodiscard]] static std::optional<LayerGrid> of_reach(const grid::Bounds<Dim>& bounds,
                                                          double margin, double least_cell,
-                                                         double cell, std::size_t elements);
+                                                         double cell, std::size_t elements,
+                                                         RowsOfThin rows = RowsOfThin::along);
   [[nodiscard]] bool lay_out(const grid::Bounds<Dim>& bounds, double units_of_one,
                              const LayerUnits& units);
   void turn(const std::array<std::size_t, Dim>& axes);
@@ -289,6 +296,7 @@ class LayerGrid {
   kernels::ElementShape shape_ = kernels::ElementShape::equal_spheres;
   bool is_by_size_ = false;
   bool has_wide_cells_ = false;
+  bool has_long_rows_ = false;
   bool has_long_cells_ = false;
 };
 

@@ -88,6 +88,7 @@ TEST_F(CrowdedPartTest, HasTheCrowdAndThoseThatMayMeetIt) {
   const engine::SearchInput<3> input = part_.input(input_, sink_);
   EXPECT_EQ(input.part.depth, 1U);
   EXPECT_EQ(input.part.cell_around, grid_.cell());
+  EXPECT_EQ(input.part.long_rows_around, grid_.has_long_rows());
   EXPECT_TRUE(input.part.is_wanted(0, 1));
   EXPECT_TRUE(input.part.is_wanted(0, crowd));
   EXPECT_FALSE(input.part.is_wanted(crowd, crowd + 1));

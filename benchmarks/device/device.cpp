@@ -1,6 +1,7 @@
 // Times abut::device beside ceilings of the device, the processor and a plain grid, part by part.
 // benchmarks/device/run runs it. Exit code 6 without a device, 7 where an answer of abut is wrong.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/device/ceilings.hpp"
 #include "benchmarks/device/cuda_calls.hpp"
@@ -9,8 +10,6 @@
 
 #include <abut/device.hpp>
 #include <abut/version.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <cstdio>
@@ -110,17 +109,13 @@ bool run_part(int part) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("times abut::device", "device");
+  CommandLine command_line("times abut::device");
   int part = 1;
-  app.add_option("--part", part,
-                 "1 ceilings, 2 all scenes of 10^5 and 10^6 elements, 3 some of 10^7, 4 dense of "
-                 "10^8, 5 of 10^9, 6 gaps, neighbor lists and periodic domains")
-      ->check(CLI::Range(1, 6));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? EXIT_SUCCESS : static_cast<int>(ErrorCode::wrong_usage);
-  }
+  command_line.add("--part", part,
+                   "1 ceilings, 2 all scenes of 10^5 and 10^6 elements, 3 some of 10^7, 4 dense of "
+                   "10^8, 5 of 10^9, 6 gaps, neighbor lists and periodic domains",
+                   {1.0, 6.0});
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
   { const device::Detector needed; }
   print_versions();
   return run_part(part) ? EXIT_SUCCESS : different_answers;

@@ -2,13 +2,12 @@
 // compared with that of `rows` before anything is timed. CSV on stdout; exit code 7 for a
 // difference.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "benchmarks/systems/box_contestant.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -89,14 +88,14 @@ bool measure(const std::string& name, std::size_t count, int repetitions) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times `rows` on boxes beside CGAL and Bullet; CSV on stdout.");
+  CommandLine command_line("Times `rows` on boxes beside CGAL and Bullet; CSV on stdout.");
   std::vector<std::string> names{"dense", "sparse", "log_uniform_1000", "hexagonal_2d", "gas_2d"};
   std::vector<std::size_t> counts{100'000, 1'000'000};
   int repetitions = 5;
-  app.add_option("--scenes", names, "boxes lie in their elements")->delimiter(',');
-  app.add_option("--counts", counts, "elements")->delimiter(',');
-  app.add_option("--repetitions", repetitions, "medians of so many")->check(CLI::Range(1, 1000));
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--scenes", names, "boxes lie in their elements");
+  command_line.add("--counts", counts, "elements");
+  command_line.add("--repetitions", repetitions, "medians of so many", {1.0, 1000.0});
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   std::puts("scene,elements,contact_pairs,contestant,ns,times_abut");
   bool agree = true;

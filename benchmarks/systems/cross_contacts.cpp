@@ -2,14 +2,13 @@
 // together whose pairs within a set are dropped, and beside CGAL, by turns. Answers are compared
 // before anything is timed. CSV on stdout; exit code 7 for a difference.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "benchmarks/systems/contestants/cgal_two_sets.hpp"
 #include "benchmarks/systems/two_scenes.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -97,14 +96,14 @@ bool measure(const TwoScenes& sets, int repetitions) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times the search of one set against another; CSV on stdout.");
+  CommandLine command_line("Times the search of one set against another; CSV on stdout.");
   std::size_t count = 1'000'000;
   int repetitions = 5;
   std::string name = "dense";
-  app.add_option("--scene", name, "in 3D: the second set, or both are parts of it");
-  app.add_option("--count", count, "elements of the scene");
-  app.add_option("--repetitions", repetitions, "medians of so many")->check(CLI::Range(1, 1000));
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--scene", name, "in 3D: the second set, or both are parts of it");
+  command_line.add("--count", count, "elements of the scene");
+  command_line.add("--repetitions", repetitions, "medians of so many", {1.0, 1000.0});
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   const scenes::Scene scene = scenes::scene_named(name).make(count, 1);
   std::puts("case,first,second,contact_pairs,contestant,ns,times_abut");

@@ -2,13 +2,12 @@
 // motion. A loop that keeps abut's list at cutoff + skin and tests distances itself stands beside
 // loops that ask a Detector in each step. CSV on stdout.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/random.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -307,19 +306,18 @@ int compare_loops(const Settings& settings) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times steps of a Lennard-Jones liquid; CSV on stdout.");
+  CommandLine command_line("Times steps of a Lennard-Jones liquid; CSV on stdout.");
   Settings settings;
-  CLI::Option* const cells =
-      app.add_option("--cells", settings.cells, "cells of four atoms along each axis")
-          ->check(CLI::Range(5, 200));
-  app.add_option("--steps", settings.steps, "steps")->check(CLI::Range(1, 1'000'000))->needs(cells);
-  app.add_option("--threads", settings.threads, "threads of abut; the forces take one");
-  app.add_flag("--shuffled", settings.shuffled, "numbers of atoms do not follow space");
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--cells", settings.cells, "cells of four atoms along each axis", {5.0, 200.0});
+  command_line.add("--steps", settings.steps, "steps", {1.0, 1'000'000.0});
+  command_line.add("--threads", settings.threads, "threads of abut; the forces take one");
+  command_line.add_flag("--shuffled", settings.shuffled, "numbers of atoms do not follow space");
+  command_line.require_with("--steps", "--cells");
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   std::puts("atoms,steps,loop,ms_per_step,ratio,detections,energy");
   int different = 0;
-  if (cells->count() > 0) {
+  if (command_line.has("--cells")) {
     if (settings.steps == 0) settings.steps = sizes[0].steps;
     different = compare_loops(settings);
   } else {

@@ -2,13 +2,12 @@
 // take of processor time beside the contacts of the spheres, in the same steps. Lists are compared
 // with the free function's. CSV on stdout.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/random.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -152,14 +151,15 @@ int run(const Settings& settings) {
 
 int body(int argc, char** argv) {
   Settings settings;
-  CLI::App app("Contacts of a drum that turns beside those of the spheres in it; CSV on stdout.");
-  app.add_option("--count", settings.count, "spheres, about");
-  app.add_option("--triangles", settings.triangles, "triangles, about");
-  app.add_option("--steps", settings.steps, "steps that are timed")->check(CLI::PositiveNumber);
-  app.add_option("--angle", settings.angle, "by which the drum turns in a step");
-  app.add_option("--threads", settings.threads, "threads");
-  app.add_flag("--quantities", settings.with_quantities, "measure gaps and normals, too");
-  CLI11_PARSE(app, argc, argv);
+  CommandLine command_line(
+      "Contacts of a drum that turns beside those of the spheres in it; CSV on stdout.");
+  command_line.add("--count", settings.count, "spheres, about");
+  command_line.add("--triangles", settings.triangles, "triangles, about");
+  command_line.add("--steps", settings.steps, "steps that are timed", positive);
+  command_line.add("--angle", settings.angle, "by which the drum turns in a step");
+  command_line.add("--threads", settings.threads, "threads");
+  command_line.add_flag("--quantities", settings.with_quantities, "measure gaps and normals, too");
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
   return run(settings);
 }
 

@@ -2,13 +2,12 @@
 // contact pairs alone. CSV on stdout. With --lammps the same elements are written as a data file of
 // LAMMPS first, for lammps_neighbors.py.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -96,18 +95,18 @@ void write_data(const scenes::Scene& scene, const std::string& path) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times neighbor lists; CSV on stdout.");
+  CommandLine command_line("Times neighbor lists; CSV on stdout.");
   std::size_t count = 1'000'000;
   int repetitions = 5;
   std::string name = "dense";
   std::string lammps;
   std::vector<double> skins{0.0, 0.1, 0.3};
-  app.add_option("--scene", name, "of equal spheres in 3D");
-  app.add_option("--count", count, "elements")->check(CLI::Range(1, 100'000'000));
-  app.add_option("--skins", skins, "margins")->delimiter(',');
-  app.add_option("--repetitions", repetitions, "medians of so many")->check(CLI::Range(1, 1000));
-  app.add_option("--lammps", lammps, "data file to write");
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--scene", name, "of equal spheres in 3D");
+  command_line.add("--count", count, "elements", {1.0, 100'000'000.0});
+  command_line.add("--skins", skins, "margins");
+  command_line.add("--repetitions", repetitions, "medians of so many", {1.0, 1000.0});
+  command_line.add("--lammps", lammps, "data file to write");
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   const scenes::Scene scene = scenes::scene_named(name).make(count, 1);
   if (!lammps.empty()) write_data(scene, lammps);

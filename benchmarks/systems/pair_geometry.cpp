@@ -2,14 +2,13 @@
 // of a scene, and all of a periodic neighbor list (numbers, distances, vectors, shifts). CSV on
 // stdout.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -180,15 +179,14 @@ void measure_liquid(const Settings& settings) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times the geometry of contacts; CSV on stdout.");
+  CommandLine command_line("Times the geometry of contacts; CSV on stdout.");
   Settings settings;
-  app.add_option("--scene", settings.scene, "of spheres");
-  app.add_option("--count", settings.count, "elements")->check(CLI::Range(2, 100'000'000));
-  app.add_option("--atoms", settings.atoms, "points of the liquid")
-      ->check(CLI::Range(100, 10'000'000));
-  app.add_option("--repetitions", settings.repetitions, "after one that is not counted")
-      ->check(CLI::Range(1, 10'000));
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--scene", settings.scene, "of spheres");
+  command_line.add("--count", settings.count, "elements", {2.0, 100'000'000.0});
+  command_line.add("--atoms", settings.atoms, "points of the liquid", {100.0, 10'000'000.0});
+  command_line.add("--repetitions", settings.repetitions, "after one that is not counted",
+                   {1.0, 10'000.0});
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
   std::puts("task,elements,entries,ns_minimum,ns_median");
   measure_scene(settings);
   measure_few(settings);

@@ -1,13 +1,12 @@
 // Times `rows` with the same elements in open space and in periodic cells of several kinds. The
 // cases take turns, so that all meet the same machine. CSV on stdout.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -122,17 +121,16 @@ void write(const Run& run, const Run& open, std::size_t elements) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times `rows` in periodic cells against open space; CSV on stdout.");
+  CommandLine command_line("Times `rows` in periodic cells against open space; CSV on stdout.");
   std::string name = "dense";
   std::size_t count = 1'000'000;
   int repetitions = 9;
   std::string only;
-  app.add_option("--scene", name, "of equal spheres");
-  app.add_option("--count", count, "elements")->check(CLI::Range(1, 100'000'000));
-  app.add_option("--repetitions", repetitions, "after one that is not counted")
-      ->check(CLI::Range(1, 10'000));
-  app.add_option("--only", only, "a single case beside open");
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--scene", name, "of equal spheres");
+  command_line.add("--count", count, "elements", {1.0, 100'000'000.0});
+  command_line.add("--repetitions", repetitions, "after one that is not counted", {1.0, 10'000.0});
+  command_line.add("--only", only, "a single case beside open");
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   std::list<scenes::Scene> inputs{scenes::scene_named(name).make(count, 1)};
   const Vector side = sides_of(inputs.front());

@@ -1,13 +1,12 @@
 // Times `rows` where density spans decades, and says how much memory it takes: crowds within
 // crowds, as deep as numbers allow (docs/adr/0034-sets-that-wait.md). CSV on stdout.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/many_scales.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <cstddef>
@@ -49,16 +48,13 @@ void measure(Radii radii, double decades, std::size_t count, const Choice& choic
 
 int main_of(int argc, char** argv) {
   Choice choice;
-  CLI::App app("Times rows where density spans decades, and says how much memory it takes.");
-  app.add_option("--counts", choice.counts, "numbers of elements")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 100'000'000));
-  app.add_option("--decades", choice.decades, "decades of distances from a point")
-      ->delimiter(',')
-      ->check(CLI::Range(0.0, 300.0));
-  app.add_option("--threads", choice.threads, "threads")->check(CLI::Range(1, 1024));
-  app.add_option("--repetitions", choice.repetitions, "detections")->check(CLI::PositiveNumber);
-  CLI11_PARSE(app, argc, argv);
+  CommandLine command_line(
+      "Times rows where density spans decades, and says how much memory it takes.");
+  command_line.add("--counts", choice.counts, "numbers of elements", {1.0, 100'000'000.0});
+  command_line.add("--decades", choice.decades, "decades of distances from a point", {0.0, 300.0});
+  command_line.add("--threads", choice.threads, "threads", {1.0, 1024.0});
+  command_line.add("--repetitions", choice.repetitions, "detections", positive);
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
   std::puts("radii,decades,elements,pairs,median_ns,tests,bytes");
   for (const Radii radii : {Radii::equal, Radii::as_root, Radii::as_distance}) {
     for (const double decades : choice.decades) {

@@ -1,14 +1,13 @@
 // Triangles and tetrahedra that touch: abut beside CGAL, by turns, after both found the same pairs.
 // CSV on stdout; exit code 7 for a difference.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "benchmarks/systems/simplex_contestant.hpp"
 #include "scenes/random.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -86,12 +85,13 @@ bool measure(const char* name, std::size_t count, int repetitions) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times contacts of triangles and tetrahedra beside CGAL; CSV on stdout.");
+  CommandLine command_line(
+      "Times contacts of triangles and tetrahedra beside CGAL; CSV on stdout.");
   std::size_t count = 200'000;
   int repetitions = 5;
-  app.add_option("--count", count, "simplices");
-  app.add_option("--repetitions", repetitions, "medians of so many")->check(CLI::Range(1, 1000));
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--count", count, "simplices");
+  command_line.add("--repetitions", repetitions, "medians of so many", {1.0, 1000.0});
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   std::puts("case,elements,candidates,contact_pairs,contestant,ns,times_abut");
   const bool triangles = measure<3>("triangles", count, repetitions);

@@ -2,14 +2,13 @@
 // that keeps candidates, and a call that tests them, beside the numbers of candidates and contacts.
 // The automatic skin counts with such costs (src/skin/skin_choice.cpp). CSV on stdout.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -81,12 +80,11 @@ System liquid(std::size_t count) {
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times detections and reuses with a skin; CSV on stdout.");
+  CommandLine command_line("Times detections and reuses with a skin; CSV on stdout.");
   Settings settings;
-  app.add_option("--counts", settings.counts, "elements")->delimiter(',');
-  app.add_option("--repetitions", settings.repetitions, "of which the fastest counts")
-      ->check(CLI::PositiveNumber);
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--counts", settings.counts, "elements");
+  command_line.add("--repetitions", settings.repetitions, "of which the fastest counts", positive);
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   std::puts("scene,elements,skin,candidates,contacts,detection_ns,reuse_ns");
   for (const std::size_t count : settings.counts) {

@@ -2,14 +2,13 @@
 // element: a detector that returns contact pairs, and beside it a program that loops over the same
 // candidates itself. Elements numbered at random, and along space. CSV on stdout.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <cstdlib>
@@ -114,18 +113,18 @@ bool measure(const Settings& settings, const std::string& order, scenes::Scene s
 }
 
 int main_of(int argc, char** argv) {
-  CLI::App app("Times the reuse of candidate pairs; CSV on stdout.");
+  CommandLine command_line("Times the reuse of candidate pairs; CSV on stdout.");
   Settings settings;
-  app.add_option("--counts", settings.counts, "elements of the dense scene")->delimiter(',');
-  app.add_option("--orders", settings.orders, "of their numbers")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"shuffled", "along space"}));
-  app.add_option("--skin", settings.skin, "in diameters");
-  app.add_option("--speed", settings.speed, "largest way of an element in a step, in diameters");
-  app.add_option("--repetitions", settings.repetitions, "after one that is not counted")
-      ->check(CLI::Range(1, 10'000));
-  app.add_flag("--detector-alone", settings.detector_alone, "nothing beside it, for profilers");
-  CLI11_PARSE(app, argc, argv);
+  command_line.add("--counts", settings.counts, "elements of the dense scene");
+  command_line.add_words("--orders", settings.orders, "of their numbers",
+                         {"shuffled", "along space"});
+  command_line.add("--skin", settings.skin, "in diameters");
+  command_line.add("--speed", settings.speed, "largest way of an element in a step, in diameters");
+  command_line.add("--repetitions", settings.repetitions, "after one that is not counted",
+                   {1.0, 10'000.0});
+  command_line.add_flag("--detector-alone", settings.detector_alone,
+                        "nothing beside it, for profilers");
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   std::puts("order,elements,candidates,contacts,reuse_ns,check_ns,loop_ns");
   bool same = true;

@@ -2,14 +2,13 @@
 // step, detectors with skins of several lengths and with an automatic one, and the history of
 // contacts beside them. Each must find as many pairs in all steps as the first. CSV on stdout.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -139,16 +138,16 @@ void print(const Settings& settings, const char* name, const Measured& measured,
 
 int main_of(int argc, char** argv) {
   Settings settings;
-  CLI::App app("Stepping with and without a skin");
-  app.add_option("--count", settings.count, "elements");
-  app.add_option("--steps", settings.steps, "steps that are measured")->check(CLI::PositiveNumber);
-  app.add_option("--speed", settings.speed, "way of an element in a step, in diameters");
-  app.add_option("--threads", settings.threads, "threads");
-  app.add_option("--scene", settings.scene, "a scene in 3D");
-  app.add_option("--exchanged", settings.exchanged,
-                 "elements that come and go in every tenth step");
-  app.add_flag("--periodic", settings.periodic, "in a periodic box, with shifts");
-  CLI11_PARSE(app, argc, argv);
+  CommandLine command_line("Stepping with and without a skin");
+  command_line.add("--count", settings.count, "elements");
+  command_line.add("--steps", settings.steps, "steps that are measured", positive);
+  command_line.add("--speed", settings.speed, "way of an element in a step, in diameters");
+  command_line.add("--threads", settings.threads, "threads");
+  command_line.add("--scene", settings.scene, "a scene in 3D");
+  command_line.add("--exchanged", settings.exchanged,
+                   "elements that come and go in every tenth step");
+  command_line.add_flag("--periodic", settings.periodic, "in a periodic box, with shifts");
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   std::printf(
       "skin,length,ns_per_element_and_step,times_faster,history_ns,history_share,"

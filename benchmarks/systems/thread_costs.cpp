@@ -2,13 +2,12 @@
 // systems so small that waking a thread takes longer than searching to large ones; before them the
 // first detection of a thread of the caller's, which starts its helpers. Prints CSV.
 
+#include "benchmarks/common/command_line.hpp"
 #include "benchmarks/common/program.hpp"
 #include "benchmarks/common/timing.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/abut.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -113,13 +112,12 @@ bool measure_count(const Settings& settings, std::size_t count) {
 
 int main_of(int argc, char** argv) {
   Settings settings;
-  CLI::App app("What threads cost and bring");
-  app.add_option("--counts", settings.counts, "elements")->delimiter(',');
-  app.add_option("--threads", settings.threads, "threads; the first is compared with")
-      ->delimiter(',');
-  app.add_option("--scene", settings.scene, "a scene");
-  app.add_option("--repetitions", settings.repetitions, "of each")->check(CLI::PositiveNumber);
-  CLI11_PARSE(app, argc, argv);
+  CommandLine command_line("What threads cost and bring");
+  command_line.add("--counts", settings.counts, "elements");
+  command_line.add("--threads", settings.threads, "threads; the first is compared with");
+  command_line.add("--scene", settings.scene, "a scene");
+  command_line.add("--repetitions", settings.repetitions, "of each", positive);
+  if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
 
   std::printf("what,elements,threads,microseconds,least_microseconds,times_faster\n");
   measure_start(settings);

@@ -83,6 +83,11 @@ void GrownImages<Dim>::place(const exact::Elements<Dim>& originals, const Images
 template <int Dim>
 void GrownImages<Dim>::place(std::size_t k, const exact::Elements<Dim>& originals,
                              const Images<Dim>& images) {
+  if (images.is_as_given(k)) {
+    spheres_[k] = originals.spheres[k];
+    if (originals.are_boxes()) boxes_[k] = originals.boxes[k];
+    return;
+  }
   const std::size_t locals = images.locals().size;
   const Ghost image =
       k < locals ? Ghost{static_cast<std::uint32_t>(k), {}} : images.ghosts()[k - locals];

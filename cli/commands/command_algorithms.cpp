@@ -39,7 +39,7 @@ std::string text_of_all() {
          "\nAll find the same pairs. N elements; n_x, n_y, n_z cells along the axes. Book: pages "
          "of\n"
          "A. Munjiza, The Combined Finite-Discrete Element Method, Wiley 2004.\n"
-         "In periodic domains N counts images near the faces, too, and rows takes 12 N + 32768\n"
+         "In periodic domains N counts images near the faces, too, and rows takes 16 N + 32768\n"
          "more (boxes 24 N).\n"
          "next: abut explain munjiza_nbs --book\n";
 }

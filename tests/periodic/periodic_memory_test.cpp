@@ -1,5 +1,5 @@
 // The law of memory of `rows` in periodic domains, on every scene: what the registry states for
-// open space, of the elements and of their images near the faces, and for each of these 12 integers
+// open space, of the elements and of their images near the faces, and for each of these 16 integers
 // more, of boxes 24, since it may be placed anew, with 32768 more for the shifts of pairs.
 
 #include "periodic/periodic_run.hpp"
@@ -29,7 +29,7 @@ struct Law {
   std::size_t integers;
 };
 constexpr Law law_of_spheres(int dimensions) {
-  return {static_cast<std::size_t>(dimensions + 1), 32 + 12};
+  return {static_cast<std::size_t>(dimensions + 1), 32 + 16};
 }
 constexpr Law law_of_boxes(int dimensions) {
   return {static_cast<std::size_t>(3 * dimensions + 1), 36 + 24};

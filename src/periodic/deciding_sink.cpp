@@ -42,8 +42,8 @@ std::uint64_t DecidingSink<Dim>::exact_decisions() const noexcept {
 
 template <int Dim>
 bool DecidingSink<Dim>::is_pair(const ContactPair& pair, std::uint64_t& exact_decisions) const {
-  if (images_->is_as_given(pair.first) && images_->is_as_given(pair.second)) return true;
-  return decider_->within_reach(pair.first, pair.second, exact_decisions);
+  return images_->are_as_given(pair.first, pair.second) ||
+         decider_->within_reach(pair.first, pair.second, exact_decisions);
 }
 
 template class DecidingSink<2>;

@@ -118,6 +118,11 @@ class Images {
     return k < locals_.size && (!moved_any_ || cells_moved_[k] == lattice::CellsMoved{});
   }
 
+  /// True if both of a pair are.
+  [[nodiscard]] bool are_as_given(std::size_t i, std::size_t j) const noexcept {
+    return is_as_given(i) && is_as_given(j);
+  }
+
   /// True if the slack makes cells more than twice as wide as the smallest elements ask for;
   /// elements without any size ask for none.
   [[nodiscard]] bool are_coarse(double margin) const noexcept {

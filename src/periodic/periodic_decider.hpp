@@ -48,7 +48,7 @@ class PeriodicDecider final : public engine::ExactDecider {
     const std::size_t locals = spheres_.size;
     if (second < first) std::swap(first, second);
     if (first >= locals) return false;
-    if (moved_ == MovedPairs::kept && !are_as_given(first, second)) return true;
+    if (moved_ == MovedPairs::kept && !images_.are_as_given(first, second)) return true;
     if (second < locals) return within_reach(first, {second, {}}, exact_decisions);
     return within_reach(first, images_.ghosts()[second - locals], exact_decisions);
   }
@@ -89,10 +89,6 @@ class PeriodicDecider final : public engine::ExactDecider {
     for (std::size_t own = 0; own < of_locals.undecided_count; ++own) {
       hits.verdict[number_among_all[own]] = of_locals.verdict[own];
     }
-  }
-
-  [[nodiscard]] bool are_as_given(std::uint32_t first, std::uint32_t second) const {
-    return images_.is_as_given(first) && images_.is_as_given(second);
   }
 
   [[nodiscard]] bool within_reach(std::uint32_t i, const Ghost& image,

@@ -145,6 +145,19 @@ bool must_be_grown(const Images<Dim>& images, double margin) {
   return images.are_coarse(margin) && images.shifts_always_fit() && images.unit() == 1.0;
 }
 
+/// True if images may be made in either direction. Of boxes they reach as far as the widest one
+/// where they lie above the locals (lattice::turn_downwards): not far, where that is a small part
+/// of the cell.
+template <int Dim>
+bool may_be_turned(const exact::Elements<Dim>& elements, const grid::Bounds<Dim>& bounds,
+                   double margin, const lattice::ReducedLattice<Dim>& lattice) {
+  constexpr double small_part = 0.25;
+  if (!elements.are_boxes()) return true;
+  const double widest = 2.0 * bounds.largest_radius + margin;
+  return std::all_of(lattice.height.begin(), lattice.height.begin() + lattice.count,
+                     [&](double height) { return widest <= small_part * height; });
+}
+
 /// What a search among images is made of, but for the elements themselves.
 template <int Dim>
 struct PeriodicSearch {
@@ -270,7 +283,8 @@ bool periodic_rows(base::Array<exact::Sphere<Dim>>& spheres, const PeriodicInput
     lattice::check_range<Dim>(spheres, reduced, settings.margin, image_settings.shape, unit);
   }
   find_images<Dim>(given.spheres(), given.bounds(), reduced, image_settings, own);
-  if (boxes.empty() && must_be_grown(own.images, settings.margin) &&
+  if (must_be_grown(own.images, settings.margin) &&
+      may_be_turned<Dim>({spheres, boxes}, bounds, settings.margin, reduced) &&
       own.images.turn_towards_origin(reduced)) {
     spheres.resize(locals);
     find_images<Dim>(given.spheres(), given.bounds(), reduced, image_settings, own);

@@ -111,6 +111,19 @@ std::size_t expect_same_pairs(const ElementView& view, const Domain& domain, dou
 constexpr std::array places{Place::around_origin, Place::folded, Place::far_corner,
                             Place::opposite_faces, Place::near_corner};
 
+scenes::Scene mirrored(scenes::Scene scene) {
+  for (auto* const coordinates : {&scene.x, &scene.y, &scene.z}) {
+    for (double& x : *coordinates) x = -x;
+  }
+  return scene;
+}
+
+void expect_few_tests(const ElementView& view, const Domain& domain) {
+  const Statistics statistics =
+      count_contact_pairs(view, domain, {.algorithm = Algorithm::rows, .threads = 1});
+  EXPECT_LE(statistics.candidate_tests, 100 * view.size()) << view.size() << " elements";
+}
+
 class WideCells : public ::testing::TestWithParam<int> {};
 
 /// From cells that are covered by the reach to those in which nothing near the far corner can be
@@ -124,7 +137,8 @@ TEST_P(WideCells, HaveThePairsOfADirectCheck) {
       for (const double largest_ratio : {1.0, 100.0}) {
         for (const double strays : {0.0, 0.9}) {
           const Droplet droplet{GetParam(), 120, largest_ratio, place, strays};
-          const scenes::Scene scene = make(droplet, width, random);
+          const scenes::Scene made = make(droplet, width, random);
+          const scenes::Scene scene = random.below(2) == 0 ? made : mirrored(made);
           const scenes::BoxScene boxes = scenes::boxes_in(scene, 7);
           for (const auto& [name, domain] : domains_of(GetParam(), width)) {
             SCOPED_TRACE(std::string(name) + ", 0.9 * 2^" + std::to_string(exponent));
@@ -172,11 +186,13 @@ TEST_P(WideCells, TakeNoMoreTestsThanOthers) {
         for (const std::size_t count : {1500U, 6000U}) {
           const scenes::Scene scene = make({GetParam(), count, 1.0, place, strays}, width, random);
           for (const auto& [name, domain] : domains_of(GetParam(), width)) {
-            const Statistics statistics = count_contact_pairs(
-                view_of(scene), domain, {.algorithm = Algorithm::rows, .threads = 1});
-            EXPECT_LE(statistics.candidate_tests, 100 * count)
-                << name << ", 0.9 * 2^" << exponent << ", place " << static_cast<int>(place)
-                << ", strays " << strays << ", " << count << " elements";
+            SCOPED_TRACE(std::string(name) + ", 0.9 * 2^" + std::to_string(exponent) + ", place " +
+                         std::to_string(static_cast<int>(place)) +
+                         (strays > 0.0 ? ", strays" : ""));
+            for (const scenes::Scene& either : {scene, mirrored(scene)}) {
+              expect_few_tests(view_of(either), domain);
+              expect_few_tests(view_of(scenes::boxes_in(either, 7)), domain);
+            }
           }
         }
       }

@@ -104,7 +104,8 @@ template <class Given, class E>
   const Box extent = executor.reduce(elements.count, Box::of_none(), ElementExtent<Given>{elements},
                                      JoinExtents{});
   if (extent.first_bad != no_element) {
-    reject(elements, extent.first_bad, whole_on_host(executor, elements, extent.first_bad));
+    const auto number = static_cast<std::uint32_t>(extent.first_bad);
+    reject(elements, number, whole_on_host(executor, elements, number));
   }
   if constexpr (Given::shape == Shape::sphere) {
     if (extent.smallest_radius == extent.largest_radius) {

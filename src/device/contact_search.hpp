@@ -3,12 +3,12 @@
 #include "device/bodies/cross_level.hpp"
 #include "device/bodies/meet.hpp"
 #include "device/executor.hpp"
+#include "device/part_sums.hpp"
 #include "device/partner_search.hpp"
 #include "device/sorted_elements.hpp"
 
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace abut::device {
@@ -35,14 +35,8 @@ class ContactSearch {
         frame_(frame),
         settings_(settings),
         sorted_(executor, elements, frame) {
-    for (std::uint32_t k = 0; k < frame_.level_count; ++k) {
-      const SizeLevel<Dim>& level = frame_.levels[k];
-      const Meet meet = meet_in(level);
-      meets_.emplace_back(executor_, meet, level.first_slot, level.end_slot - level.first_slot,
-                          std::numeric_limits<std::uint64_t>::max());
-      add(meets_.back().totals());
-      with_coarse(k, [this](CrossLevelSearch& search) { add(search.totals()); });
-    }
+    count_levels();
+    count_coarse();
   }
 
   [[nodiscard]] const PartnerCount& totals() const noexcept { return totals_; }
@@ -50,14 +44,21 @@ class ContactSearch {
 
   /// Writes totals().certain pairs, unless `certain` is null, and totals().doubtful pairs.
   void write(ContactPair* certain, ContactPair* doubtful) {
-    const auto write_next = [&](auto& search) {
-      search.write(certain, doubtful);
-      if (certain != nullptr) certain += search.totals().certain;
-      doubtful += search.totals().doubtful;
+    const auto write_next = [&](auto& search, std::uint64_t part, const PartnerCount& sums) {
+      if (sums.doubtful > 0 || (sums.certain > 0 && certain != nullptr)) {
+        search.write(part, certain, doubtful);
+      }
+      if (certain != nullptr) certain += sums.certain;
+      doubtful += sums.doubtful;
     };
+    auto sums_of_part = sums_of_coarse_.begin();
     for (std::uint32_t k = 0; k < frame_.level_count; ++k) {
-      write_next(meets_[k]);
-      with_coarse(k, write_next);
+      write_next(meets_[k], 0, counts_[k].meets);
+      with_coarse(k, [&](CrossLevelSearch& search) {
+        for (std::uint64_t part = 0; part < search.part_count(); ++part) {
+          write_next(search, part, *sums_of_part++);
+        }
+      });
     }
   }
 
@@ -66,10 +67,44 @@ class ContactSearch {
   using Across = MeetCoarse<Spheres, Key>;
   using CrossLevelSearch = PartnerSearch<Across, E>;
 
-  void add(const PartnerCount& some) noexcept {
-    totals_.certain += some.certain;
-    totals_.doubtful += some.doubtful;
-    totals_.tests += some.tests;
+  /// What the host must know of a level.
+  struct LevelCounts {
+    PartnerCount meets;
+    std::uint64_t items_of_coarse;
+  };
+
+  /// Waits once for all levels: the host takes memory for as many items as larger elements make,
+  /// part by part.
+  void count_levels() {
+    Buffer<LevelCounts, E> on_device(executor_, frame_.level_count);
+    for (std::uint32_t k = 0; k < frame_.level_count; ++k) {
+      const SizeLevel<Dim>& level = frame_.levels[k];
+      LevelCounts* const counts = on_device.data() + k;
+      meets_.emplace_back(executor_, meet_in(level), level.first_slot,
+                          level.end_slot - level.first_slot,
+                          std::numeric_limits<std::uint64_t>::max());
+      meets_.back().count(0, &counts->meets);
+      executor_.reduce_into(&counts->items_of_coarse, coarse_of(k), std::uint64_t{0},
+                            ItemsOfCoarse<Across>{across(k, nullptr)}, SumOfTwo{});
+    }
+    counts_.resize(frame_.level_count);
+    executor_.copy_to_host(counts_.data(), on_device.data(), frame_.level_count);
+    for (const LevelCounts& counts : counts_) totals_.add(counts.meets);
+  }
+
+  /// Waits once for all levels.
+  void count_coarse() {
+    PartSums<E> sums(executor_);
+    for (std::uint32_t k = 0; k < frame_.level_count; ++k) {
+      with_coarse(k, [&](CrossLevelSearch& search) {
+        for (std::uint64_t part = 0; part < search.part_count(); ++part) {
+          search.count(part, sums.next());
+        }
+      });
+    }
+    sums.collect();
+    sums_of_coarse_ = sums.on_host();
+    for (const PartnerCount& some : sums_of_coarse_) totals_.add(some);
   }
 
   [[nodiscard]] Meet meet_in(const SizeLevel<Dim>& level) const {
@@ -78,22 +113,32 @@ class ContactSearch {
     return meet;
   }
 
-  /// Calls use(search) with the search of all larger elements through a level. They are counted
-  /// anew each time, so that the memory of one level is enough.
-  template <class Use>
-  void with_coarse(std::uint32_t k, Use&& use) {
+  /// How many larger elements look for partners in a level.
+  [[nodiscard]] std::uint64_t coarse_of(std::uint32_t k) const noexcept {
     const SizeLevel<Dim>& level = frame_.levels[k];
-    const std::uint64_t coarse = elements_.count - level.end_slot;
-    if (coarse == 0 || level.first_slot == level.end_slot) return;
-    Buffer<std::uint64_t, E> items(executor_, coarse + 1);
+    return level.first_slot == level.end_slot ? 0 : elements_.count - level.end_slot;
+  }
+
+  [[nodiscard]] Across across(std::uint32_t k, const std::uint64_t* items_before) const {
     const CoarseScales scales{frame_.scale, frame_.margin, frame_.slack, settings_.margin,
                               settings_.slack};
-    const Across across{
-        elements_,           scales,      level, sorted_.records(), sorted_.all_sizes(),
-        sorted_.directory(), items.data()};
-    executor_.for_each(coarse + 1, CountItems<Across>{across, coarse, items.data()});
-    const std::uint64_t all = sum_before_each(executor_, items.data(), coarse);
-    CrossLevelSearch search(executor_, across, 0, all, settings_.items_at_a_time);
+    return {
+        elements_,           scales,      frame_.levels[k], sorted_.records(), sorted_.all_sizes(),
+        sorted_.directory(), items_before};
+  }
+
+  /// Calls use(search) with the search of all larger elements through a level. Their items are
+  /// counted anew each time, so that the memory of one level is enough.
+  template <class Use>
+  void with_coarse(std::uint32_t k, Use&& use) {
+    if (counts_[k].items_of_coarse == 0) return;
+    const std::uint64_t coarse = coarse_of(k);
+    Buffer<std::uint64_t, E> items(executor_, coarse + 1);
+    const Across its_across = across(k, items.data());
+    executor_.for_each(coarse + 1, CountItems<Across>{its_across, coarse, items.data()});
+    executor_.exclusive_scan(items.data(), coarse + 1);
+    CrossLevelSearch search(executor_, its_across, 0, counts_[k].items_of_coarse,
+                            settings_.items_at_a_time);
     use(search);
   }
 
@@ -103,6 +148,8 @@ class ContactSearch {
   SearchSettings settings_;
   Sorted sorted_;
   std::vector<PartnerSearch<Meet, E>> meets_;
+  std::vector<LevelCounts> counts_;
+  std::vector<PartnerCount> sums_of_coarse_;  ///< of each part of each level
   PartnerCount totals_;
 };
 

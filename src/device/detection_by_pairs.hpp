@@ -7,6 +7,7 @@
 #include "device/executor.hpp"
 #include "device/found_list.hpp"
 #include "device/pair_decision.hpp"
+#include "device/part_sums.hpp"
 #include "device/partner_search.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/ghost_windows.hpp"
@@ -36,12 +37,13 @@ class ImageSearchByPairs {
         windows_(windows),
         margin_(margin),
         items_at_a_time_(request.items_at_a_time),
-        most_pairs_(request.max_pairs) {
-    for_each_part([&](Search& search) {
-      totals_.certain += search.totals().certain;
-      totals_.doubtful += search.totals().doubtful;
-      totals_.tests += search.totals().tests;
-      require_count(totals_.certain, most_pairs_);
+        sums_(executor) {
+    for_each_part([&](Search& search, std::uint64_t part) {
+      // Waits for each part: a limit is met as soon as it is passed.
+      search.count(part, sums_.next());
+      sums_.collect();
+      totals_.add(sums_.on_host().back());
+      require_count(totals_.certain, request.max_pairs);
     });
   }
 
@@ -59,12 +61,14 @@ class ImageSearchByPairs {
     }
     images_ = Buffer<Image, E>(executor_, places);
     elements_.ghosts = images_.data();
-    for_each_part([&](Search& search) {
-      search.write_by(certain, doubtful, [&](const FillPartners<Check>& fill) {
+    auto sums = sums_.on_host().begin();
+    for_each_part([&](Search& search, std::uint64_t part) {
+      search.write_by(part, certain, doubtful, [&](const FillPartners<Check>& fill) {
         return FillImages<Check>{fill, first_place, images_.data()};
       });
-      if (certain != nullptr) certain += search.totals().certain;
-      doubtful += search.totals().doubtful;
+      if (certain != nullptr) certain += sums->certain;
+      doubtful += sums->doubtful;
+      ++sums;
     });
   }
 
@@ -73,8 +77,8 @@ class ImageSearchByPairs {
   using Search = PartnerSearch<Check, E>;
   using Image = typename Spheres::Ghost;
 
-  /// Calls use(search) with searches of some pairs each. Their images are counted anew each time,
-  /// so that memory does not follow the pairs that are looked at.
+  /// Calls use(search, part) for the parts of searches of some pairs each. Their images are counted
+  /// anew each time, so that memory does not follow the pairs that are looked at.
   template <class Use>
   void for_each_part(const Use& use) {
     const std::uint64_t pairs = ElementPairs{elements_.count}.size();
@@ -86,8 +90,8 @@ class ImageSearchByPairs {
       require_windows(check, count);
       executor_.for_each(count + 1, CountItems<Check>{check, count, items.data()});
       const std::uint64_t all = sum_before_each(executor_, items.data(), count);
-      Search search(executor_, check, 0, all, items_at_a_time_, most_pairs_);
-      use(search);
+      Search search(executor_, check, 0, all, items_at_a_time_);
+      for (std::uint64_t part = 0; part < search.part_count(); ++part) use(search, part);
     }
   }
 
@@ -104,7 +108,7 @@ class ImageSearchByPairs {
   Windows windows_;
   double margin_;
   std::uint64_t items_at_a_time_;
-  std::uint64_t most_pairs_;
+  PartSums<E> sums_;
   Buffer<Image, E> images_;
   PartnerCount totals_;
 };

@@ -12,6 +12,7 @@
 #include "lattice/image_window.hpp"
 #include "lattice/orthogonal_cell.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -128,9 +129,11 @@ class ImageSearch {
     spheres_->count = static_cast<std::uint32_t>(count + ghosts);
   }
 
-  /// If one element has more, the reach is long, whatever the others have.
+  /// If one element has more, the reach is long, or there are too many, whatever the others have;
+  /// and the sum of all has 64 bits.
   [[nodiscard]] std::uint64_t most_ghosts_of_one() const noexcept {
-    return static_cast<std::uint64_t>(lattice::ghosts_of_long_reach) * elements_.count + 1;
+    return std::min(static_cast<std::uint64_t>(lattice::ghosts_of_long_reach) * elements_.count + 1,
+                    std::uint64_t{1} << 32);
   }
 
   void require_countable(const lattice::GhostWindows<Dim>& windows, std::uint64_t ghosts) const {

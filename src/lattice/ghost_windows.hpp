@@ -8,13 +8,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace abut::lattice {
 
 /// The periodic image of an element moved by `image` vectors of the sides of a cell.
 template <class Number>
 struct GhostOf {
-  std::uint32_t element;
+  std::make_unsigned_t<Number> element;  ///< as wide as the others: a copy has no byte unwritten
   std::array<Number, 3> image;
 
   /// True if the image is lexicographically positive: its first number that is not 0 is positive.

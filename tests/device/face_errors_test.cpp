@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <functional>
 #include <initializer_list>
 #include <limits>
@@ -51,6 +52,29 @@ TEST(FaceErrors, ColumnsOfTheHost) {
                   boxes.upper[0], boxes.upper[1], boxes.upper[2]);
   expect_refused(ErrorCode::wrong_usage, {"memory of the host"},
                  [&](device::Detector& detector) { detector.find_contact_pairs(mixed); });
+}
+
+TEST(FaceErrors, ColumnsWithStridesAndBadAddresses) {
+  const Scene scene = dense(100);
+  const device::ElementCopy copy(view_of(scene));
+  const double* const first = reinterpret_cast<const double*>(copy.elements().center(0).first);
+  const std::vector<double> reversed(scene.x.rbegin(), scene.x.rend());
+  device::Detector detector;
+  const auto count_of = [&](Column<double> column) {
+    return detector.count_contact_pairs(discs(column, column, 0.5)).contact_pairs;
+  };
+  // Backwards from the last, and one number for all.
+  EXPECT_EQ(count_of({first + 99, 100, -std::ptrdiff_t{sizeof(double)}}),
+            count_contact_pairs(discs(reversed, reversed, 0.5)).contact_pairs);
+  EXPECT_EQ(count_of({first, 100, 0}), 100U * 99U / 2U);
+  const auto refuse = [&](Column<double> column, std::string_view word) {
+    expect_error(ErrorCode::wrong_usage, {"column x", word}, [&] { count_of(column); });
+  };
+  refuse({nullptr, 100, sizeof(double)}, "null");
+  refuse({first, 10, 12}, "aligned");
+  const auto odd = reinterpret_cast<const std::byte*>(first) + 4;
+  refuse({reinterpret_cast<const double*>(odd), 10, sizeof(double)}, "aligned");
+  EXPECT_EQ(count_of({nullptr, 0, sizeof(double)}), 0U);
 }
 
 TEST(FaceErrors, BadElementsAreNamed) {

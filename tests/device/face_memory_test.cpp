@@ -87,8 +87,8 @@ TEST(FaceMemory, OfCountsMayFail) {
   const Scene scene = scenes::scene_named("log_uniform").make(600, 2);
   const device::ElementCopy copy(view_of(scene));
   CountingAllocator allocator(enough);
-  device::Detector detector({}, device::on(0), allocator.functions());
   for (std::uint64_t which = 0; which < 3; ++which) {
+    device::Detector detector({}, device::on(0), allocator.functions());
     allocator.refuse_request(which);
     expect_error(ErrorCode::limit_exceeded, {},
                  [&] { detector.count_contact_pairs(copy.elements()); });
@@ -123,6 +123,28 @@ TEST(FaceMemory, NothingIsAllocatedWhereNothingGrows) {
     EXPECT_EQ(allocator.requests, 0U);
     EXPECT_EQ(allocator.held_bytes, held);
     EXPECT_EQ(detector.find_contact_pairs(copy.elements()).statistics().peak_bytes, held);
+  }
+}
+
+/// A detector that has worked ends no call for want of memory that a new one would have: of pairs
+/// that become a few more from step to step, all would lie beside the array of the step before.
+TEST(FaceMemory, SufficesWhereItDoesForANewDetector) {
+  const device::ElementCopy copy(view_of(scenes::scene_named("dense").make(3000, 2)));
+  device::Detector detector;
+  PairCount found = 0;
+  for (int step = 0; step < 12; ++step) {
+    const double margin = 1.0 + 0.1 * step;
+    device::Detector fresh({.margin = margin});
+    const Statistics first = fresh.find_contact_pairs(copy.elements()).statistics();
+    detector.set_options({.margin = margin, .max_bytes = first.peak_bytes});
+    const Statistics later = detector.find_contact_pairs(copy.elements()).statistics();
+    EXPECT_EQ(later.contact_pairs, first.contact_pairs);
+    EXPECT_LE(later.peak_bytes, first.peak_bytes);
+    EXPECT_GT(first.contact_pairs, found);
+    found = first.contact_pairs;
+    // Without the bound, it keeps an array again.
+    detector.set_options({.margin = margin});
+    detector.find_contact_pairs(copy.elements());
   }
 }
 

@@ -6,8 +6,9 @@
 #include "device/backend.hpp"
 #include "device/bodies/decide_images.hpp"
 #include "device/columns_of.hpp"
+#include "device/device_columns.hpp"
 #include "device/host/host_executor.hpp"
-#include "device/kept_memory.hpp"
+#include "device/memory/kept_memory.hpp"
 #include "device/periodic_pipeline.hpp"
 #include "device/pipeline.hpp"
 
@@ -34,7 +35,7 @@ namespace {
 class Blocks {
  public:
   void* add(std::uint64_t bytes) {
-    void* const block = ::operator new(bytes);
+    void* const block = ::operator new(bytes, alignment);
     const std::lock_guard lock(mutex_);
     ends_[static_cast<std::byte*>(block)] = static_cast<std::byte*>(block) + bytes;
     return block;
@@ -43,7 +44,7 @@ class Blocks {
   void remove(void* block) noexcept {
     const std::lock_guard lock(mutex_);
     ends_.erase(static_cast<std::byte*>(block));
-    ::operator delete(block);
+    ::operator delete(block, alignment);
   }
 
   [[nodiscard]] bool hold(const std::byte* address) {
@@ -53,6 +54,8 @@ class Blocks {
   }
 
  private:
+  static constexpr std::align_val_t alignment{256};  ///< that of CUDA
+
   std::mutex mutex_;
   std::map<const std::byte*, const std::byte*> ends_;  ///< of each block
 };
@@ -62,32 +65,10 @@ Blocks& blocks() {
   return all;
 }
 
-void require_on_device(const ElementView& elements) {
-  const auto require = [&](const ElementView::Numbers& numbers) {
-    if (elements.size() == 0 || blocks().hold(numbers.first)) return;
-    throw Error(ErrorCode::wrong_usage,
-                "a column lies in the memory of the host; copy it to the device");
-  };
-  for (int axis = 0; axis < elements.dimensions(); ++axis) require(elements.center(axis));
-  for (int axis = 0; elements.shape() == Shape::box && axis < elements.dimensions(); ++axis) {
-    require(elements.upper(axis));
-  }
-  if (!elements.has_common_radius()) require(elements.radii());
-}
-
-void require_on_device(const PairRule& rule) {
-  const auto require = [](const auto& numbers) {
-    if (numbers.empty() || blocks().hold(reinterpret_cast<const std::byte*>(numbers.data()))) {
-      return;
-    }
-    throw Error(ErrorCode::wrong_usage,
-                "an array of the rule lies in the memory of the host; copy it to the device");
-  };
-  for (const PairTraits& traits : {rule.elements, rule.others}) {
-    require(traits.groups);
-    require(traits.categories);
-    require(traits.accepts);
-  }
+/// An address that nobody knows is one of the host, as CUDA has it.
+ArrayPlace place_of_array(const void* address) {
+  const bool is_known = blocks().hold(static_cast<const std::byte*>(address));
+  return {is_known ? ArrayPlace::Memory::device : ArrayPlace::Memory::host, 0};
 }
 
 Allocator allocator_of_blocks() {
@@ -129,14 +110,15 @@ class HostBackend final : public Backend {
   Answer answer(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
                 const Stream& stream, base::ProgressReporter& progress, const Call& call) {
     found_ = {};
-    require_on_device(spheres.first);
-    if (spheres.second != nullptr) require_on_device(*spheres.second);
-    require_on_device(request.rule);
-    memory_.begin(max_bytes, stream);
-    executor_.emplace(memory_, ItemOrder::shuffled, 2);
-    found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, progress, call)
-                                             : found<3>(spheres, request, progress, call);
-    return answer_of(found_, memory_.peak());
+    require_device_columns(spheres.first, 0, place_of_array);
+    if (spheres.second != nullptr) require_device_columns(*spheres.second, 0, place_of_array);
+    require_device_arrays(request.rule, 0, place_of_array);
+    return memory_.run(max_bytes, stream, [&] {
+      executor_.emplace(memory_, ItemOrder::shuffled, 2);
+      found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, progress, call)
+                                               : found<3>(spheres, request, progress, call);
+      return answer_of(found_, memory_.peak());
+    });
   }
 
   template <int Dim, class Call>

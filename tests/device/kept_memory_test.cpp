@@ -1,12 +1,14 @@
 // Memory that a detector keeps: places in one array, and blocks beside it.
 
-#include "device/kept_memory.hpp"
+#include "device/memory/kept_memory.hpp"
 
-#include "device/block_places.hpp"
 #include "device/host/host_executor.hpp"
+#include "device/memory/block_places.hpp"
 
 #include "scenes/random.hpp"
 #include "support/error_expectations.hpp"
+
+#include <abut/error.hpp>
 
 #include <gtest/gtest.h>
 
@@ -26,17 +28,25 @@ using device::BlockPlaces;
 using device::KeptMemory;
 using device::Stream;
 
+/// Takes the lowest gap.
+std::uint64_t taken(BlockPlaces& places, std::uint64_t bytes) {
+  const std::uint64_t place = places.lowest_gap(bytes);
+  places.take(place, bytes);
+  return place;
+}
+
 TEST(DeviceBlockPlaces, AreTheLowestGapsThatFit) {
   BlockPlaces places;
-  EXPECT_EQ(places.take(10), 0U);
-  EXPECT_EQ(places.take(20), 10U);
-  EXPECT_EQ(places.take(30), 30U);
+  EXPECT_EQ(taken(places, 10), 0U);
+  EXPECT_EQ(taken(places, 20), 10U);
+  EXPECT_EQ(taken(places, 30), 30U);
   places.give_back(10);
-  EXPECT_EQ(places.take(21), 60U);
-  EXPECT_EQ(places.take(15), 10U);
-  EXPECT_EQ(places.take(5), 25U);
+  EXPECT_EQ(taken(places, 21), 60U);
+  EXPECT_EQ(taken(places, 15), 10U);
+  EXPECT_EQ(taken(places, 5), 25U);
   places.give_back(0);
-  EXPECT_EQ(places.take(10), 0U);
+  EXPECT_EQ(taken(places, 10), 0U);
+  EXPECT_EQ(places.lowest_gap(1000), 81U);
   EXPECT_EQ(places.length(), 81U);
 }
 
@@ -54,7 +64,7 @@ TEST(DeviceBlockPlaces, NeverOverlap) {
       continue;
     }
     const auto bytes = 1 + static_cast<std::uint64_t>(random.uniform(0.0, 1000.0));
-    const std::uint64_t place = places.take(bytes);
+    const std::uint64_t place = taken(places, bytes);
     const auto behind = ends.lower_bound(place);
     EXPECT_TRUE(behind == ends.end() || place + bytes <= behind->first);
     EXPECT_TRUE(behind == ends.begin() || std::prev(behind)->second <= place);
@@ -68,6 +78,8 @@ TEST(DeviceBlockPlaces, NeverOverlap) {
 struct Source {
   std::uint64_t requests = 0;
   std::uint64_t largest = ~std::uint64_t{0};
+  std::uint64_t most_at_once = ~std::uint64_t{0};
+  std::uint64_t held = 0;
   std::vector<void*> streams;
   std::int64_t blocks = 0;
 
@@ -75,12 +87,14 @@ struct Source {
     return {[this](std::uint64_t bytes, Stream stream) -> void* {
               ++requests;
               streams.push_back(stream.handle);
-              if (bytes > largest) return nullptr;
+              if (bytes > largest || held + bytes > most_at_once) return nullptr;
+              held += bytes;
               ++blocks;
-              return std::malloc(bytes);
+              return std::aligned_alloc(256, (bytes + 255) / 256 * 256);
             },
-            [this](void* block, std::uint64_t, Stream stream) {
+            [this](void* block, std::uint64_t bytes, Stream stream) {
               streams.push_back(stream.handle);
+              held -= bytes;
               --blocks;
               std::free(block);
             }};
@@ -158,6 +172,100 @@ TEST(DeviceKeptMemory, IsGivenUpForABoundOrForWantOfIt) {
   memory.begin(no_bound, {});
   call(memory);
   EXPECT_EQ(memory.take(1001), nullptr);
+  EXPECT_EQ(memory.held(), 0U);
+  EXPECT_EQ(source.blocks, 0);
+}
+
+/// Calls that hold 1024 bytes, and some more beside them, within a bound.
+class GrowingCalls {
+ public:
+  explicit GrowingCalls(Source& source) : memory_(source.functions()) {}
+
+  /// Returns the peak of a call.
+  std::uint64_t run(std::uint64_t more) {
+    tries = 0;
+    return memory_.run(3072, {}, [&] {
+      ++tries;
+      Block first(memory_, 1024);
+      Block second(memory_, more);
+      return memory_.peak();
+    });
+  }
+
+  int tries = 0;  ///< of the last call
+
+ private:
+  struct Block {
+    Block(KeptMemory& memory, std::uint64_t size)
+        : of(memory), bytes(size), address(memory.take(size)) {
+      if (address == nullptr) throw std::bad_alloc();
+    }
+    ~Block() { of.give_back(address, bytes); }
+
+    KeptMemory& of;
+    std::uint64_t bytes;
+    void* address;
+  };
+
+  KeptMemory memory_;
+};
+
+/// A call that needs a little more than the one before: the whole block would lie beside the array,
+/// whose end would be of no use.
+TEST(DeviceKeptMemory, IsTakenAnewWhereItsArrayIsInTheWay) {
+  Source source;
+  GrowingCalls calls(source);
+  EXPECT_EQ(calls.run(1024), 2048U);
+  EXPECT_EQ(calls.run(1024), 2048U);
+  EXPECT_EQ(calls.tries, 1);
+  // Beside the array of 2048 bytes it would pass the bound.
+  EXPECT_EQ(calls.run(1280), 2304U);
+  EXPECT_EQ(calls.tries, 2);
+  EXPECT_EQ(calls.run(1280), 2304U);
+  EXPECT_EQ(calls.tries, 1);
+  // The same where the allocator has no more.
+  source.most_at_once = 3000;
+  EXPECT_EQ(calls.run(1536), 2560U);
+  EXPECT_EQ(calls.tries, 2);
+  // What no call can have is tried once more, and is not asked for by the next one.
+  expect_error(ErrorCode::limit_exceeded, {"bytes are needed"}, [&] { calls.run(4096); });
+  EXPECT_EQ(calls.tries, 2);
+  source.requests = 0;
+  EXPECT_EQ(calls.run(1024), 2048U);
+  EXPECT_EQ(calls.tries, 1);
+  EXPECT_EQ(source.requests, 2U);
+}
+
+/// Other errors than a lack of memory end a call at once.
+TEST(DeviceKeptMemory, RunsNothingTwiceForAnotherError) {
+  Source source;
+  KeptMemory memory(source.functions());
+  for (int call_before = 0; call_before < 2; ++call_before) {
+    memory.run(no_bound, {}, [&] { call(memory); });
+  }
+  int tries = 0;
+  const auto refuse = [&] {
+    ++tries;
+    call(memory);
+    throw Error(ErrorCode::limit_exceeded, "pairs");
+  };
+  EXPECT_THROW(memory.run(no_bound, {}, refuse), Error);
+  EXPECT_EQ(tries, 1);
+}
+
+TEST(DeviceKeptMemory, RefusesBlocksThatAreNotAligned) {
+  Source source;
+  device::Allocator functions = source.functions();
+  functions.allocate = [give = functions.allocate](std::uint64_t bytes, Stream stream) -> void* {
+    return static_cast<std::byte*>(give(bytes + 64, stream)) + 64;
+  };
+  functions.release = [take = functions.release](void* block, std::uint64_t bytes, Stream stream) {
+    take(static_cast<std::byte*>(block) - 64, bytes + 64, stream);
+  };
+  KeptMemory memory(functions);
+  memory.begin(no_bound, {});
+  expect_error(ErrorCode::wrong_usage, {"1000 bytes", "multiple of 256"},
+               [&] { static_cast<void>(memory.take(1000)); });
   EXPECT_EQ(memory.held(), 0U);
   EXPECT_EQ(source.blocks, 0);
 }

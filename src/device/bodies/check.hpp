@@ -45,7 +45,7 @@ struct Extent {
   double smallest_radius;
   double largest_radius;
   double second_largest_radius;
-  std::uint32_t first_bad;
+  std::uint64_t first_bad;  ///< as wide as the others: no byte is copied that nobody wrote
 
   [[nodiscard]] ABUT_HD static Extent of_none() noexcept {
     constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -126,6 +126,16 @@ struct MeetCoarse {
   }
 };
 
+/// Body of a reduction: how many items coarse element k makes.
+template <class Search>
+struct ItemsOfCoarse {
+  Search search;
+
+  [[nodiscard]] ABUT_HD std::uint64_t operator()(std::uint64_t k) const noexcept {
+    return search.items_of(k);
+  }
+};
+
 /// Body: how many items coarse element k makes; none behind the last one.
 template <class Search>
 struct CountItems {

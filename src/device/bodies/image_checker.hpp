@@ -137,7 +137,8 @@ struct ImagePairWriter {
     }
     const bool is_itself = other.image[0] == 0 && other.image[1] == 0 && other.image[2] == 0;
     const auto number = static_cast<std::uint32_t>(place - first_place);
-    *place = {one, is_itself ? other.element : elements + number};
+    const auto element = static_cast<std::uint32_t>(other.element);
+    *place = {one, is_itself ? element : elements + number};
     images[number] = other;
   }
 };

@@ -14,6 +14,12 @@ struct PartnerCount {
   std::uint64_t certain = 0;
   std::uint64_t doubtful = 0;
   std::uint64_t tests = 0;
+
+  void add(const PartnerCount& more) noexcept {
+    certain += more.certain;
+    doubtful += more.doubtful;
+    tests += more.tests;
+  }
 };
 
 /// How many distances item k of a search compares.

@@ -67,7 +67,7 @@ struct PeriodicElements {
   }
 
   [[nodiscard]] ABUT_HD std::uint32_t element_of(std::uint32_t k) const noexcept {
-    return k < elements.count ? k : ghosts[k - elements.count].element;
+    return k < elements.count ? k : static_cast<std::uint32_t>(ghosts[k - elements.count].element);
   }
 
   [[nodiscard]] ABUT_HD double radius(std::uint32_t k) const noexcept {
@@ -205,7 +205,7 @@ struct PeriodicElements {
   /// Images::counts
   [[nodiscard]] ABUT_HD bool counts(std::uint32_t local, const Ghost& ghost) const noexcept {
     const bool is_large = radius(local) >= map.size_cut;
-    if (radius(ghost.element) < map.size_cut) return !is_large;
+    if (radius(static_cast<std::uint32_t>(ghost.element)) < map.size_cut) return !is_large;
     return !is_large || ghost.is_positive();
   }
 };

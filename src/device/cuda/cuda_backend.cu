@@ -1,11 +1,15 @@
 #include "device/answer_of.hpp"
 #include "device/backend.hpp"
 #include "device/columns_of.hpp"
+#include "device/cuda/array_place.hpp"
 #include "device/cuda/cuda_error.hpp"
+#include "device/cuda/current_device.hpp"
 #include "device/cuda/detection.cuh"
-#include "device/cuda/device_columns.hpp"
+#include "device/cuda/earlier_work.hpp"
 #include "device/cuda/no_device.hpp"
-#include "device/kept_memory.hpp"
+#include "device/cuda/runtime_pool.hpp"
+#include "device/device_columns.hpp"
+#include "device/memory/kept_memory.hpp"
 
 #include <abut/error.hpp>
 
@@ -22,53 +26,17 @@
 namespace abut::device {
 namespace {
 
-/// Makes a device the current one of the calling thread, and the former one again.
-class CurrentDevice {
- public:
-  explicit CurrentDevice(int device) {
-    require(cudaGetDevice(&former_), "tell which device is current");
-    require(cudaSetDevice(device), "become the current device");
-  }
-  ~CurrentDevice() { static_cast<void>(cudaSetDevice(former_)); }
-  CurrentDevice(const CurrentDevice&) = delete;
-  CurrentDevice& operator=(const CurrentDevice&) = delete;
-
- private:
-  int former_ = 0;
-};
-
-/// What failed before a detection began is told as what it is.
-void require_no_earlier_error(cudaStream_t stream) {
-  const cudaError_t state = cudaStreamQuery(stream);
-  if (state == cudaSuccess || state == cudaErrorNotReady) return;
-  throw Error(ErrorCode::unexpected,
-              std::string("work that was put into the stream before this detection has failed: ") +
-                  cudaGetErrorString(state) + "; mend that first");
-}
-
-/// The pool of the runtime, in the order of the stream.
-Allocator allocator_of_runtime() {
-  const auto allocate = [](std::uint64_t bytes, Stream stream) -> void* {
-    void* block = nullptr;
-    const cudaError_t result =
-        cudaMallocAsync(&block, bytes, static_cast<cudaStream_t>(stream.handle));
-    if (result == cudaErrorMemoryAllocation) return nullptr;
-    require(result, "allocate memory");
-    return block;
-  };
-  const auto release = [](void* block, std::uint64_t, Stream stream) {
-    static_cast<void>(cudaFreeAsync(block, static_cast<cudaStream_t>(stream.handle)));
-  };
-  return {allocate, release};
-}
-
 class CudaBackend final : public Backend {
  public:
   CudaBackend(int device, Allocator allocator)
       : device_(device),
-        memory_(allocator.allocate ? std::move(allocator) : allocator_of_runtime()) {}
-  /// What goes with the members is memory of this device.
-  ~CudaBackend() override { static_cast<void>(cudaSetDevice(device_)); }
+        memory_(without_errors(allocator.allocate ? std::move(allocator) : pool_of_runtime())) {}
+  /// What is released is memory of this device.
+  ~CudaBackend() override {
+    const CurrentDevice current(device_);
+    found_ = {};
+    memory_.release_array();
+  }
 
   Answer list(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
               const Stream& stream, base::ProgressReporter& progress) override {
@@ -86,20 +54,23 @@ class CudaBackend final : public Backend {
 
   void copy_to_host(void* target, const void* source, std::uint64_t bytes) override {
     const CurrentDevice current(device_);
+    current.require_it();
     executor_->copy_to_host(static_cast<std::byte*>(target), static_cast<const std::byte*>(source),
                             bytes);
   }
 
   void wait() override {
     const CurrentDevice current(device_);
+    current.require_it();
     if (executor_) executor_->wait();
   }
 
   void* allocate(std::uint64_t bytes) override {
     const CurrentDevice current(device_);
+    current.require_it();
     void* block = nullptr;
     const cudaError_t result = cudaMalloc(&block, bytes);
-    if (result == cudaErrorMemoryAllocation) report_lack_of_device_memory(bytes);
+    if (result == cudaErrorMemoryAllocation) report_lack_of_device_memory(bytes, 0);
     require(result, "allocate memory");
     return block;
   }
@@ -108,7 +79,11 @@ class CudaBackend final : public Backend {
 
   void copy_to_device(void* target, const void* source, std::uint64_t bytes) override {
     const CurrentDevice current(device_);
+    current.require_it();
+    // A copy from pageable memory returns when the source may change, which is before it has
+    // arrived, and other streams do not wait for it.
     require(cudaMemcpy(target, source, bytes, cudaMemcpyHostToDevice), "copy from the host");
+    require(cudaStreamSynchronize(nullptr), "finish a copy from the host");
   }
 
  private:
@@ -116,17 +91,19 @@ class CudaBackend final : public Backend {
   Answer answer(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
                 const Stream& stream, const Call& call) {
     const CurrentDevice current(device_);
-    found_ = {};
     const auto handle = static_cast<cudaStream_t>(stream.handle);
-    require_no_earlier_error(handle);
-    require_device_columns(spheres.first, device_);
-    if (spheres.second != nullptr) require_device_columns(*spheres.second, device_);
-    require_device_arrays(request.rule, device_);
-    memory_.begin(max_bytes, stream);
-    executor_.emplace(memory_, handle);
-    found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, call)
-                                             : found<3>(spheres, request, call);
-    return answer_of(found_, memory_.peak());
+    require_sound_stream(handle);
+    current.require_it();
+    found_ = {};
+    require_device_columns(spheres.first, device_, place_of_array);
+    if (spheres.second != nullptr) require_device_columns(*spheres.second, device_, place_of_array);
+    require_device_arrays(request.rule, device_, place_of_array);
+    return memory_.run(max_bytes, stream, [&] {
+      executor_.emplace(memory_, handle);
+      found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, call)
+                                               : found<3>(spheres, request, call);
+      return answer_of(found_, memory_.peak());
+    });
   }
 
   template <int Dim, class Call>

@@ -3,7 +3,7 @@
 #include "device/cuda/cuda_error.hpp"
 #include "device/cuda/tuning.hpp"
 #include "device/executor.hpp"
-#include "device/kept_memory.hpp"
+#include "device/memory/kept_memory.hpp"
 
 #include <abut/pair.hpp>
 
@@ -147,7 +147,7 @@ class CudaExecutor {
 
   [[nodiscard]] void* allocate(std::uint64_t bytes) {
     if (void* const block = memory_.take(bytes)) return block;
-    report_lack_of_device_memory(bytes);
+    report_lack_of_device_memory(bytes, memory_.held());
   }
 
   void release(void* block, std::uint64_t bytes) noexcept { memory_.give_back(block, bytes); }

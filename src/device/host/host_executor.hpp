@@ -3,7 +3,7 @@
 #include "base/memory_meter.hpp"
 #include "base/workers.hpp"
 #include "device/executor.hpp"
-#include "device/kept_memory.hpp"
+#include "device/memory/kept_memory.hpp"
 
 #include <abut/pair.hpp>
 

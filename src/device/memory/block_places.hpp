@@ -9,8 +9,10 @@ namespace abut::device {
 /// The same sequence of blocks has the same places each time.
 class BlockPlaces {
  public:
-  /// Takes a place; bytes must not be 0.
-  std::uint64_t take(std::uint64_t bytes);
+  /// Finds the lowest gap that so many bytes fit into; they must not be 0.
+  [[nodiscard]] std::uint64_t lowest_gap(std::uint64_t bytes) const noexcept;
+  /// Takes a place that was found.
+  void take(std::uint64_t place, std::uint64_t bytes);
   void give_back(std::uint64_t place) noexcept { ends_.erase(place); }
 
   /// Length of the array that all places so far have needed.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/memory_meter.hpp"
-#include "device/block_places.hpp"
+#include "device/memory/block_places.hpp"
 
 #include <abut/device.hpp>
 
@@ -14,7 +14,8 @@ namespace abut::device {
 
 /// The memory that one detector takes from an allocator, counted. A call learns how long one array
 /// for all of its blocks would be; the next takes that array at once and keeps it, so that calls
-/// which need no more than the one before allocate nothing.
+/// which need no more than the one before allocate nothing. Blocks that the array is too short for
+/// lie beside it.
 class KeptMemory {
  public:
   explicit KeptMemory(Allocator allocator) : allocator_(std::move(allocator)) {}
@@ -25,8 +26,28 @@ class KeptMemory {
   /// Begins a call in a stream. All blocks of the call before have been given back.
   void begin(std::uint64_t max_bytes, Stream stream);
 
+  /// Begins a call in a stream and runs it. Where memory did not suffice beside the array of the
+  /// call before, that is released and the call is run once more: it ends as if it were the first.
+  template <class Call>
+  auto run(std::uint64_t max_bytes, Stream stream, const Call& call) {
+    begin(max_bytes, stream);
+    if (array_ == nullptr) return call();
+    try {
+      return call();
+    } catch (...) {
+      if (!was_short_) throw;
+    }
+    release_array();
+    start(max_bytes, stream);
+    return call();
+  }
+
+  /// Gives the array back.
+  void release_array() noexcept;
+
   /// Memory for what is put into the stream from now on; null if the allocator has none. Throws
-  /// Error{limit_exceeded} where the bound of the call would be passed.
+  /// Error{limit_exceeded} where the bound of the call would be passed, and Error{wrong_usage} for
+  /// a block that is not aligned.
   [[nodiscard]] void* take(std::uint64_t bytes);
   void give_back(void* block, std::uint64_t bytes) noexcept;
 
@@ -35,9 +56,11 @@ class KeptMemory {
   [[nodiscard]] std::uint64_t held() const noexcept { return meter_.held(); }
 
  private:
-  void release_array() noexcept;
+  void start(std::uint64_t max_bytes, Stream stream);
+  [[nodiscard]] void* take_beside(std::uint64_t bytes, std::uint64_t place);
   void take_array(std::uint64_t bytes);
   [[nodiscard]] void* allocate(std::uint64_t bytes);
+  void release(void* block, std::uint64_t bytes) noexcept;
 
   Allocator allocator_;
   base::MemoryMeter meter_;
@@ -45,6 +68,7 @@ class KeptMemory {
   BlockPlaces places_;  ///< of this call's blocks in the array, whether it is long enough or not
   std::byte* array_ = nullptr;
   std::uint64_t array_bytes_ = 0;
+  bool was_short_ = false;                 ///< the last block of the call could not be had
   std::map<void*, std::uint64_t> beside_;  ///< places of blocks that the array was too short for
 };
 

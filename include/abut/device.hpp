@@ -42,7 +42,8 @@ struct Device {
 }
 
 /// Stream that the work of a detection is put into, as the runtime has it (cudaStream_t); without a
-/// handle the default stream.
+/// handle the default stream. A stream must outlive the next call of the detector, or the detector:
+/// memory that it keeps is released in the order of the stream of its last call.
 struct Stream {
   void* handle = nullptr;  ///< handle of the runtime
 };

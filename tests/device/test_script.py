@@ -64,6 +64,26 @@ class TestScript(unittest.TestCase):
         for kind in ("memcheck", "initcheck", "racecheck", "synccheck"):
             self.assertIn(f"compute-sanitizer, {kind}", self.result())
 
+    def test_sanitizers_see_all_forms(self):
+        write_program(self.folder / "path/nvidia-smi", NVIDIA_SMI)
+        write_program(self.folder / "tests/device/on_device_test",
+                      f'echo "$ABUT_SCENE_ELEMENTS $*" >> {self.folder}/calls')
+        self.assertEqual(self.run_script().returncode, 0)
+        calls = (self.folder / "calls").read_text().splitlines()
+        self.assertEqual(len(calls), 2 + 2 * 4)
+        for plain, others in zip(calls[2::2], calls[3::2]):
+            self.assertRegex(plain, r"^1000 .*Scenes/FaceScenes\*")
+            self.assertRegex(others, r"^500 .*FaceCalls\.\*:.*FaceRows\*:FaceRules\.\*:Scenes/FaceRows")
+
+    def test_an_error_of_a_sanitizer(self):
+        write_program(self.folder / "path/nvidia-smi", NVIDIA_SMI)
+        for word in ("FaceScenes", "FaceRules"):
+            write_program(self.folder / "path/compute-sanitizer",
+                          f'case "$*" in *initcheck*{word}*) exit 9 ;; esac')
+            self.assertEqual(self.run_script().returncode, 1)
+            self.assertRegex(self.result(), "compute-sanitizer, initcheck +FAILED")
+            self.assertEqual(self.result().count("FAILED"), 1)
+
     def test_a_failure_is_told_and_written(self):
         write_program(self.folder / "path/nvidia-smi", NVIDIA_SMI)
         write_program(self.folder / "tests/device/after_failure", "exit 1")

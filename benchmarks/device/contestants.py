@@ -1,17 +1,20 @@
-"""Times other people's neighbor lists on a GPU, on the scenes of abut.
+"""Times other people's neighbor lists on a GPU beside abut, on the scenes of abut.
 
 Usage, in the project's folder: python3 -m benchmarks.device.contestants TOOL [--elements N,M]
-TOOL is abut, the tool, which makes the scenes and tells their digests. Each contestant's pairs are
-brought into order and their digest is compared with that of abut before anything is timed; one that
-differs is shown as WRONG, with the pairs that it found. Packages that are not installed, and what
-they fail with, are named on standard error. Elements are equal spheres, since the contestants know
-one cutoff. Exit code 6 without a device.
+TOOL is abut, the tool, which makes the scenes, tells their digests, and measures abut on the device
+and on the processor by `bench`, in the same run. Each contestant's pairs are brought into order and
+their digest is compared with that of abut before anything is timed; one that differs is shown as
+WRONG, with the pairs that it found. Each row has the time of a call for each element, elements a
+second, and how many times as long as abut on the device the contestant takes. Packages that are not
+installed, and what they fail with, are named on standard error. Elements are equal spheres, since
+the contestants know one cutoff. Exit code 6 without a device, 7 where an answer of abut is wrong.
 """
 
 import argparse
 import csv
 import hashlib
 import importlib.metadata
+import json
 import subprocess
 import sys
 import tempfile
@@ -20,6 +23,9 @@ from pathlib import Path
 
 SCENES = ("dense", "gas")
 CALLS = 7
+DIFFERENT_ANSWERS = 7
+HEADING = ("contestant", "scene", "elements", "pairs", "answer", "first_ms", "median_ms",
+           "ns_per_element", "billions_per_second", "times_as_long_as_abut")
 
 
 def vesin_pairs(points, cutoff):
@@ -75,7 +81,7 @@ def versions(distributions):
 
 
 def scene_of(tool, name, elements, folder):
-    """The points, the cutoff and the digest of a scene, by the tool."""
+    """The file of a scene, its points, the cutoff and the digest, by the tool."""
     import numpy as np
 
     path = str(Path(folder) / "scene.csv")
@@ -83,7 +89,51 @@ def scene_of(tool, name, elements, folder):
     told = subprocess.run([tool, "contacts", path, "--digest"], check=True, capture_output=True,
                           text=True)
     table = np.loadtxt(path, delimiter=",", skiprows=1)
-    return table[:, :3], 2.0 * table[0, 3], told.stdout.strip()
+    return path, table[:, :3], 2.0 * table[0, 3], told.stdout.strip()
+
+
+def row_of(contestant, scene, elements, result, seconds_of_abut):
+    """A row of the table; `result` is what `measured` returns."""
+    pairs, answer, once, median = result
+    row = [contestant, scene, elements, pairs, answer]
+    if median is None:
+        return row + [""] * (len(HEADING) - len(row))
+    ratio = "" if seconds_of_abut is None else f"{median / seconds_of_abut:.2f}"
+    return row + [f"{1e3 * once:.4f}", f"{1e3 * median:.4f}", f"{1e9 * median / elements:.4f}",
+                  f"{1e-9 * elements / median:.4f}", ratio]
+
+
+def rows_of_abut(told, scene, expected):
+    """The rows of abut, the device first, of what `bench --json` told, and its seconds there.
+
+    Of the processor the fastest list in canonical order counts.
+    """
+    elements = told["elements"]
+    best = {}
+    for run in told["runs"]:
+        if run["result"] != "canonical" or "not_run" in run:
+            continue
+        where = "processor" if run["device"] == "cpu" else "device"
+        first, median = (1e-9 * run["ns_per_element"][name] * elements
+                         for name in ("first", "median"))
+        if run["digest"] != expected:
+            best[where] = (run["contact_pairs"], "WRONG", None, None)
+        elif where not in best or (best[where][3] or 0.0) > median:
+            best[where] = (run["contact_pairs"], "right", first, median)
+    seconds = best.get("device", (None,) * 4)[3]
+    names = (("device", "abut::device"), ("processor", "abut on the processor"))
+    return [row_of(name, scene, elements, best[where], seconds)
+            for where, name in names if where in best], seconds
+
+
+def bench_of_abut(tool, path):
+    """What the tool's bench measures on the device and the processor, list and all."""
+    done = subprocess.run([tool, "bench", path, "--json", "--device", "gpu", "--algorithms", "rows",
+                           "--repetitions", str(CALLS), "-q"],
+                          check=False, capture_output=True, text=True)
+    if not done.stdout:
+        raise RuntimeError(done.stderr.strip())
+    return json.loads(done.stdout)
 
 
 def measured(function, points, cutoff, expected, wait):
@@ -104,23 +154,27 @@ def measured(function, points, cutoff, expected, wait):
     return len(first), "right", once, sorted(seconds)[CALLS // 2]
 
 
-def rows(tool, sizes):
+def rows_of_scene(tool, scene, elements, folder):
     import torch
 
+    path, numbers, cutoff, expected = scene_of(tool, scene, elements, folder)
+    of_abut, seconds = rows_of_abut(bench_of_abut(tool, path), scene, expected)
+    yield from of_abut
+    points = torch.tensor(numbers, dtype=torch.float64, device="cuda")
+    for name, function, _ in CONTESTANTS:
+        try:
+            result = measured(function, points, cutoff, expected, torch.cuda.synchronize)
+        except Exception as error:  # noqa: BLE001  (other people's, of any kind)
+            print(f"{name}, {scene}, {elements}: left out: {error}", file=sys.stderr)
+            continue
+        yield row_of(name, scene, elements, result, seconds)
+
+
+def rows(tool, sizes):
     with tempfile.TemporaryDirectory() as folder:
         for elements in sizes:
             for scene in SCENES:
-                numbers, cutoff, expected = scene_of(tool, scene, elements, folder)
-                points = torch.tensor(numbers, dtype=torch.float64, device="cuda")
-                for name, function, _ in CONTESTANTS:
-                    try:
-                        pairs, answer, once, median = measured(
-                            function, points, cutoff, expected, torch.cuda.synchronize)
-                    except Exception as error:  # noqa: BLE001  (other people's, of any kind)
-                        print(f"{name}, {scene}, {elements}: left out: {error}", file=sys.stderr)
-                        continue
-                    times = ["", ""] if once is None else [f"{1e3 * once:.4f}", f"{1e3 * median:.4f}"]
-                    yield [name, scene, elements, pairs, answer, *times]
+                yield from rows_of_scene(tool, scene, elements, folder)
 
 
 def main():
@@ -141,9 +195,13 @@ def main():
     for name, _, distributions in CONTESTANTS:
         print(f"# {name}: {versions(distributions) or 'not installed'}")
     table = csv.writer(sys.stdout, lineterminator="\n")
-    table.writerow(["contestant", "scene", "elements", "pairs", "answer", "first_ms", "median_ms"])
-    table.writerows(rows(arguments.tool, [int(size) for size in arguments.elements.split(",")]))
-    return 0
+    table.writerow(HEADING)
+    all_right = True
+    for row in rows(arguments.tool, [int(size) for size in arguments.elements.split(",")]):
+        table.writerow(row)
+        sys.stdout.flush()
+        all_right &= not (row[0].startswith("abut") and row[4] == "WRONG")
+    return 0 if all_right else DIFFERENT_ANSWERS
 
 
 if __name__ == "__main__":

@@ -19,6 +19,10 @@ if(ABUT_CUDA STREQUAL ON OR
   endif()
 endif()
 
+# The warnings of what nvcc compiles, errors where those of the project are.
+set(ABUT_CUDA_WARNINGS "-Xcompiler=-Wall,-Wextra"
+  $<$<BOOL:${ABUT_WARNINGS_AS_ERRORS}>:-Werror=all-warnings>)
+
 if(ABUT_USE_CUDA)
   message(STATUS "abut: devices (CUDA) ${CMAKE_CUDA_COMPILER_VERSION}")
 else()

@@ -1,11 +1,13 @@
 #include "benchmarks/device/ceilings.hpp"
 
+#include "benchmarks/common/timing.hpp"
 #include "benchmarks/device/cuda_calls.hpp"
 
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 
 #include <algorithm>
+#include <utility>
 
 namespace abut::benchmarks {
 namespace {
@@ -105,7 +107,59 @@ Ceiling copy(std::uint64_t bytes) {
   return {"copy", bytes, seconds, 2.0};
 }
 
+__global__ void do_nothing() {}
+
+/// The median of what the host takes for some work.
+template <class Work>
+Ceiling latency(const char* name, Work&& work) {
+  constexpr int most = 1001;
+  work();
+  std::vector<double> seconds;
+  Stopwatch stopwatch;
+  for (int run = 0; run < most; ++run) {
+    work();
+    seconds.push_back(stopwatch.lap());
+  }
+  return {name, 1, median(std::move(seconds)), 0.0};
+}
+
+void wait() {
+  require(cudaStreamSynchronize(nullptr), "finish its work");
+}
+
+void launch(int times) {
+  for (int k = 0; k < times; ++k) do_nothing<<<1, 32>>>();
+  require(cudaGetLastError(), "start a kernel");
+}
+
+/// As a detection asks for a number: into memory of the host as it is.
+void fetch(const DeviceArray<std::uint64_t>& from) {
+  std::uint64_t number = 0;
+  require(cudaMemcpyAsync(&number, from.data(), sizeof(number), cudaMemcpyDeviceToHost), "copy");
+  wait();
+}
+
 }  // namespace
+
+std::vector<Ceiling> measure_latencies() {
+  const DeviceArray<std::uint64_t> number(1);
+  require(cudaMemset(number.data(), 0, sizeof(std::uint64_t)), "fill an array");
+  const auto launches_and_wait = [](int times) {
+    return [times] {
+      launch(times);
+      wait();
+    };
+  };
+  return {latency("wait for nothing", wait), latency("launch and wait", launches_and_wait(1)),
+          latency("30 launches and a wait", launches_and_wait(30)),
+          latency("copy of 8 bytes to the host", [&] { fetch(number); }),
+          latency("four times 8 launches and a copy of 8 bytes to the host", [&] {
+            for (int k = 0; k < 4; ++k) {
+              launch(8);
+              fetch(number);
+            }
+          })};
+}
 
 std::vector<Ceiling> measure_ceilings(std::uint64_t items) {
   return {copy(16 * items),

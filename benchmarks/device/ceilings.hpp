@@ -14,6 +14,10 @@ struct Ceiling {
   double bytes_of_item = 0.0;  ///< read and written, at least
 };
 
+/// Measures what the host takes for a launch and a wait, whatever the items: empty kernels, copies
+/// of a few bytes, and chains of launches as those of a detection. One item each, of no bytes.
+[[nodiscard]] std::vector<Ceiling> measure_latencies();
+
 /// Measures copies, sorts, scans and gathers of so many items.
 [[nodiscard]] std::vector<Ceiling> measure_ceilings(std::uint64_t items);
 

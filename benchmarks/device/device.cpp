@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace abut::benchmarks {
 namespace {
@@ -51,18 +52,21 @@ void print_versions() {
   std::printf("# abut: %s\n", std::string(build_description()).c_str());
 }
 
+void print_ceilings(const std::vector<Ceiling>& ceilings) {
+  for (const Ceiling& ceiling : ceilings) {
+    const auto n = static_cast<double>(ceiling.items);
+    std::printf("%s,%llu,%.4f,%.5f,%.3f,%.3e\n", ceiling.name.c_str(),
+                static_cast<unsigned long long>(ceiling.items), 1e3 * ceiling.seconds,
+                1e9 * ceiling.seconds / n, 1e-9 * n / ceiling.seconds,
+                n * ceiling.bytes_of_item / ceiling.seconds);
+  }
+  std::fflush(stdout);
+}
+
 bool run_ceilings(std::initializer_list<std::uint64_t> sizes) {
   std::puts("ceiling,items,ms,ns_per_item,billions_per_second,bytes_per_second");
-  for (const std::uint64_t items : sizes) {
-    for (const Ceiling& ceiling : measure_ceilings(items)) {
-      const auto n = static_cast<double>(ceiling.items);
-      std::printf("%s,%llu,%.4f,%.5f,%.3f,%.3e\n", ceiling.name.c_str(),
-                  static_cast<unsigned long long>(ceiling.items), 1e3 * ceiling.seconds,
-                  1e9 * ceiling.seconds / n, 1e-9 * n / ceiling.seconds,
-                  n * ceiling.bytes_of_item / ceiling.seconds);
-      std::fflush(stdout);
-    }
-  }
+  print_ceilings(measure_latencies());
+  for (const std::uint64_t items : sizes) print_ceilings(measure_ceilings(items));
   return true;
 }
 

@@ -1,6 +1,8 @@
 #include "benchmarks/device/device_forms.hpp"
 
 #include "benchmarks/device/device_timing.hpp"
+#include "benchmarks/device/list_bytes.hpp"
+#include "benchmarks/device/same_lists.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/detector.hpp>
@@ -25,7 +27,8 @@ constexpr int processor_calls = 3;
 /// A scene on the host and on the device, in open space and in a block as wide as its
 /// centers, so that pairs meet across the faces.
 struct Elements {
-  explicit Elements(const scenes::Scene& scene) : on_host(view_of(scene)), copy(on_host) {
+  explicit Elements(const scenes::Scene& scene)
+      : on_host(view_of(scene)), copy(on_host), size(size_of(scene)) {
     std::array<double, 3> sides{};
     const std::vector<double>* const columns[] = {&scene.x, &scene.y, &scene.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -37,19 +40,17 @@ struct Elements {
 
   ElementView on_host;
   device::ElementCopy copy;
+  DetectionSize size;
   Domain block = Domain::open();
 };
 
-bool same(const PairList& a, const PairList& b) {
-  return std::ranges::equal(a.pairs(), b.pairs()) && std::ranges::equal(a.shifts(), b.shifts()) &&
-         std::ranges::equal(a.gaps(), b.gaps());
-}
-
-bool same(const NeighborList& a, const NeighborList& b) {
-  return std::ranges::equal(a.offsets(), b.offsets()) &&
-         std::ranges::equal(a.neighbors(), b.neighbors()) &&
-         std::ranges::equal(a.shifts(), b.shifts());
-}
+/// One form of result: its name, what is asked for, and in which domain.
+struct Form {
+  std::string name;
+  ResultForm result = ResultForm::pairs;
+  Options options = {};
+  bool is_periodic = false;
+};
 
 /// Measures one form of result: `find(detector, elements)` returns a list of either detector.
 class FormMeasurement {
@@ -59,22 +60,25 @@ class FormMeasurement {
 
   /// False if the device found something else than the processor.
   template <class Find>
-  bool measure(const std::string& form, const Options& options, const Find& find) const {
-    Detector on_processor(options);
-    device::Detector on_device(options);
+  bool measure(const Form& form, const Find& find) const {
+    Detector on_processor(form.options);
+    device::Detector on_device(form.options);
     const auto* expected = &find(on_processor, elements_.on_host);
     const auto* found = &find(on_device, elements_.copy.elements());
-    DeviceRow of_processor = row_for("abut on the processor: " + form, *expected);
-    DeviceRow of_device = row_for("abut::device: " + form, *found);
+    DeviceRow of_processor =
+        row_of("abut on the processor: " + form.name, scene_, size_of_list(form, *expected));
+    const DetectionSize size = size_of_list(form, *found);
+    DeviceRow of_device = row_of("abut::device: " + form.name, scene_, size);
+    of_device.moved_bytes = moved_bytes(size);
     of_device.is_right = same(found->to_host(), *expected);
     // Detectors of their own, so that the first call is one.
-    on_processor = Detector(options);
+    on_processor = Detector(form.options);
     time_calls(of_processor, processor_calls,
                [&] { expected = &find(on_processor, elements_.on_host); });
     of_processor.peak_bytes = expected->statistics().peak_bytes;
     print_row(of_processor, effort_, of_processor.median);
     if (of_device.is_right) {
-      on_device = device::Detector(options);
+      on_device = device::Detector(form.options);
       time_calls(of_device, effort_.calls, [&] {
         found = &find(on_device, elements_.copy.elements());
         found->wait();
@@ -87,9 +91,15 @@ class FormMeasurement {
 
  private:
   template <class List>
-  [[nodiscard]] DeviceRow row_for(std::string contestant, const List& list) const {
-    return row_of(std::move(contestant), scene_, elements_.on_host.size(),
-                  list.statistics().contact_pairs);
+  [[nodiscard]] DetectionSize size_of_list(const Form& form, const List& list) const {
+    DetectionSize size = elements_.size;
+    size.form = form.result;
+    size.pairs = list.statistics().contact_pairs;
+    size.exact_decisions = list.statistics().exact_decisions;
+    size.has_gaps = form.options.quantities == Quantity::gap;
+    size.has_shifts = form.options.shifts == Shifts::stored;
+    size.is_periodic = form.is_periodic;
+    return size;
   }
 
   std::string scene_;
@@ -114,12 +124,17 @@ bool measure_forms(std::string_view name, std::uint64_t elements, const DeviceEf
     };
   };
   const Domain open = Domain::open();
-  bool all_right = forms.measure("gaps", {.quantities = Quantity::gap}, pairs_in(open));
-  all_right &= forms.measure("half list", {}, list_of(NeighborListKind::half));
-  all_right &= forms.measure("full list", {}, list_of(NeighborListKind::full));
-  all_right &= forms.measure("periodic", {}, pairs_in(both.block));
-  all_right &=
-      forms.measure("periodic with shifts", {.shifts = Shifts::stored}, pairs_in(both.block));
+  const auto half = list_of(NeighborListKind::half);
+  const auto full = list_of(NeighborListKind::full);
+  const Options gaps{.quantities = Quantity::gap};
+  const Options shifts{.shifts = Shifts::stored};
+  bool all_right = forms.measure({"gaps", ResultForm::pairs, gaps}, pairs_in(open));
+  all_right &= forms.measure({"half list", ResultForm::half_list}, half);
+  all_right &= forms.measure({"full list", ResultForm::full_list}, full);
+  all_right &= forms.measure({"full list with gaps", ResultForm::full_list, gaps}, full);
+  all_right &= forms.measure({"periodic", ResultForm::pairs, {}, true}, pairs_in(both.block));
+  all_right &= forms.measure({"periodic with shifts", ResultForm::pairs, shifts, true},
+                             pairs_in(both.block));
   return all_right;
 }
 

@@ -20,12 +20,13 @@ void print_row(const DeviceRow& row, const DeviceEffort& effort, double processo
     return;
   }
   const auto n = static_cast<double>(row.elements);
-  const double compulsory = 32.0 * n + 8.0 * static_cast<double>(row.pairs);
-  std::printf("%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.2f,%.4f,%.4f,%.4f,%.1f\n", 1e3 * row.first,
-              1e3 * row.median, 1e3 * row.least, 1e9 * row.median / n, 1e-9 * n / row.median,
-              row.median * effort.copy_speed / compulsory,
-              row.median * effort.copy_speed / (n * row.bytes_of_element),
-              processor_seconds / row.median, 1e3 * row.gather, 1e3 * row.search, 1e3 * row.order,
+  std::printf("%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,", 1e3 * row.first, 1e3 * row.median, 1e3 * row.least,
+              1e9 * row.median / n, 1e-9 * n / row.median,
+              row.median * effort.copy_speed / row.compulsory_bytes);
+  if (row.moved_bytes) std::printf("%.4f", row.median * effort.copy_speed / *row.moved_bytes);
+  std::printf(",");
+  if (processor_seconds > 0.0) std::printf("%.2f", processor_seconds / row.median);
+  std::printf(",%.4f,%.4f,%.4f,%.1f\n", 1e3 * row.gather, 1e3 * row.search, 1e3 * row.order,
               static_cast<double>(row.peak_bytes) / n);
   std::fflush(stdout);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace abut::benchmarks {
@@ -19,7 +20,8 @@ struct DeviceRow {
   double search = 0.0;  ///< place, sort, count, write, decide
   double order = 0.0;
   std::uint64_t peak_bytes = 0;
-  double bytes_of_element = 0.0;  ///< that the pipeline moves, by docs of the design
+  double compulsory_bytes = 1.0;      ///< see list_bytes.hpp
+  std::optional<double> moved_bytes;  ///< of the device engine, where they are known
 };
 
 struct DeviceEffort {

@@ -2,6 +2,7 @@
 
 #include "benchmarks/common/timing.hpp"
 #include "benchmarks/device/device_row.hpp"
+#include "benchmarks/device/list_bytes.hpp"
 #include "scenes/scene.hpp"
 
 #include <abut/element_view.hpp>
@@ -20,21 +21,14 @@ inline ElementView view_of(const scenes::Scene& scene) {
                                : spheres(scene.x, scene.y, scene.z, scene.radius);
 }
 
-/// Bytes that the stages move for each element with so many pairs; docs/adr/0022-device-engine.md.
-inline double bytes_moved(double pairs_of_element) {
-  return 280.0 + 96.0 * pairs_of_element;
-}
-
 /// A row without times.
-inline DeviceRow row_of(std::string contestant, std::string_view scene, std::uint64_t elements,
-                        std::uint64_t pairs) {
+inline DeviceRow row_of(std::string contestant, std::string_view scene, const DetectionSize& size) {
   DeviceRow row;
   row.contestant = std::move(contestant);
   row.scene = scene;
-  row.elements = elements;
-  row.pairs = pairs;
-  row.bytes_of_element = bytes_moved(static_cast<double>(pairs) /
-                                     static_cast<double>(std::max<std::uint64_t>(elements, 1)));
+  row.elements = size.elements;
+  row.pairs = size.pairs;
+  row.compulsory_bytes = compulsory_bytes(size);
   return row;
 }
 

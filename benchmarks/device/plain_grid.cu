@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace abut::benchmarks {
 namespace {
@@ -99,6 +100,10 @@ PlainGrid::PlainGrid(const Spheres& spheres, const Extent& extent)
     cells_[axis] = static_cast<int>(std::min(cells, 1e9));
   }
   if (!(all < 0x1p30)) throw std::runtime_error("a plain grid would have more than 2^30 cells");
+  // Elements may be far more crowded than their grid is wide; the pairs are those of the 27 cells.
+  const auto count = static_cast<double>(spheres.count);
+  const double tests = count * std::min(count, 27.0 * count / all);
+  if (tests > 2e11) throw std::runtime_error("a plain grid would compare more than 2e11 distances");
   starts_ = DeviceArray<std::uint32_t>(static_cast<std::size_t>(all) + 1);
   next_ = DeviceArray<std::uint32_t>(static_cast<std::size_t>(all));
   members_ = DeviceArray<std::uint32_t>(spheres.count);

@@ -29,7 +29,7 @@ class PlainGrid {
   };
 
   /// The extent is the caller's to know. Throws std::runtime_error where the grid would have more
-  /// than 2^30 cells.
+  /// than 2^30 cells, or would take many seconds, since there are few cells for the elements.
   PlainGrid(const Spheres& spheres, const Extent& extent);
 
   /// Finds the pairs anew; returns their number. Waits for the number only.

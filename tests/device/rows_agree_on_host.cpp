@@ -51,7 +51,7 @@ AssertionResult rows_agree(std::span<const ContactPair> expected, const ElementV
 
 /// The same in a domain, with shifts.
 AssertionResult rows_agree(const PairList& expected, const ElementView& elements,
-                           const Domain& domain, double margin) {
+                           const Domain& domain, double margin, std::initializer_list<int>) {
   const HostRun here{
       .items_at_a_time = elements.size() / 4 + 1, .domain = domain, .shifts = Shifts::stored};
   for (const HostRun& run : in_all_orders(here)) {

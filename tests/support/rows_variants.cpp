@@ -104,11 +104,12 @@ AssertionResult rows_agree(std::span<const ContactPair> expected, const ElementV
 }
 
 AssertionResult rows_agree(const PairList& expected, const ElementView& elements,
-                           const Domain& domain, double margin) {
+                           const Domain& domain, double margin,
+                           std::initializer_list<int> threads) {
   Options options{.algorithm = Algorithm::rows, .shifts = Shifts::stored, .margin = margin};
   PairVector as_found;
-  for (const int threads : {1, 2, 7}) {
-    options.threads = threads;
+  for (const int count : threads) {
+    options.threads = count;
     for (const Simd level : simd_levels_here()) {
       options.simd = level;
       const PairList list = find_contact_pairs(elements, domain, options);

@@ -30,9 +30,10 @@ namespace abut::testing {
                                                     std::initializer_list<int> threads);
 
 /// `rows` gives the expected pairs and shifts (canonical order) of a domain from every level
-/// available here with several numbers of threads, and in `as_found` order the same bytes.
+/// available here with each number of threads, and in `as_found` order the same bytes.
 [[nodiscard]] ::testing::AssertionResult rows_agree(const PairList& expected,
                                                     const ElementView& elements,
-                                                    const Domain& domain, double margin);
+                                                    const Domain& domain, double margin,
+                                                    std::initializer_list<int> threads = {1, 2, 7});
 
 }  // namespace abut::testing

@@ -28,6 +28,8 @@ inline constexpr double exact_unit = 0.25;
 
 /// Pairs of the library, canonical. `rows` runs at any SIMD level there is with 1, 2, 3, 7 or 16
 /// threads; what fits float is handed over as float or double. To be called within a property.
+/// Programs choose what detects: this and the next are defined in detections.cpp, or elsewhere for
+/// other engines.
 [[nodiscard]] PairVector pairs_of(const Scene& scene, Algorithm algorithm, double margin = 0.0);
 
 /// Runs `relation(algorithm)` for all algorithms that carry the system.

@@ -48,6 +48,30 @@ TEST(FaceCalls, TwoSetsAndShifts) {
   }
 }
 
+/// A column of the device whose stride is 0 has one number for all elements.
+TEST(FaceCalls, StrideZeroRepeatsOneNumber) {
+  const Scene scene = scenes::scene_named("gas_2d").make(300, 5);
+  const device::ElementCopy copy(view_of(scene));
+  const auto on_device = [&](int axis, std::size_t k, std::ptrdiff_t stride) {
+    const auto* const numbers = reinterpret_cast<const double*>(copy.elements().center(axis).first);
+    return Column<double>{numbers + k, scene.size(), stride};
+  };
+  const auto* const radii = reinterpret_cast<const double*>(copy.elements().radii().first);
+  Scene repeated = scene;
+  repeated.y.assign(scene.size(), scene.y[7]);
+  repeated.radius.assign(scene.size(), scene.radius[3]);
+  const ElementView elements = discs(on_device(0, 0, sizeof(double)), on_device(1, 7, 0),
+                                     Column<double>{radii + 3, scene.size(), 0});
+  device::Detector detector({.shifts = Shifts::stored});
+  for (const Domain& domain : {Domain::open(), Domain::periodic({9.0, 9.0})}) {
+    const PairList expected =
+        find_contact_pairs(view_of(repeated), domain, {.shifts = Shifts::stored});
+    EXPECT_GT(expected.size(), 100U);
+    expect_same(expected, detector.find_contact_pairs(elements, domain).to_host());
+    EXPECT_EQ(detector.count_contact_pairs(elements, domain).contact_pairs, expected.size());
+  }
+}
+
 /// A list is that of its detector, wherever that is moved to; so are elements that were copied.
 TEST(FaceCalls, MovedDetectorsKeepTheirLists) {
   const Scene scene = dense(300, 3);

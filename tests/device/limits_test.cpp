@@ -100,6 +100,56 @@ TEST(DeviceInput, StridesAndCommonRadii) {
   EXPECT_EQ(with_column.peak_bytes, with_number.peak_bytes);
 }
 
+/// The same pairs and shifts, found in as much memory, in open space and in a slit.
+void expect_same_answers(const ElementView& repeated, const ElementView& given, double margin,
+                         const ElementView* others = nullptr) {
+  for (const Domain& domain : {Domain::open(), Domain::periodic({9.0, unbounded, 9.0})}) {
+    const HostRun run{.domain = domain, .shifts = Shifts::stored, .second = others};
+    const HostAnswer expected = list_on_host(repeated, margin, run);
+    const HostAnswer found = list_on_host(given, margin, run);
+    EXPECT_GT(expected.count, given.size());
+    EXPECT_TRUE(expected.pairs == found.pairs);
+    EXPECT_TRUE(expected.shifts == found.shifts);
+    EXPECT_EQ(expected.peak_bytes, found.peak_bytes);
+    EXPECT_EQ(count_on_host(given, margin, run).count, expected.count);
+  }
+}
+
+/// Columns whose stride is 0 have one number for all elements: a layer of spheres of one radius.
+/// Open space, domains and two sets read them each in a place of its own.
+TEST(DeviceInput, StrideZeroRepeatsOneNumber) {
+  const Scene scene = dense(300);
+  Scene repeated = scene;
+  repeated.y.assign(scene.size(), scene.y[7]);
+  repeated.radius.assign(scene.size(), scene.radius[3]);
+  const auto view = spheres(column(scene.x), Column<double>{&scene.y[7], scene.size(), 0},
+                            column(scene.z), Column<double>{&scene.radius[3], scene.size(), 0});
+  expect_same_answers(view_of(repeated), view, 0.1);
+  const ElementView others = view_of(scene);
+  expect_same_answers(view_of(repeated), view, 0.1, &others);
+
+  const Float32Scene narrow(repeated);
+  const auto y = static_cast<float>(scene.y[7]);
+  const std::vector<float> x(scene.x.begin(), scene.x.end());
+  const std::vector<float> z(scene.z.begin(), scene.z.end());
+  const auto radius = static_cast<float>(scene.radius[3]);
+  expect_same_answers(narrow.view(),
+                      spheres(column(x), Column<float>{&y, x.size(), 0}, column(z),
+                              Column<float>{&radius, x.size(), 0}),
+                      0.1);
+}
+
+/// Posts that all stand on one floor and reach to one height.
+TEST(DeviceInput, StrideZeroRepeatsOneNumberOfBoxes) {
+  const Scene scene = dense(300);
+  const std::size_t count = scene.size();
+  const double floor = -1.0, height = 2.5;
+  const std::vector<double> floors(count, floor), heights(count, height);
+  const auto posts = boxes(column(scene.x), Column<double>{&floor, count, 0}, column(scene.z),
+                           column(scene.x), Column<double>{&height, count, 0}, column(scene.z));
+  expect_same_answers(boxes(scene.x, floors, scene.z, scene.x, heights, scene.z), posts, 1.0);
+}
+
 /// Cells that are narrower than the extent by a factor that no double can tell.
 TEST(DeviceInput, ExtentsBeyondAllRatios) {
   for (const int radius : {-1074, -880, -600, -100}) {

@@ -29,6 +29,8 @@ AlongSides<Dim> sides_to_wrap(const CellSides<Dim>& cell, const CellExtent<Dim>&
                !(spread <= 1.0 + 0.25 * std::min(window.widest(k), 1.0));
     if (along[k]) cells[k] = magnitude + 2.0 + moved;
   }
+  const bool any = std::find(along.begin(), along.end(), true) != along.end();
+  if (any && !is_in_range<Dim>(cell, extent, window)) along.fill(true);
   return along;
 }
 

@@ -44,6 +44,9 @@ template <int Dim>
 /// have gone far. Where this side is far longer than the earlier one they have not: then some of
 /// those on both sides of a face would be moved by a long vector, and all rounding would be
 /// relative to that.
+///
+/// Where numbers of cells may be too large, they are moved along all sides or none: it is along all
+/// that check_range looks at each element.
 template <int Dim>
 [[nodiscard]] AlongSides<Dim> sides_to_wrap(const CellSides<Dim>& cell,
                                             const CellExtent<Dim>& extent,

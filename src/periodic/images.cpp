@@ -76,8 +76,8 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
   take(orthogonal_cell, extent_in(orthogonal_cell, settings));
   const lattice::Reaches reaches{bounds_.largest_radius, settings.margin, settings.shape};
   const Windows windows(lattice, orthogonal_cell, extent_, reaches, settings.size_cut, 1.0);
-  const bool is_in_range = lattice::is_in_range(orthogonal_cell, extent_, windows.of_large);
-  if (!is_in_range) check_range(given, settings);
+  is_in_range_ = lattice::is_in_range(orthogonal_cell, extent_, windows.of_large);
+  if (!is_in_range_) check_range(given, settings);
   const Along along = lattice::sides_to_wrap<Dim>(orthogonal_cell, extent_, windows.of_large);
   moved_any_ = std::count(along.begin(), along.end(), true) > 0;
   if (!moved_any_ && unit_ == 1.0) {
@@ -94,7 +94,7 @@ void Images<Dim>::find_with(const GhostArray& given, const ImageSettings& settin
     if (wrap_fast_if_near(wrap_estimate, {orthogonal_cell, after, along, true}, settings)) return;
   }
   // What lies around the origin is known best, and stays together there.
-  const bool stays_together = is_in_range && !is_covered_by_cells(slack_, settings.margin);
+  const bool stays_together = is_in_range_ && !is_covered_by_cells(slack_, settings.margin);
   wrap_exactly(orthogonal_cell, along, stays_together ? -0.5 : 0.0, settings.workers);
   const lattice::OrthogonalCell<Dim> scaled_orthogonal_cell(lattice, unit_);
   const lattice::Reaches scaled{reaches.largest_radius * unit_, settings.margin * unit_,
@@ -172,6 +172,7 @@ void Images<Dim>::start_anew(const kernels::StridedSpheres& elements,
   moved_any_ = false;
   cells_moved_at_most_ = {};
   shifts_always_fit_ = true;
+  is_in_range_ = true;
 }
 
 /// Locals have that extent in that cell from here on.
@@ -202,6 +203,7 @@ lattice::CellExtent<Dim> Images<Dim>::extent_in(const lattice::CellSides<Dim>& c
 template <int Dim>
 bool Images<Dim>::turn_towards_origin(lattice::ReducedLattice<Dim>& lattice) const {
   constexpr double clearly = 0.5;  // in sides: of a cell around the origin either is as good
+  if (!is_in_range_) return false;
   bool turned = false;
   for (std::size_t k = 0; k < lattice.count; ++k) {
     if (extent_.lower[k] + extent_.upper[k] <= clearly) continue;

@@ -133,7 +133,8 @@ class Images {
   }
 
   /// Turns the vectors of sides along which images lie farther from the origin than their elements.
-  /// Returns whether there are any; the images must be found again then.
+  /// Returns whether there are any; the images must be found again then. None is turned where a cell
+  /// may be one of the last that can be counted: on the other side of the origin it cannot.
   bool turn_towards_origin(lattice::ReducedLattice<Dim>& lattice) const;
 
   /// True if no shift can exceed 2^31 - 1, so that shift_between never throws.
@@ -250,6 +251,7 @@ class Images {
   bool reach_is_long_ = false;
   bool moved_any_ = false;
   bool shifts_always_fit_ = false;
+  bool is_in_range_ = false;  ///< by bounds: no element was looked at
   /// The side of each axis, where these are shifts themselves.
   std::optional<std::array<std::size_t, 3>> side_of_axis_;
 

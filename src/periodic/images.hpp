@@ -133,8 +133,8 @@ class Images {
   }
 
   /// Turns the vectors of sides along which images lie farther from the origin than their elements.
-  /// Returns whether there are any; the images must be found again then. None is turned where a cell
-  /// may be one of the last that can be counted: on the other side of the origin it cannot.
+  /// Returns whether there are any; the images must be found again then. None is turned where a
+  /// cell may be one of the last that can be counted: on the other side of the origin it cannot.
   bool turn_towards_origin(lattice::ReducedLattice<Dim>& lattice) const;
 
   /// True if no shift can exceed 2^31 - 1, so that shift_between never throws.

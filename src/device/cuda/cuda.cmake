@@ -3,7 +3,7 @@ set(cuda_pipelines cuda/boxes.cu cuda/discs.cu cuda/discs_float.cu cuda/periodic
   cuda/periodic_spheres.cu cuda/rectangles.cu cuda/spheres.cu cuda/spheres_float.cu)
 add_library(abut_device_cuda OBJECT cuda/array_place.cu cuda/cuda_backend.cu cuda/cuda_executor.cu
   cuda/decide_images.cu cuda/decide_open.cu cuda/earlier_work.cu
-  cuda/measure_open_gaps.cu cuda/runtime_pool.cu
+  cuda/measure_open_gaps.cu cuda/runnable_device.cu cuda/runtime_pool.cu
   ${cuda_pipelines})
 # No fused multiply-add, on either processor: the same bits everywhere (docs/contract.md).
 target_compile_options(abut_device_cuda PRIVATE -std=c++20 --fmad=false --expt-relaxed-constexpr

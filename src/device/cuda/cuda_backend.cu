@@ -7,6 +7,7 @@
 #include "device/cuda/detection.cuh"
 #include "device/cuda/earlier_work.hpp"
 #include "device/cuda/no_device.hpp"
+#include "device/cuda/runnable_device.hpp"
 #include "device/cuda/runtime_pool.hpp"
 #include "device/device_columns.hpp"
 #include "device/memory/kept_memory.hpp"
@@ -135,6 +136,7 @@ std::unique_ptr<Backend> open_backend(int device, Allocator allocator) {
                                             ", this machine has " + std::to_string(count) +
                                             "; they are numbered from 0");
   }
+  require_runnable_device(device);
   return std::make_unique<CudaBackend>(device, std::move(allocator));
 }
 

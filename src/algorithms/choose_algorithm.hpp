@@ -16,4 +16,8 @@ struct Choice {
 /// the domain, the packing and the sizes; it divides by size itself.
 [[nodiscard]] Choice choose_algorithm(std::size_t element_count);
 
+/// The same in a periodic domain: rows, which lists images before it searches, while direct check
+/// looks for those of each pair.
+[[nodiscard]] Choice choose_for_images();
+
 }  // namespace abut::registry

@@ -54,10 +54,11 @@ void search_cells(const registry::AlgorithmEntry& row, const exact::Elements<Dim
   pairs.finish();
 }
 
-registry::Choice choose(const Options& options, std::size_t elements) {
-  return options.algorithm == Algorithm::automatic
-             ? registry::choose_algorithm(elements)
-             : registry::Choice{&registry::entry_of(options.algorithm), "asked for"};
+registry::Choice choose(const SearchTask& task, std::size_t elements) {
+  const Algorithm asked = task.options.algorithm;
+  if (asked != Algorithm::automatic) return {&registry::entry_of(asked), "asked for"};
+  return task.domain.is_periodic() ? registry::choose_for_images()
+                                   : registry::choose_algorithm(elements);
 }
 
 void note(const registry::Choice& choice, const SearchTask& task, Statistics& statistics) {
@@ -73,7 +74,7 @@ void note(const registry::Choice& choice, const SearchTask& task, Statistics& st
 template <int Dim>
 void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const SearchTask& task,
                                 PairSink& sink, DetectionContext& context, Statistics& statistics) {
-  const registry::Choice choice = choose(task.options, elements.spheres.size());
+  const registry::Choice choice = choose(task, elements.spheres.size());
   note(choice, task, statistics);
   context.progress.begin("search", elements.spheres.size());
   const registry::EntryPoints<Dim>& entry = choice.row->entry_points.in<Dim>();
@@ -101,7 +102,7 @@ bool ElementSearch<Dim>::may_be_in_place(const ElementView& elements,
   const std::size_t least =
       elements.shape() == Shape::box ? limits.least_boxes_in(Dim) : limits.least_elements;
   return next_may_be_in_place_.value_or(elements.size() >= least) &&
-         choose(task.options, elements.size()).row->info.algorithm == Algorithm::rows;
+         choose(task, elements.size()).row->info.algorithm == Algorithm::rows;
 }
 
 template <int Dim>
@@ -150,7 +151,7 @@ void ElementSearch<Dim>::find_bounds(const InPlaceCall& call) const {
   elements::bound<Dim>(call.elements, {task.settings.workers, task.settings.simd}, call.room,
                        call.context);
   call.statistics.gather_seconds = stopwatch.lap();
-  note(choose(task.options, call.elements.size()), task, call.statistics);
+  note(choose(task, call.elements.size()), task, call.statistics);
   call.context.progress.begin("search", call.elements.size());
 }
 

@@ -2,10 +2,11 @@
 
 #include "support/scene_view.hpp"
 
-#include <abut/detect.hpp>
+#include <abut/abut.hpp>
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
 
 namespace abut::testing {
@@ -16,29 +17,31 @@ Statistics chosen_for(const char* name, std::size_t count) {
 }
 
 TEST(AutomaticChoice, FewElementsAreCheckedDirectly) {
-  for (const std::size_t count : {0U, 1U, 2U, 64U}) {
+  for (const std::size_t count : {0U, 1U, 2U, 20U}) {
     const Statistics statistics = chosen_for("dense", count);
     EXPECT_EQ(statistics.algorithm, Algorithm::direct_check) << count;
-    EXPECT_NE(statistics.reason.find("64 elements"), std::string::npos) << statistics.reason;
+    EXPECT_NE(statistics.reason.find("20 elements"), std::string::npos) << statistics.reason;
   }
-  EXPECT_NE(chosen_for("dense", 65).algorithm, Algorithm::direct_check);
+  EXPECT_NE(chosen_for("dense", 21).algorithm, Algorithm::direct_check);
 }
 
 TEST(AutomaticChoice, RowsForAllOthers) {
   for (const char* name : {"pack_1", "dense", "gas", "sparse", "two_far_clusters", "graded"}) {
     const Statistics statistics = chosen_for(name, 500);
     EXPECT_EQ(statistics.algorithm, Algorithm::rows) << name;
-    EXPECT_NE(statistics.reason.find("more than 64 elements"), std::string::npos)
+    EXPECT_NE(statistics.reason.find("more than 20 elements"), std::string::npos)
         << statistics.reason;
   }
 }
 
-TEST(AutomaticChoice, TheSameInPeriodicDomains) {
-  const auto scene = scenes::scene_named("dense").make(65, 1);
+TEST(AutomaticChoice, RowsInPeriodicDomains) {
   const Domain domain = Domain::periodic({20.0, 20.0, 20.0});
-  EXPECT_EQ(count_contact_pairs(view_of(scene), domain).algorithm, Algorithm::rows);
-  const auto few = scenes::scene_named("dense").make(64, 1);
-  EXPECT_EQ(count_contact_pairs(view_of(few), domain).algorithm, Algorithm::direct_check);
+  for (const std::size_t count : {0U, 1U, 2U, 64U, 500U}) {
+    const auto scene = scenes::scene_named("dense").make(count, 1);
+    const Statistics statistics = count_contact_pairs(view_of(scene), domain);
+    EXPECT_EQ(statistics.algorithm, Algorithm::rows) << count;
+    EXPECT_EQ(statistics.reason, "a periodic domain");
+  }
 }
 
 TEST(AutomaticChoice, AChoiceOfTheCallerIsKept) {

@@ -74,6 +74,7 @@ SearchInput<Dim> input_of(const exact::Elements<Dim>& elements, const LayerSpher
           kernels::tile_kernels(simd),
           kernels::element_kernels(simd),
           kernels::layer_kernels(simd),
+          kernels::plane_kernels(simd),
           call.settings.wide_vectors,
           call.settings.layers,
           call.sink,

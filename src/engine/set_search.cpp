@@ -98,6 +98,7 @@ template <int Dim>
 void SetSearch<Dim>::search(const SearchSet<Dim>& set, const SearchPlace& at) {
   if (set.locals.empty()) return;
   if (set.wanted == Wanted::pairs_of_coarse && set.coarse_elements.empty()) return;
+  if (at.worker == nullptr && take_in_plane(set)) return;
   const SizeChoice choice = choose_by_size(set, at);
   if (at.worker == nullptr && (take_whole(set, choice) || take_crowded(set))) return;
   if (choice.cut) return search_divided(set, *choice.cut, at);

@@ -15,9 +15,9 @@
 
 namespace abut::engine {
 
-/// Searches search sets: divides them by size where that pays, searches large ones in layers where
-/// these suit, cuts the others into tiles, searches each tile, and treats a crowded tile as a
-/// search set of its own.
+/// Searches search sets: few elements in a plane, divides others by size where that pays, searches
+/// large ones in layers where these suit, cuts the others into tiles, searches each tile, and
+/// treats a crowded tile as a search set of its own.
 ///
 /// Search sets are searched by all workers together, tile by tile; the search sets inside a tile by
 /// the worker whose tile it is, but for large ones, which wait until all are free. What comes of a
@@ -34,7 +34,7 @@ class SetSearch {
 
   void search(const SearchSet<Dim>& set);
 
-  /// Searches the set in layers if they suit it; returns whether it did.
+  /// Searches the set in a plane or in layers if they suit it; returns whether it did.
   [[nodiscard]] bool search_in_layers(const SearchSet<Dim>& set);
 
   /// Searches a part of a set, in layers.
@@ -95,6 +95,7 @@ class SetSearch {
   void sample_from(const SearchSet<Dim>& set, const SearchInput<Dim>& input);
   [[nodiscard]] bool take_layers(const SearchSet<Dim>& set, const SizeChoice& choice);
   [[nodiscard]] bool take_whole(const SearchSet<Dim>& set, const SizeChoice& choice);
+  [[nodiscard]] bool take_in_plane(const SearchSet<Dim>& set);
   [[nodiscard]] bool take_levels(const SearchSet<Dim>& set);
   [[nodiscard]] SearchInput<Dim> input_of_level(const SearchSet<Dim>& set, std::size_t level) const;
   [[nodiscard]] std::optional<std::vector<LevelInLayers>> layers_of_levels(

@@ -8,6 +8,7 @@
 #include "engine/layers/coordinate_step.hpp"
 #include "engine/layers/layer_choice.hpp"
 #include "engine/layers/layer_search.hpp"
+#include "engine/plane/plane_search.hpp"
 #include "engine/set_cells.hpp"
 #include "engine/set_search.hpp"
 #include "engine/sizes/size_cut.hpp"
@@ -52,11 +53,24 @@ void count_radii(RadiusHistogram& histogram, const LayerSpheres<Dim>& spheres,
 
 template <int Dim>
 bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
-  if (set.locals.empty() || !may_be_in_layers(set.locals.size(), input_->layer_limits))
-    return false;
+  if (set.locals.empty() || must_be_packed(set, *input_)) return false;
   workspace_.expect_elements(set.locals.size() + set.halo.size(), worker_count_);
+  if (take_in_plane(set)) {
+    finish();
+    return true;
+  }
+  if (!may_be_in_layers(set.locals.size(), input_->layer_limits)) return false;
   if (!take_whole(set, choose_by_size(set, place_of_all())) && !take_crowded(set)) return false;
   finish();
+  return true;
+}
+
+/// Searches the set in a plane if that suits it.
+template <int Dim>
+bool SetSearch<Dim>::take_in_plane(const SearchSet<Dim>& set) {
+  if (!SearchInPlane<Dim>(*input_, workspace_, context_).search(set, next_unit_)) return false;
+  ++next_unit_;
+  workspace_.last.in_plane = set.locals.size();
   return true;
 }
 
@@ -347,6 +361,8 @@ bool SetSearch<Dim>::search_by_size(const SearchSet<Dim>& set, const SizeClasses
 
 template bool SetSearch<2>::search_in_layers(const SearchSet<2>&);
 template bool SetSearch<3>::search_in_layers(const SearchSet<3>&);
+template bool SetSearch<2>::take_in_plane(const SearchSet<2>&);
+template bool SetSearch<3>::take_in_plane(const SearchSet<3>&);
 template bool SetSearch<2>::take_layers(const SearchSet<2>&, const SizeChoice&);
 template bool SetSearch<3>::take_layers(const SearchSet<3>&, const SizeChoice&);
 template bool SetSearch<2>::take_whole(const SearchSet<2>&, const SizeChoice&);

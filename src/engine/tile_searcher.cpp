@@ -203,6 +203,13 @@ void TileSearcher<Dim>::search(const SortedTile<Dim>& tile, const kernels::Layer
 }
 
 template <int Dim>
+void TileSearcher<Dim>::search(const kernels::PlaneView& plane, double unit) {
+  job_.margin = static_cast<float>(input_->margin * unit);
+  input_->plane_kernels.search(plane, job_, Dim);
+  tell();
+}
+
+template <int Dim>
 void TileSearcher<Dim>::search(const kernels::LayerPair& layers) {
   input_->layer_kernels.search(layers, job_, Dim);
   tell();

@@ -10,6 +10,7 @@
 #include "exact/elements.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/layers/layer_kernels.hpp"
+#include "kernels/plane/plane_search.hpp"
 #include "kernels/tiles/tile_search.hpp"
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct SearchInput {
   kernels::TileKernels kernels;
   kernels::ElementKernels element_kernels;
   kernels::LayerKernels layer_kernels;
+  kernels::PlaneKernels plane_kernels;
   kernels::WideVectors wide_vectors;
   LayerLimits layer_limits;
   base::PairSink& sink;
@@ -93,6 +95,9 @@ class TileSearcher {
   /// Finds the pairs of some layers of a tile, which may be another worker's. All layers one after
   /// the other give the pairs of the tile in the order of search().
   void search(const SortedTile<Dim>& tile, const kernels::Layers& layers, double unit);
+
+  /// Finds the pairs among the elements of a plane.
+  void search(const kernels::PlaneView& plane, double unit);
 
   /// Finds the pairs of a layer with itself and the next one.
   void search(const kernels::LayerPair& layers);

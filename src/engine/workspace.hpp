@@ -11,6 +11,7 @@
 #include "engine/layers/occupancy_sample.hpp"
 #include "engine/layers/size_levels.hpp"
 #include "engine/memory_law.hpp"
+#include "engine/plane/plane_rows.hpp"
 #include "engine/tile_searcher.hpp"
 #include "engine/worker_scratch.hpp"
 
@@ -25,6 +26,7 @@ namespace abut::engine {
 /// How the last search went that was not one of a part.
 struct LastSearch {
   std::size_t most_in_layers = 0;   ///< elements of the largest set in layers
+  std::size_t in_plane = 0;         ///< elements, if that was a plane
   std::size_t clusters_moved = 0;   ///< 0 where elements stayed in their places
   std::size_t beside_layers = 0;    ///< coarse elements without which it was done
   std::size_t levels_of_sizes = 0;  ///< 0 where there were none
@@ -47,6 +49,7 @@ struct Workspace {
         size_levels(meter),
         occupancy(meter),
         clusters(meter),
+        plane(meter),
         layer_crowds(meter),
         of_parts(meter) {}
 
@@ -89,6 +92,7 @@ struct Workspace {
   SizeLevels<Dim> size_levels;
   OccupancySample<Dim> occupancy;
   Clusters<Dim> clusters;
+  PlaneRows<Dim> plane;
   LayerCrowds<Dim> layer_crowds;
   PartWorkspaces<Dim> of_parts;
   std::unique_ptr<WaitingParts<Dim>> waiting;

@@ -75,6 +75,8 @@ inline constexpr std::uint64_t tests_between_takes = std::uint64_t{1} << 16;
 struct Run {
   std::uint32_t begin;
   std::uint32_t end;
+
+  [[nodiscard]] constexpr std::uint32_t size() const noexcept { return end - begin; }
 };
 
 }  // namespace abut::kernels

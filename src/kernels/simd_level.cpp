@@ -9,6 +9,7 @@
 #include "kernels/layers/layer_kernels.hpp"
 #include "kernels/measure_kernels.hpp"
 #include "kernels/order_kernels.hpp"
+#include "kernels/plane/plane_search.hpp"
 #include "kernels/tie_kernels.hpp"
 #include "kernels/tiles/tile_search.hpp"
 #include "kernels/walls/feature_kernels.hpp"
@@ -154,6 +155,14 @@ LayerKernels layer_kernels(Simd level) {
 #endif
   static_cast<void>(level);
   return scalar_layer_kernels();
+}
+
+PlaneKernels plane_kernels(Simd level) {
+#if defined(ABUT_HAVE_HIGHWAY)
+  if (level != Simd::scalar) return simd_plane_kernels(entry_of(level).target);
+#endif
+  static_cast<void>(level);
+  return scalar_plane_kernels();
 }
 
 ElementKernels element_kernels(Simd level) {

@@ -255,6 +255,7 @@ struct PeriodicSearch {
             kernels::tile_kernels(settings.simd),
             kernels::element_kernels(settings.simd),
             kernels::layer_kernels(settings.simd),
+            kernels::plane_kernels(settings.simd),
             settings.wide_vectors,
             settings.layers,
             searched_into,

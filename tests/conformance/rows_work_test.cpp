@@ -2,6 +2,7 @@
 // for. Work is counted, not timed.
 
 #include "scenes/many_scales.hpp"
+#include "support/rows_in_tiles.hpp"
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>
@@ -67,7 +68,16 @@ TEST(RowsWork, EqualSizesNeedTwentyTestsAtMost) {
 /// Where cells are far wider than the reach, a tile leaves out the rows that an element does not
 /// lie near. Layers, which more elements are sorted into, look at all: that is faster.
 TEST(RowsWork, NearlyEmptySpaceNeedsLessThanOneInATile) {
-  EXPECT_LT(tests_of(scenes::scene_named("sparse"), 8000), 1.0);
+  const auto scene = scenes::scene_named("sparse").make(8000, 1);
+  const auto run = rows_without_plane(view_of(scene), 0.0, Simd::scalar, 1);
+  EXPECT_LT(static_cast<double>(run.candidate_tests), 8000.0);
+}
+
+/// A plane leaves the third axis undivided, and its vectors make eight tests at once.
+TEST(RowsWork, FewElementsNeedSomeFiftyInAPlane) {
+  EXPECT_LT(tests_of(scenes::scene_named("sparse"), 8000), 2.0);
+  EXPECT_LT(tests_of(scenes::scene_named("gas"), 1000), 16.0);
+  EXPECT_LT(tests_of(scenes::scene_named("dense"), 1000), 60.0);
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ struct PeriodicRun {
   std::vector<FoundPair> pairs;  ///< as found
   std::uint64_t exact_decisions = 0;
   std::size_t most_in_layers = 0;  ///< elements of the largest set in layers
+  std::size_t in_plane = 0;        ///< elements, if they were in a plane
   std::size_t clusters_moved = 0;
   std::size_t beside_layers = 0;
   std::size_t levels_of_sizes = 0;

@@ -22,14 +22,6 @@
 namespace abut::testing {
 namespace {
 
-/// Elements are cut into tiles.
-constexpr engine::LayerLimits always_in_tiles = [] {
-  constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-  engine::LayerLimits limits = always_in_parts;
-  limits.least_elements_of_one_crowd = never;
-  return limits;
-}();
-
 /// What a search may be forced to, and what shows that it was.
 struct ForcedWay {
   const char* name;
@@ -43,6 +35,7 @@ constexpr std::array ways{
     ForcedWay{"moved", always_moved, &PeriodicRun::clusters_moved},
     ForcedWay{"levels", always_in_levels, &PeriodicRun::levels_of_sizes},
     ForcedWay{"parts", always_in_parts, &PeriodicRun::crowded_layers},
+    ForcedWay{"plane", always_in_plane, &PeriodicRun::in_plane},
     ForcedWay{"tiles", always_in_tiles, nullptr}};
 
 /// Boxes in the elements, which are packed always.

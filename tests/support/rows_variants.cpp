@@ -1,5 +1,6 @@
 #include "support/rows_variants.hpp"
 
+#include "support/rows_in_tiles.hpp"
 #include "support/same_pairs.hpp"
 #include "support/sort_pairs.hpp"
 
@@ -57,6 +58,28 @@ AssertionResult same_course(const PairList& first, const PairList& other, const 
   return AssertionSuccess();
 }
 
+/// More elements are searched in no plane (engine::LayerLimits).
+constexpr std::size_t most_in_plane = 8191;
+
+/// The pairs of few elements, and the order in which they are found, where these are cut into tiles
+/// and layers.
+AssertionResult agrees_without_plane(std::span<const ContactPair> expected,
+                                     const ElementView& elements, double margin) {
+  if (elements.size() == 0 || elements.size() > most_in_plane) return AssertionSuccess();
+  const PairVector first = rows_without_plane(elements, margin, Simd::scalar, 1).pairs;
+  PairVector sorted = first;
+  sort_pairs(sorted);
+  if (const auto same = same_canonical_pairs(expected, sorted); !same) {
+    return AssertionFailure() << "without a plane: " << same.message();
+  }
+  for (const Simd level : {simd_levels_here().back(), Simd::scalar}) {
+    if (rows_without_plane(elements, margin, level, 3).pairs == first) continue;
+    return AssertionFailure() << "without a plane, " << name_of(level)
+                              << ", 3 workers: another order of the pairs as found";
+  }
+  return AssertionSuccess();
+}
+
 }  // namespace
 
 std::vector<Simd> simd_levels_here() {
@@ -100,7 +123,7 @@ AssertionResult rows_agree(std::span<const ContactPair> expected, const ElementV
       }
     }
   }
-  return AssertionSuccess();
+  return agrees_without_plane(expected, elements, margin);
 }
 
 AssertionResult rows_agree(const PairList& expected, const ElementView& elements,

@@ -22,11 +22,6 @@ constexpr double most_cells_by_size = 2040.0;
 constexpr double cells_joined_at_reach = 2.0 * 9.0 / 4.0;
 
 template <int Dim>
-bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
-  return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
-}
-
-template <int Dim>
 bool are_boxes(const SearchInput<Dim>& input) {
   return input.spheres.stand_for_boxes();
 }
@@ -105,13 +100,6 @@ template <int Dim>
 std::size_t fewest_elements(const SearchInput<Dim>& input) {
   const LayerLimits& limits = input.layer_limits;
   return are_boxes(input) ? limits.least_boxes_in(Dim) : fewest_spheres(limits);
-}
-
-/// Tells whether distances may be exact in cells of that size or wider.
-template <int Dim>
-bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double least_cell) {
-  return !are_boxes(input) && set.bounds.smallest_radius == set.bounds.largest_radius &&
-         may_have_step<Dim>(input.given.spheres, steps_for(least_cell, input));
 }
 
 /// Elements in two joined runs of another one, if all are spread equally.
@@ -225,6 +213,17 @@ bool may_be_in_layers(std::size_t elements, const LayerLimits& limits) noexcept 
                                limits.least_elements_by_size, limits.least_elements_of_many_levels,
                                limits.least_elements_of_one_crowd, limits.least_boxes,
                                limits.least_rectangles});
+}
+
+template <int Dim>
+bool pair_with_none_but_each_other(const SearchSet<Dim>& set) {
+  return set.wanted == Wanted::all_pairs && set.halo.empty() && set.coarse_elements.empty();
+}
+
+template <int Dim>
+bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input, double least_cell) {
+  return !are_boxes(input) && set.bounds.smallest_radius == set.bounds.largest_radius &&
+         may_have_step<Dim>(input.given.spheres, steps_for(least_cell, input));
 }
 
 template <int Dim>
@@ -346,6 +345,10 @@ std::optional<LayerGrid<Dim>> choose_layers_by_size(const SearchSet<Dim>& set,
   return grid;
 }
 
+template bool pair_with_none_but_each_other(const SearchSet<2>&);
+template bool pair_with_none_but_each_other(const SearchSet<3>&);
+template bool may_be_in_steps(const SearchSet<2>&, const SearchInput<2>&, double);
+template bool may_be_in_steps(const SearchSet<3>&, const SearchInput<3>&, double);
 template bool may_be_in_levels(const SearchSet<2>&, const SearchInput<2>&);
 template bool may_be_in_levels(const SearchSet<3>&, const SearchInput<3>&);
 template bool may_leave_out_coarse(const SearchSet<2>&, const SearchInput<2>&);

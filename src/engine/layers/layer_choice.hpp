@@ -15,6 +15,15 @@ namespace abut::engine {
 /// Tells whether so many elements may be searched in layers, whatever they are like.
 [[nodiscard]] bool may_be_in_layers(std::size_t elements, const LayerLimits& limits) noexcept;
 
+/// Tells whether no other elements take part in the pairs of a search set.
+template <int Dim>
+[[nodiscard]] bool pair_with_none_but_each_other(const SearchSet<Dim>& set);
+
+/// Tells whether distances may be exact in cells of that size or wider.
+template <int Dim>
+[[nodiscard]] bool may_be_in_steps(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
+                                   double least_cell);
+
 /// Returns the grid of layers for a search set if they suit it: spheres of one radius, spread
 /// evenly enough, that meet none but each other.
 template <int Dim>

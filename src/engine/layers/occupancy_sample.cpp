@@ -1,5 +1,6 @@
 #include "engine/layers/occupancy_sample.hpp"
 
+#include "base/scattered.hpp"
 #include "base/workers.hpp"
 #include "engine/layers/layer_grid.hpp"
 
@@ -31,18 +32,10 @@ constexpr std::size_t most_in_near_cache = 4096;
 /// Draws that take as long as a thread takes to wake.
 constexpr std::size_t draws_worth_a_worker = 512;
 
-/// An element is drawn by the upper bits of a scattered number: a remainder would take longer than
-/// the rest of a draw. So all systems have much the same draws, which had better be good ones. Of
-/// 3,000 that were tried these draw one element twice as often as chance has it, to 22 %, whatever
-/// the number of elements from 1,400 on (8 sqrt(N) draws).
+/// All systems have much the same draws, which had better be good ones. Of 3,000 that were tried
+/// these draw one element twice as often as chance has it, to 22 %, whatever the number of elements
+/// from 1,400 on (8 sqrt(N) draws).
 constexpr std::uint64_t first_draw = std::uint64_t{469} << 32;
-
-/// A bijection of 64 bits that scatters neighbours (the finalizer of MurmurHash3, A. Appleby).
-std::uint64_t scattered(std::uint64_t k) {
-  k = (k ^ (k >> 33)) * 0xff51afd7ed558ccdU;
-  k = (k ^ (k >> 33)) * 0xc4ceb9fe1a85ec53U;
-  return k ^ (k >> 33);
-}
 
 }  // namespace
 
@@ -66,7 +59,7 @@ void OccupancySample<Dim>::draw(std::size_t draws) {
   const LayerSpheres<Dim>& spheres = *spheres_;
   if (drawn_.size() < draws) drawn_.resize(draws);
   const auto number = [&](std::size_t k) {
-    return spheres.in_layers((scattered(first_draw + k) >> 32) * spheres.size() >> 32);
+    return spheres.in_layers(base::one_of(spheres.size(), first_draw + k));
   };
   const bool are_near = spheres.size() <= most_in_near_cache;
   const std::size_t more = draws - draws_;
@@ -98,7 +91,7 @@ double OccupancySample<Dim>::mean_occupancy(const Cells& cells, SampleSize size)
   exact::Sphere<Dim> sphere{};
   for (std::size_t k = 0; k < draws; ++k) {
     std::copy_n(drawn_[k].begin(), Dim, sphere.center);
-    const std::uint64_t cell = scattered(cells.cell(sphere));
+    const std::uint64_t cell = base::scattered(cells.cell(sphere));
     const auto lower_bits = static_cast<std::uint32_t>(cell);
     std::size_t slot = (cell >> 32) * slots >> 32;
     while (slots_[slot].elements != 0 && slots_[slot].lower_bits != lower_bits) {

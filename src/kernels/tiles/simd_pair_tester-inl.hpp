@@ -38,7 +38,7 @@ class SimdPairTester {
                               const RowOfCells<Runs>& row) {
     if constexpr (Shape != ElementShape::boxes) {
       SimdNearby<Dim, Shape, Runs> nearby(tile_, job_);
-      const Probe any = probe_of(first);
+      Probe probe = probe_of(first);
       const Columns columns = sorted_;
       const std::uint32_t* const cell = tile_.cell;
       for (; first < last; first += nearby.batch_size) {
@@ -48,8 +48,8 @@ class SimdPairTester {
         const std::uint32_t* const after = nearby.after();
         std::size_t tests = 0;
         const auto test = [&](std::uint32_t p, Run run) {
-          const Filtered filtered =
-              any.moved_to(columns, tile_, job_, p).filter(columns, run.begin);
+          probe.move_to(columns, tile_, job_, p);
+          const Filtered filtered = probe.filter(columns, run.begin);
           const std::uint32_t size = run.end - run.begin;
           if (HWY_UNLIKELY(size > lanes || bits_of(filtered.hit) != 0)) return test_run(p, run);
           tests += size;

@@ -30,27 +30,27 @@ class SimdProbe {
   /// Columns that say how large a candidate is.
   static constexpr int size_columns = Shape == ElementShape::equal_spheres ? 0 : 1;
 
-  HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, std::uint32_t p) {
-    for (int axis = 0; axis < Dim; ++axis) center_[axis] = hn::Set(floats, tile.center[axis][p]);
-    set_reach(tile, job, equal ? tile.common_radius : tile.size[0][p], job.slack);
-    number_ = hn::Set(numbers, tile.number[p]);
+  HWY_INLINE SimdProbe(const SearchedElements& elements, const SearchJob& job, std::uint32_t p) {
+    for (int axis = 0; axis < Dim; ++axis)
+      center_[axis] = hn::Set(floats, elements.center[axis][p]);
+    set_reach(elements, job, equal ? elements.common_radius : elements.size[0][p], job.slack);
+    number_ = hn::Set(numbers, elements.number[p]);
   }
 
-  /// Returns the probe of another element of the tile, but for its number. Among equal spheres the
+  /// Makes it the probe of another element of these, but for its number. Among equal spheres the
   /// reach stays the same.
-  [[nodiscard]] HWY_INLINE SimdProbe moved_to(const Columns& columns, const TileView& tile,
-                                              const SearchJob& job, std::uint32_t p) const {
-    SimdProbe result = *this;
+  HWY_INLINE void move_to(const Columns& columns, const SearchedElements& elements,
+                          const SearchJob& job, std::uint32_t p) {
     for (int axis = 0; axis < Dim; ++axis) {
-      result.center_[axis] = hn::Set(floats, columns.center[axis][p]);
+      center_[axis] = hn::Set(floats, columns.center[axis][p]);
     }
-    if constexpr (!equal) result.set_reach(tile, job, columns.size[0][p], job.slack);
-    return result;
+    if constexpr (!equal) set_reach(elements, job, columns.size[0][p], job.slack);
   }
 
-  HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, const CoarseElement& coarse) {
+  HWY_INLINE SimdProbe(const SearchedElements& elements, const SearchJob& job,
+                       const CoarseElement& coarse) {
     for (int axis = 0; axis < Dim; ++axis) center_[axis] = hn::Set(floats, coarse.center[axis]);
-    set_reach(tile, job, coarse.size[0], coarse.slack);
+    set_reach(elements, job, coarse.size[0], coarse.slack);
     number_ = hn::Set(numbers, coarse.number);
   }
 
@@ -77,8 +77,9 @@ class SimdProbe {
  private:
   static constexpr bool equal = Shape == ElementShape::equal_spheres;
 
-  HWY_INLINE void set_reach(const TileView& tile, const SearchJob& job, float radius, float slack) {
-    const float reach = radius + job.margin + (equal ? tile.common_radius : 0.0f);
+  HWY_INLINE void set_reach(const SearchedElements& elements, const SearchJob& job, float radius,
+                            float slack) {
+    const float reach = radius + job.margin + (equal ? elements.common_radius : 0.0f);
     outer_ = hn::Set(floats, reach + slack);
     inner_ = hn::Set(floats, reach - slack);
     if constexpr (equal) {
@@ -107,15 +108,23 @@ class SimdProbe<Dim, ElementShape::boxes, Tag> {
  public:
   static constexpr int size_columns = Dim;
 
-  HWY_INLINE SimdProbe(const TileView& tile, const SearchJob& job, std::uint32_t p) {
+  HWY_INLINE SimdProbe(const SearchedElements& elements, const SearchJob& job, std::uint32_t p) {
     for (int axis = 0; axis < Dim; ++axis) {
-      set_axis(axis, tile.center[axis][p], tile.size[axis][p], job.margin, job.slack);
+      set_axis(axis, elements.center[axis][p], elements.size[axis][p], job.margin, job.slack);
     }
     set_reach(job.margin, job.slack);
-    number_ = hn::Set(numbers, tile.number[p]);
+    number_ = hn::Set(numbers, elements.number[p]);
   }
 
-  HWY_INLINE SimdProbe(const TileView&, const SearchJob& job, const CoarseElement& coarse) {
+  /// Makes it the probe of another element of these, but for its number.
+  HWY_INLINE void move_to(const Columns& columns, const SearchedElements&, const SearchJob& job,
+                          std::uint32_t p) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      set_axis(axis, columns.center[axis][p], columns.size[axis][p], job.margin, job.slack);
+    }
+  }
+
+  HWY_INLINE SimdProbe(const SearchedElements&, const SearchJob& job, const CoarseElement& coarse) {
     for (int axis = 0; axis < Dim; ++axis) {
       set_axis(axis, coarse.center[axis], coarse.size[axis], job.margin, coarse.slack);
     }

@@ -1,6 +1,7 @@
 // The candidate loop in plain C++: the level `scalar`, and the only one without Highway. The same
 // sequence of operations in single precision as in tile_search_simd.cpp.
 
+#include "kernels/tiles/scalar_probe.hpp"
 #include "kernels/tiles/tile_search.hpp"
 
 #include <algorithm>
@@ -11,102 +12,6 @@
 
 namespace abut::kernels {
 namespace {
-
-enum class Hit { none, undecided, sure };
-
-/// An element beside its candidates: equal spheres, or spheres.
-template <int Dim, ElementShape Shape>
-class Probe {
- public:
-  Probe(const TileView& tile, const SearchJob& job, std::uint32_t p)
-      : tile_(tile), number_(tile.number[p]) {
-    for (int axis = 0; axis < Dim; ++axis) center_[axis] = tile.center[axis][p];
-    set_reach(job, equal ? tile.common_radius : tile.size[0][p], job.slack);
-  }
-
-  Probe(const TileView& tile, const SearchJob& job, const CoarseElement& coarse)
-      : tile_(tile), number_(coarse.number) {
-    std::copy_n(coarse.center, Dim, center_);
-    set_reach(job, coarse.size[0], coarse.slack);
-  }
-
-  [[nodiscard]] std::uint32_t number() const { return number_; }
-
-  [[nodiscard]] Hit test(std::uint32_t q) const {
-    float difference = center_[0] - tile_.center[0][q];
-    float distance_squared = difference * difference;
-    for (int axis = 1; axis < Dim; ++axis) {
-      difference = center_[axis] - tile_.center[axis][q];
-      distance_squared += difference * difference;
-    }
-    const float radius = equal ? 0.0f : tile_.size[0][q];
-    const float farthest = outer_ + radius;
-    if (!(distance_squared <= farthest * farthest)) return Hit::none;
-    const float nearest = std::max(inner_ + radius, 0.0f);
-    return distance_squared < nearest * nearest ? Hit::sure : Hit::undecided;
-  }
-
- private:
-  static constexpr bool equal = Shape == ElementShape::equal_spheres;
-
-  void set_reach(const SearchJob& job, float radius, float slack) {
-    const float reach = radius + job.margin + (equal ? tile_.common_radius : 0.0f);
-    outer_ = reach + slack;
-    inner_ = reach - slack;
-  }
-
-  const TileView& tile_;
-  float center_[Dim];
-  float outer_;
-  float inner_;
-  std::uint32_t number_;
-};
-
-/// Tests two boxes: on each axis neither may begin behind the other's end.
-template <int Dim>
-class Probe<Dim, ElementShape::boxes> {
- public:
-  Probe(const TileView& tile, const SearchJob& job, std::uint32_t p)
-      : tile_(tile),
-        outer_(job.margin + job.slack),
-        inner_(job.margin - job.slack),
-        number_(tile.number[p]) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      lower_[axis] = tile.center[axis][p];
-      width_[axis] = tile.size[axis][p];
-    }
-  }
-
-  Probe(const TileView& tile, const SearchJob& job, const CoarseElement& coarse)
-      : tile_(tile),
-        outer_(job.margin + coarse.slack),
-        inner_(job.margin - coarse.slack),
-        number_(coarse.number) {
-    std::copy_n(coarse.center, Dim, lower_);
-    std::copy_n(coarse.size, Dim, width_);
-  }
-
-  [[nodiscard]] std::uint32_t number() const { return number_; }
-
-  [[nodiscard]] Hit test(std::uint32_t q) const {
-    bool sure = true;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const float behind = lower_[axis] - tile_.center[axis][q];
-      const float width = tile_.size[axis][q];
-      if (!(behind <= width + outer_ && -behind <= width_[axis] + outer_)) return Hit::none;
-      sure = sure && behind < width + inner_ && -behind < width_[axis] + inner_;
-    }
-    return sure ? Hit::sure : Hit::undecided;
-  }
-
- private:
-  const TileView& tile_;
-  float lower_[Dim];
-  float width_[Dim];
-  float outer_;
-  float inner_;
-  std::uint32_t number_;
-};
 
 /// Tests an element against runs of candidates.
 template <int Dim, ElementShape Shape>
@@ -163,13 +68,13 @@ class ScalarPairTester {
   }
 
  private:
-  using Element = Probe<Dim, Shape>;
+  using Element = ScalarProbe<Dim, Shape>;
 
   void test(const Element& element, const Run& run) {
     job_.candidate_tests += run.end - run.begin;
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
-      const Hit hit = element.test(q);
-      if (hit == Hit::none) continue;
+      const ProbeAnswer hit = element.test(q);
+      if (hit == ProbeAnswer::none) continue;
       push(element.number(), tile_.number[q], hit);
     }
   }
@@ -204,10 +109,10 @@ class ScalarPairTester {
     test(Element(tile_, job_, p), {k == 0 ? p + 1 : cell[x.below ? -1 : 0], cell[x.above ? 2 : 1]});
   }
 
-  void push(std::uint32_t element, std::uint32_t partner, Hit hit) {
+  void push(std::uint32_t element, std::uint32_t partner, ProbeAnswer hit) {
     HitBuffer& to = *job_.hits;
     if (to.found == HitBuffer::size) job_.take(job_);
-    if (hit == Hit::undecided) {
+    if (hit == ProbeAnswer::undecided) {
       to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found);
     }
     to.element[to.found] = element;

@@ -1,15 +1,11 @@
 #pragma once
 
-#include "kernels/search_job.hpp"
+#include "kernels/searched_elements.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace abut::kernels {
-
-/// Center of what is no element: far beyond every tile, yet with a finite square, so that it is
-/// within reach of nothing.
-inline constexpr float far_away = 1e18f;
 
 /// The elements of a tile sorted by cell. Along each axis the tile's own cells are framed by one
 /// layer of copies of the elements around it; each row ends with padding:
@@ -20,12 +16,7 @@ inline constexpr float far_away = 1e18f;
 ///   cell = (z * (k_y + 2) + y) * (k_x + 3) + x     (in 2D z = 0 only, without a frame)
 ///
 /// A cell holds either own elements or copies, never both.
-struct TileView {
-  ElementShape shape;
-  const float* center[3];           ///< by axis
-  const float* size[3];             ///< as the shape says
-  float common_radius;              ///< of equal spheres; of others the largest
-  const std::uint32_t* number;      ///< of the element in the caller's arrays
+struct TileView : SearchedElements {
   const std::uint32_t* cell;        ///< of the element
   const std::uint32_t* cell_begin;  ///< first place of each cell; one more at the end
   std::int32_t cells[3];            ///< own cells k along each axis
@@ -45,10 +36,6 @@ struct Layers {
   return {0, tile.cells[dimensions - 1] + 2};
 }
 
-/// Bounds the error of a distance that is computed in single precision, relative to the largest
-/// number that enters it (docs/derivations/tile_filter.md).
-inline constexpr double filter_error = 0x1p-20;
-
 /// A row of cells, for the elements in it.
 template <std::size_t Runs>
 struct RowOfCells {
@@ -63,13 +50,5 @@ struct RowOfCells {
 /// SearchJob::slack: cells may be much smaller than that is (docs/derivations/tile_filter.md,
 /// section 6).
 inline constexpr float nearby_slack = 0x1p-9f;
-
-/// A larger element that meets elements of a tile without being sorted into its cells.
-struct CoarseElement {
-  float center[3];
-  float size[3];  ///< as the shape of the tile says, but the radius of a sphere in any case
-  float slack;
-  std::uint32_t number;
-};
 
 }  // namespace abut::kernels

@@ -113,7 +113,8 @@ void expect_right_in_layers(const Boxes<Dim>& boxes, double margin, Way way,
                             const engine::LayerLimits& limits) {
   engine::RowsSettings settings{margin, 1, Simd::scalar, limits};
   const LayerRun first = run_rows<Dim>(boxes, settings);
-  EXPECT_EQ(first.in_layers, way != Way::tiles);
+  EXPECT_EQ(first.in_layers, way == Way::layers || way == Way::moved);
+  EXPECT_EQ(first.in_plane, way == Way::plane);
   EXPECT_EQ(first.are_moved, way == Way::moved);
   EXPECT_TRUE(same_pairs(directly_checked<Dim>(boxes, margin), first.pairs));
   expect_same_everywhere(

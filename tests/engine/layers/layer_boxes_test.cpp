@@ -255,7 +255,7 @@ TYPED_TEST(LayerBoxesOf, PointsAndSubnormalNumbers) {
 /// From so many boxes on, with the limits that hold: as dense as these, or thinly spread.
 TYPED_TEST(LayerBoxesOf, FewAreInTiles) {
   constexpr int dim = TypeParam::value;
-  const engine::LayerLimits limits;
+  const engine::LayerLimits& limits = without_plane;
   const std::size_t least = dim == 2 ? limits.least_rectangles : limits.least_boxes;
   for (const double neighbors : {0.01, 6.0}) {
     const auto boxes =

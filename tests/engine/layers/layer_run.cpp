@@ -14,33 +14,12 @@
 
 namespace abut::testing {
 
-void KeptPairs::expect_workers(std::size_t count) {
-  buffers_.resize(count);
-}
-
-std::span<ContactPair> KeptPairs::buffer(std::size_t worker) {
-  buffers_[worker].resize(smallest_buffer);
-  return buffers_[worker];
-}
-
-void KeptPairs::commit(std::size_t count, const base::Origin& origin) {
-  const std::lock_guard lock(mutex_);
-  const auto first = buffers_[origin.worker].begin();
-  PairVector& of_unit = by_unit_[origin.unit];
-  of_unit.insert(of_unit.end(), first, first + static_cast<std::ptrdiff_t>(count));
-}
-
-PairVector KeptPairs::pairs() const {
-  PairVector all;
-  for (const auto& [unit, pairs] : by_unit_) all.insert(all.end(), pairs.begin(), pairs.end());
-  return all;
-}
-
 template <int Dim>
 LayerRun layer_run(const KeptPairs& sink, bool in_layers, const engine::Workspace<Dim>& workspace,
                    const base::DetectionContext& context) {
   return {sink.pairs(),
           in_layers,
+          workspace.last.in_plane > 0,
           workspace.last.clusters_moved > 0,
           workspace.last.beside_layers,
           context.candidate_tests,
@@ -136,7 +115,8 @@ void expect_right_in_layers(const Spheres<Dim>& spheres, double margin, Way way,
                             const engine::LayerLimits& limits) {
   engine::RowsSettings settings{margin, 1, Simd::scalar, limits};
   const LayerRun first = run_rows<Dim>(spheres, settings);
-  EXPECT_EQ(first.in_layers, way != Way::tiles);
+  EXPECT_EQ(first.in_layers, way == Way::layers || way == Way::moved);
+  EXPECT_EQ(first.in_plane, way == Way::plane);
   EXPECT_EQ(first.are_moved, way == Way::moved);
   EXPECT_TRUE(same_pairs(directly_checked<Dim>(spheres, margin), first.pairs));
   expect_same_everywhere(

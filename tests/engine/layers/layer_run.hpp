@@ -3,6 +3,7 @@
 #include "base/detection_context.hpp"
 #include "engine/random_spheres.hpp"
 #include "engine/rows.hpp"
+#include "support/kept_pairs.hpp"
 #include "support/same_pairs.hpp"
 #include "support/sphere_layouts.hpp"
 
@@ -10,8 +11,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -19,8 +18,14 @@
 
 namespace abut::testing {
 
+/// The limits that hold, but no plane.
+inline constexpr engine::LayerLimits without_plane{.most_elements_in_plane = 0,
+                                                   .most_boxes_in_plane = 0};
+
 /// Whatever the layers are worth.
 inline constexpr engine::LayerLimits always_in_layers{
+    .most_elements_in_plane = 0,
+    .most_boxes_in_plane = 0,
     .least_elements = 0,
     .least_sparse_elements = 0,
     .least_boxes = 0,
@@ -37,6 +42,8 @@ inline constexpr engine::LayerLimits always_in_layers{
 
 /// Elements look for smaller ones, whatever that costs. Elements of one radius are not asked.
 inline constexpr engine::LayerLimits always_by_size{
+    .most_elements_in_plane = 0,
+    .most_boxes_in_plane = 0,
     .least_elements = 0,
     .least_sparse_elements = 0,
     .least_boxes = 0,
@@ -64,6 +71,8 @@ inline constexpr engine::LayerLimits always_beside_coarse = [] {
 
 /// Clusters are moved wherever their cells would be crowded otherwise.
 inline constexpr engine::LayerLimits always_moved{
+    .most_elements_in_plane = 0,
+    .most_boxes_in_plane = 0,
     .least_elements = 0,
     .least_elements_of_clusters = 0,
     .least_sparse_elements = 0,
@@ -114,24 +123,30 @@ inline constexpr engine::LayerLimits always_in_parts = [] {
   return limits;
 }();
 
-/// Keeps all pairs in their `as_found` order.
-class KeptPairs final : public base::PairSink {
- public:
-  void expect_workers(std::size_t count) override;
-  [[nodiscard]] std::span<ContactPair> buffer(std::size_t worker) override;
-  void commit(std::size_t count, const base::Origin& origin) override;
+/// Elements are cut into tiles, however few they are.
+inline constexpr engine::LayerLimits always_in_tiles = [] {
+  constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+  engine::LayerLimits limits = always_in_parts;
+  limits.least_elements_of_one_crowd = never;
+  return limits;
+}();
 
-  [[nodiscard]] PairVector pairs() const;
-
- private:
-  std::mutex mutex_;
-  std::vector<PairVector> buffers_;
-  std::map<std::uint64_t, PairVector> by_unit_;
-};
+/// Elements that meet none but each other are searched in a plane, however many they are.
+inline constexpr engine::LayerLimits always_in_plane = [] {
+  constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+  constexpr double any_number = std::numeric_limits<double>::max();
+  engine::LayerLimits limits;
+  limits.most_elements_in_plane = limits.most_boxes_in_plane = never;
+  limits.most_with_many_hits_in_2d = limits.always_in_plane = never;
+  limits.most_met_in_plane = limits.most_met_far_apart = any_number;
+  limits.least_elements_in_steps = never;
+  return limits;
+}();
 
 struct LayerRun {
   PairVector pairs;  ///< as found
   bool in_layers = false;
+  bool in_plane = false;
   bool are_moved = false;
   std::size_t coarse = 0;  ///< elements beside the layers
   std::uint64_t candidate_tests = 0;
@@ -169,7 +184,7 @@ PairVector directly_checked(const Spheres<Dim>& spheres, double margin);
 
 /// The way that a scene must have taken: without this a test of layers could pass in tiles.
 /// `moved` is in layers, with clusters moved side by side.
-enum class Way { layers, moved, tiles };
+enum class Way { layers, moved, tiles, plane };
 
 /// From every level and number of workers, and in layers from every layout, the pairs of
 /// `directly_checked`, in the same order as found after as many tests.

@@ -234,18 +234,18 @@ TYPED_TEST(LayerSearchOf, FewElementsInClusters) {
   constexpr int dim = TypeParam::value;
   const std::array extent{300.0, 300.0, 300.0};
   expect_right_in_layers<dim>(clumps<dim>(this->random_, 10'000, 40, extent, 0.5), 0.0, Way::layers,
-                              {});
+                              without_plane);
   expect_right_in_layers<dim>(clumps<dim>(this->random_, 150, 40, extent, 0.5), 0.0, Way::layers,
-                              {});
+                              without_plane);
   expect_right_in_layers<dim>(clumps<dim>(this->random_, 149, 40, extent, 0.5), 0.0, Way::tiles,
-                              {});
+                              without_plane);
 }
 
 /// In a box that is nearly empty an element of a tile looks in few of the rows around it, so that
 /// many more are needed to make layers faster.
 TYPED_TEST(LayerSearchOf, SparseElements) {
   constexpr int dim = TypeParam::value;
-  engine::LayerLimits limits;
+  engine::LayerLimits limits = without_plane;
   const auto expect_way = [&](double width, Way way) {
     const auto spheres = uniform_spheres<dim>(this->random_, 10'000, {width, width, width});
     expect_right_in_layers<dim>(spheres, 0.0, way, limits);
@@ -264,7 +264,8 @@ TYPED_TEST(LayerSearchOf, FewElementsOfOneTileOrMore) {
   const auto expect_way = [&](std::size_t count, const std::array<double, 3>& ratios, Way way) {
     SCOPED_TRACE(std::to_string(count) + " elements");
     const auto extent = box_for<dim>(count, 3.0, ratios);
-    expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, count, extent), 0.0, way, {});
+    expect_right_in_layers<dim>(uniform_spheres<dim>(this->random_, count, extent), 0.0, way,
+                                without_plane);
   };
   const std::array<double, 3> cube{1.0, 1.0, 1.0};
   const std::array<double, 3> rod{1.0, 0.1, 0.05};
@@ -279,8 +280,8 @@ TYPED_TEST(LayerSearchOf, FewElementsOnLattices) {
   constexpr int dim = TypeParam::value;
   const auto expect_way = [&](std::size_t side, Way way, Way way_in_tenths) {
     const auto lattice = cubic_lattice<dim>(side);
-    expect_right_in_layers<dim>(lattice, 0.0, way, {});
-    expect_right_in_layers<dim>(in_tenths<dim>(lattice), 0.0, way_in_tenths, {});
+    expect_right_in_layers<dim>(lattice, 0.0, way, without_plane);
+    expect_right_in_layers<dim>(in_tenths<dim>(lattice), 0.0, way_in_tenths, without_plane);
   };
   expect_way(dim == 2 ? 15 : 6, Way::tiles, Way::tiles);
   expect_way(dim == 2 ? 16 : 7, Way::layers, Way::tiles);

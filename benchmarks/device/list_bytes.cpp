@@ -17,7 +17,7 @@ constexpr double key = 4.0;
 constexpr double number = 4.0;
 constexpr double head = 4.0;
 constexpr double size_in_units = 4.0;
-constexpr double count_of_item = 8.0;
+constexpr double count_of_item = 4.0;
 
 double columns_of(const DetectionSize& size) {
   return size.dimensions + (size.radii == RadiiGiven::once ? 0 : 1);
@@ -53,11 +53,11 @@ double search_bytes(const DetectionSize& size) {
   const double gather_sizes = has_sizes ? number + sector + size_in_units : 0.0;
   // Filled, written by slots, looked for where none was written: a head an element.
   const double directory = head + (key + head) + head;
-  const double tests = key + head;
+  const double tests = key + head + 2.0 * count_of_item;
   const double count = look + 2.0 * count_of_item;
   const double scan = 2.0 * 2.0 * count_of_item;
   const double write = look + 2.0 * count_of_item;
-  return check + place + sort + gather + gather_sizes + directory + tests + count + scan + write;
+  return check + place + sort + gather + gather_sizes + directory + count + tests + scan + write;
 }
 
 /// For each pair in doubt: the numbers of both elements are at random places of all columns.

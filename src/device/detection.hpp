@@ -1,16 +1,17 @@
 #pragma once
 
-#include "device/axis_stretches.hpp"
 #include "device/bodies/check.hpp"
 #include "device/bodies/place.hpp"
 #include "device/checked_elements.hpp"
-#include "device/contact_search.hpp"
 #include "device/device_request.hpp"
 #include "device/executor.hpp"
 #include "device/found_list.hpp"
 #include "device/frame.hpp"
 #include "device/levels.hpp"
 #include "device/pair_decision.hpp"
+#include "device/search/axis_stretches.hpp"
+#include "device/search/contact_search.hpp"
+#include "device/search/search_settings.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -14,6 +14,8 @@ namespace abut::device {
 
 /// Items of a search between levels that are counted at a time; their counts take 16 bytes each.
 inline constexpr std::uint64_t most_items_at_a_time = std::uint64_t{1} << 21;
+/// The places of so many pairs are told by 32 bits.
+inline constexpr std::uint64_t most_narrow_places = std::numeric_limits<std::uint32_t>::max();
 
 /// What a list of contacts holds: pairs, or rows of neighbors, each pair once or from both
 /// elements.
@@ -24,6 +26,7 @@ struct DeviceRequest {
   double margin = 0.0;
   std::uint64_t max_pairs = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t items_at_a_time = most_items_at_a_time;
+  std::uint64_t narrow_places = most_narrow_places;  ///< pairs of a part, told by 32 bits
   Shifts shifts = Shifts::none;
   ListForm form = ListForm::pairs;
   Quantities quantities = {};  ///< of lists

@@ -13,7 +13,8 @@ namespace abut::device {
 ///   for_each(count, body)                body(k) for each k < count
 ///   reduce(count, none, body, join)      join of all body(k), `none` of no item; waits
 ///   reduce_into(target, count, none, body, join)   writes that to memory of the device
-///   exclusive_scan(values, count)        value k becomes the sum of those before it
+///   exclusive_scan(values, count)        value k becomes the sum of those before it, as its type
+///                                        has it
 ///   sort_by_key(keys, numbers, count, bits)     stable, by the lowest bits of the keys
 ///   sort_pairs(pairs, count, first_bit, end_bit)   stable, by bits of first + 2^32 second
 ///   select(from, to, count, predicate)   those that the predicate takes, in order; how many; waits

@@ -6,7 +6,7 @@
 #include "device/checked_elements.hpp"
 #include "device/executor.hpp"
 #include "device/image_plan.hpp"
-#include "device/partner_search.hpp"
+#include "device/search/partner_search.hpp"
 #include "lattice/check_range.hpp"
 #include "lattice/ghost_windows.hpp"
 #include "lattice/image_window.hpp"

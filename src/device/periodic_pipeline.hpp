@@ -82,8 +82,9 @@ class PeriodicPipeline {
     progress_.begin("search", spheres.count);
     const Extent<Dim> extent = executor_.reduce(spheres.count, Extent<Dim>::of_none(),
                                                 ElementExtent<Spheres>{spheres}, JoinExtents{});
-    Detection<Spheres, E> detection(executor_, spheres, extent, request_,
-                                    {images.margin(), images.slack(), request_.items_at_a_time});
+    Detection<Spheres, E> detection(
+        executor_, spheres, extent, request_,
+        {images.margin(), images.slack(), request_.items_at_a_time, request_.narrow_places});
     use(detection);
   }
 

@@ -42,8 +42,9 @@ class Pipeline {
     if (elements_.count == 0) return;
     const Extent<Dim> extent = checked_extent(executor_, elements_);
     progress_.begin("search", elements_.count);
-    Detection<SphereColumns<Dim, T>, E> detection(executor_, elements_, extent, request_,
-                                                  {request_.margin, 0.0, request_.items_at_a_time});
+    Detection<SphereColumns<Dim, T>, E> detection(
+        executor_, elements_, extent, request_,
+        {request_.margin, 0.0, request_.items_at_a_time, request_.narrow_places});
     use(detection);
   }
 

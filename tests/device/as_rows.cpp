@@ -16,7 +16,7 @@ std::vector<HostRun> all_runs(std::size_t elements) {
           {.order = device::ItemOrder::descending},
           {.order = device::ItemOrder::shuffled},
           {.workers = 3},
-          {.items_at_a_time = elements / 4 + 1}};
+          {.items_at_a_time = elements / 20 + 1, .narrow_places = 100}};
 }
 
 std::size_t expect_pairs(const PairList& expected, const ElementView& elements, double margin,

@@ -127,9 +127,9 @@ TEST(DeviceBenchmark, CountsBytesOfEachForm) {
   constexpr double million = 1e6;
   DetectionSize size{.elements = 1'000'000, .pairs = 3'000'000};
   EXPECT_EQ(compulsory_bytes(size), million * (24 + 3 * 8));
-  // check, place, sort, gather, directory, tests, count, scans, write; then a pair's write and
+  // check, place, sort, gather, directory, count, tests, scans, write; then a pair's write and
   // order
-  const double search = 24 + (24 + 24) + 52 + 52 + 16 + 8 + (24 + 16) + 32 + (24 + 16);
+  const double search = 24 + (24 + 24) + 52 + 52 + 16 + (24 + 8) + (8 + 8) + 16 + (24 + 8);
   const double order = (3 * 16 + 8) + 8 + 16;
   EXPECT_EQ(moved_bytes(size), million * (search + 3 * (8 + order)));
 

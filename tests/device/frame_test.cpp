@@ -5,8 +5,8 @@
 #include "device/host/host_executor.hpp"
 #include "device/levels.hpp"
 
-#include "device/axis_stretches.hpp"
 #include "device/columns_of.hpp"
+#include "device/search/axis_stretches.hpp"
 #include "scenes/random.hpp"
 #include "support/scene_view.hpp"
 

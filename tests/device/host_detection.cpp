@@ -32,6 +32,7 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
                          device::DeviceRequest{.margin = margin,
                                                .max_pairs = run.max_pairs,
                                                .items_at_a_time = run.items_at_a_time,
+                                               .narrow_places = run.narrow_places,
                                                .shifts = run.shifts,
                                                .form = run.form,
                                                .quantities = run.quantities,

@@ -25,6 +25,7 @@ struct HostRun {
   std::uint64_t max_bytes = base::MemoryMeter::unbounded;
   std::uint64_t max_pairs = unlimited_pairs;
   std::uint64_t items_at_a_time = device::most_items_at_a_time;
+  std::uint64_t narrow_places = device::most_narrow_places;
   ProgressHook progress = {};
   Domain domain = Domain::open();
   Shifts shifts = Shifts::none;

@@ -82,7 +82,7 @@ TEST(DeviceMemory, FollowsGhostsAndShifts) {
         const std::uint64_t pairs = answer.count + answer.exact_decisions;
         EXPECT_GT(answer.searched, scene.size());
         EXPECT_LE(answer.peak_bytes,
-                  76 * answer.searched + (shifts == Shifts::stored ? 44 : 16) * pairs + 8192);
+                  64 * answer.searched + (shifts == Shifts::stored ? 44 : 16) * pairs + 8192);
       }
     }
   }

@@ -140,7 +140,7 @@ TEST(DeviceNeighborRowLimits, MemoryIsWithinThePlan) {
           EXPECT_LE(answer.peak_bytes, bytes) << name;
           // The part for items that are counted at a time would hide all else.
           EXPECT_LE(answer.peak_bytes,
-                    76 * answer.searched + (shifts == Shifts::stored ? 44 : 16) * pairs + 8192)
+                    64 * answer.searched + (shifts == Shifts::stored ? 44 : 16) * pairs + 8192)
               << name;
         }
       }

@@ -27,8 +27,8 @@ template <class Spheres>
 using CoarseOf = std::conditional_t<Spheres::shape == Shape::box, CoarseBox<Spheres::dimensions>,
                                     CoarseSphere<Spheres::dimensions>>;
 
-/// One level and all larger elements, which stand in the slots behind it. An item is a row of cells
-/// that a coarse element cuts, or some of the elements for one that looks at all.
+/// One level and some of the larger elements, which stand in slots behind it. An item is a row of
+/// cells that a coarse element cuts, or some of the elements for one that looks at all.
 template <class Spheres, class Key>
 struct MeetCoarse {
   using Coarse = CoarseOf<Spheres>;
@@ -40,6 +40,7 @@ struct MeetCoarse {
   const PlacedRecord<Dim>* records;
   const SizeOf<Spheres>* sizes;
   Directory<Key> directory;
+  SlotRun coarse_slots;
   const std::uint64_t* items_before;  ///< of each coarse element
 
   [[nodiscard]] ABUT_HD std::uint64_t items_of(std::uint64_t k) const noexcept {
@@ -85,13 +86,13 @@ struct MeetCoarse {
   }
 
   [[nodiscard]] ABUT_HD Coarse coarse_element(std::uint64_t k) const noexcept {
-    const std::uint32_t number = records[level.end_slot + k].number;
+    const std::uint32_t number = records[coarse_slots.first + k].number;
     return Coarse::of(elements.whole(number), number, scales, level);
   }
 
   /// The last coarse element whose items begin at or before this one.
   [[nodiscard]] ABUT_HD std::uint64_t coarse_number_of(std::uint64_t item) const noexcept {
-    return last_at(items_before, elements.count - level.end_slot, item);
+    return last_at(items_before, coarse_slots.size(), item);
   }
 
   [[nodiscard]] ABUT_HD SlotRun row_of(const CellBox<Dim>& box, std::uint64_t row) const noexcept {

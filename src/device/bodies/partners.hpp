@@ -15,7 +15,7 @@ struct PartnerCount {
   std::uint64_t doubtful = 0;
   std::uint64_t tests = 0;
 
-  void add(const PartnerCount& more) noexcept {
+  ABUT_HD void add(const PartnerCount& more) noexcept {
     certain += more.certain;
     doubtful += more.doubtful;
     tests += more.tests;
@@ -31,6 +31,13 @@ struct TestsOfItem {
   [[nodiscard]] ABUT_HD std::uint64_t operator()(std::uint64_t k) const noexcept {
     return search.tests_of(first_item + k);
   }
+};
+
+/// What the host must know of a level, step by step: of a part of its elements, and of some of the
+/// larger ones, if there are so many.
+struct StepCounts {
+  PartnerCount meets;
+  std::uint64_t items_of_coarse;
 };
 
 struct SumOfTwo {
@@ -63,14 +70,37 @@ struct PartnerWriter {
   }
 };
 
-/// Where the items' pairs go: the sums of the counts of all items before.
-struct PartnerPlaces {
-  std::uint64_t* certain;
-  std::uint64_t* doubtful;
+/// A number for each item of a search: of 64 bits or, where these suffice, of 32.
+class ItemNumbers {
+ public:
+  ABUT_HD explicit ItemNumbers(std::uint64_t* numbers) noexcept : wide_(numbers) {}
+  ABUT_HD explicit ItemNumbers(std::uint32_t* numbers) noexcept : narrow_(numbers) {}
+
+  [[nodiscard]] ABUT_HD std::uint64_t at(std::uint64_t k) const noexcept {
+    return wide_ != nullptr ? wide_[k] : narrow_[k];
+  }
+  ABUT_HD void set(std::uint64_t k, std::uint32_t number) const noexcept {
+    if (wide_ != nullptr) {
+      wide_[k] = number;
+    } else {
+      narrow_[k] = number;
+    }
+  }
+
+ private:
+  std::uint64_t* wide_ = nullptr;
+  std::uint32_t* narrow_ = nullptr;
 };
 
-/// Body: counts the partners of item k of a search; see MeetInLevel, MeetCoarse. The entry
-/// behind the last item is 0, and becomes the sum of all.
+/// How many pairs the items have, and then where these go: the sums of the counts of all items
+/// before.
+struct PartnerPlaces {
+  ItemNumbers certain;
+  ItemNumbers doubtful;
+};
+
+/// Body: counts the partners of item k of a search; see MeetInLevel, MeetCoarse. An entry behind
+/// the last item is 0, and becomes the sum of all.
 template <class Search>
 struct CountPartners {
   Search search;
@@ -81,8 +111,29 @@ struct CountPartners {
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     PartnerCounter count;
     if (k < items) search.partners_of(first_item + k, count);
-    counts.certain[k] = count.certain;
-    counts.doubtful[k] = count.doubtful;
+    counts.certain.set(k, count.certain);
+    counts.doubtful.set(k, count.doubtful);
+  }
+};
+
+/// Body of a reduction: the partners of item k, which were counted, and how many distances it
+/// compares.
+template <class Search>
+struct CountsOfItem {
+  Search search;
+  std::uint64_t first_item;
+  PartnerPlaces counts;
+
+  [[nodiscard]] ABUT_HD PartnerCount operator()(std::uint64_t k) const noexcept {
+    return {counts.certain.at(k), counts.doubtful.at(k), search.tests_of(first_item + k)};
+  }
+};
+
+struct JoinPartnerCounts {
+  [[nodiscard]] ABUT_HD PartnerCount operator()(PartnerCount a,
+                                                const PartnerCount& b) const noexcept {
+    a.add(b);
+    return a;
   }
 };
 
@@ -113,8 +164,8 @@ struct FillPartners {
   }
 
   [[nodiscard]] ABUT_HD PartnerWriter writer(std::uint64_t k) const noexcept {
-    return {certain == nullptr ? nullptr : certain + places.certain[k],
-            doubtful + places.doubtful[k]};
+    return {certain == nullptr ? nullptr : certain + places.certain.at(k),
+            doubtful + places.doubtful.at(k)};
   }
 };
 

@@ -20,11 +20,15 @@ void take_current(TwinBuffer<T, CudaExecutor>& buffers, const T* current) {
 
 }  // namespace
 
-void CudaExecutor::exclusive_scan(std::uint64_t* values, std::uint64_t count) {
+template <class Number>
+void CudaExecutor::exclusive_scan(Number* values, std::uint64_t count) {
   with_scratch([&](void* scratch, std::size_t& bytes) {
     return cub::DeviceScan::ExclusiveSum(scratch, bytes, values, values, count, stream_);
   });
 }
+
+template void CudaExecutor::exclusive_scan(std::uint32_t*, std::uint64_t);
+template void CudaExecutor::exclusive_scan(std::uint64_t*, std::uint64_t);
 
 template <class Key>
 void CudaExecutor::sort_by_key(TwinBuffer<Key, CudaExecutor>& keys,

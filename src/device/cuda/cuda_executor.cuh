@@ -106,7 +106,8 @@ class CudaExecutor {
 
   // What does not depend on the bodies of a pipeline is compiled once (cuda_executor.cu).
 
-  void exclusive_scan(std::uint64_t* values, std::uint64_t count);
+  template <class Number>
+  void exclusive_scan(Number* values, std::uint64_t count);
 
   template <class Key>
   void sort_by_key(TwinBuffer<Key, CudaExecutor>& keys,

@@ -27,9 +27,13 @@ HostExecutor::ItemSequence::ItemSequence(ItemOrder order, std::uint64_t count)
   step_ = order == ItemOrder::descending ? count_ - 1 : step_without_common_factor(count_);
 }
 
-void HostExecutor::exclusive_scan(std::uint64_t* values, std::uint64_t count) {
-  std::exclusive_scan(values, values + count, values, std::uint64_t{0});
+template <class Number>
+void HostExecutor::exclusive_scan(Number* values, std::uint64_t count) {
+  std::exclusive_scan(values, values + count, values, Number{0});
 }
+
+template void HostExecutor::exclusive_scan(std::uint32_t*, std::uint64_t);
+template void HostExecutor::exclusive_scan(std::uint64_t*, std::uint64_t);
 
 template <class Key>
 void HostExecutor::sort_by_key(TwinBuffer<Key, HostExecutor>& keys,

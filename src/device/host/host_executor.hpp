@@ -56,7 +56,8 @@ class HostExecutor {
     *target = joined;
   }
 
-  void exclusive_scan(std::uint64_t* values, std::uint64_t count);
+  template <class Number>
+  void exclusive_scan(Number* values, std::uint64_t count);
 
   template <class Key>
   void sort_by_key(TwinBuffer<Key, HostExecutor>& keys,

@@ -14,8 +14,10 @@ namespace {
 // Bytes of an element. Records of 16 bytes, keys of 8 and two heads of 4 stay; so do widths of
 // boxes, 8, or radii, 4.
 constexpr std::uint64_t sorted_bytes = 16 + 8 + 8 + 2 * 4;
-/// Two counts of an element, and one for each that is coarse to some level.
-constexpr std::uint64_t count_bytes = 2 * 8 + 8;
+/// Two counts of an element.
+constexpr std::uint64_t count_bytes = 2 * 4;
+/// Two counts of an item of larger elements, and how many items half as many of these have.
+constexpr std::uint64_t item_bytes = 2 * 8 + 8 / 2;
 /// A start and a first cell on three axes, and as much while the last of them is divided.
 constexpr std::uint64_t stretch_bytes = 3 * 16;
 /// A radix sort keeps a number for each digit of 8 bits and tile of some thousand keys, 1 KiB a
@@ -47,7 +49,7 @@ MemoryPlan plan(std::uint64_t elements, PairCount pairs, const PairRule& rule) {
   MemoryPlan plan;
   if (elements == 0) return plan;
   plan.search_bytes =
-      elements * (sorted_bytes + count_bytes) + 2 * 8 * (most_items_at_a_time + 1) + fixed_bytes;
+      elements * (sorted_bytes + count_bytes) + item_bytes * most_items_at_a_time + fixed_bytes;
   plan.pair_bytes = pairs * 2 * sizeof(ContactPair);
   plan.gap_bytes = elements * stretch_bytes;
   plan.scratch_bytes = (elements + pairs) / keys_of_scratch_byte + fixed_scratch_bytes;

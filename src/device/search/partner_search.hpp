@@ -71,7 +71,7 @@ class PartnerSearch {
     return std::min(items_of_part_, items_ - part * items_of_part_);
   }
   [[nodiscard]] PartnerPlaces places() const noexcept {
-    return {certain_.data(), doubtful_.data()};
+    return {ItemNumbers(certain_.data()), ItemNumbers(doubtful_.data())};
   }
 
   void give_places(std::uint64_t part) {

@@ -59,6 +59,8 @@ class SortedElements {
                           static_cast<int>(std::bit_width(frame_.key_count - 1)));
     keys_.swap(keys.current);
     numbers_.swap(numbers.current);
+    keys = {};
+    numbers = {};
     records_ = Buffer<PlacedRecord<Dim>, E>(executor_, count);
     executor_.for_each(count, GatherRecord<Dim>{numbers_.data(), records.data(), records_.data()});
   }

@@ -5,7 +5,7 @@
 #include "device/bodies/stretch.hpp"
 #include "device/executor.hpp"
 #include "device/frame.hpp"
-#include "device/partner_search.hpp"
+#include "device/search/partner_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -63,7 +63,7 @@ struct Allocator {
 struct MemoryPlan {
   std::uint64_t search_bytes = 0;  ///< bytes of the search, from the number of elements
   std::uint64_t pair_bytes = 0;    ///< bytes of the list while it is brought into order
-  std::uint64_t gap_bytes = 0;     ///< bytes more in a domain far wider than its elements need
+  std::uint64_t gap_bytes = 0;     ///< bytes more in a domain so wide that gaps are closed
   std::uint64_t image_bytes = 0;   ///< bytes more in a periodic domain
   /// Bytes more where shifts are stored, or gaps are measured in a periodic domain.
   std::uint64_t shift_bytes = 0;

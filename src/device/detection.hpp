@@ -9,9 +9,9 @@
 #include "device/frame.hpp"
 #include "device/levels.hpp"
 #include "device/pair_decision.hpp"
-#include "device/search/axis_stretches.hpp"
 #include "device/search/contact_search.hpp"
 #include "device/search/search_settings.hpp"
+#include "device/search/stretch_layout.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -51,12 +51,9 @@ class Detection {
   [[nodiscard]] const Spheres& spheres() const noexcept { return spheres_; }
 
  private:
-  using Stretches = AxisStretches<Spheres, E>;
-
   template <class Use>
   void search(Use&& use) {
-    std::vector<Stretches> stretches;  // as long as the search, which looks into them
-    const Frame<Dim> frame = make_levels(stretches);
+    const Frame<Dim> frame = make_levels();
     if (frame.key_count <= std::numeric_limits<std::uint32_t>::max()) {
       ContactSearch<Spheres, std::uint32_t, E> contacts(executor_, spheres_, frame, settings_);
       use(contacts);
@@ -66,7 +63,7 @@ class Detection {
     }
   }
 
-  [[nodiscard]] Frame<Dim> make_levels(std::vector<Stretches>& stretches) {
+  [[nodiscard]] Frame<Dim> make_levels() {
     Frame<Dim> frame = make_frame(extent_, settings_.margin, settings_.slack);
     set_levels(frame);
     const std::vector<Extent<Dim>> extents = extents_of_levels(frame);
@@ -74,8 +71,7 @@ class Detection {
       SizeLevel<Dim>& level = frame.levels[k];
       const CellWidths widths = lay_out(level, extents[k], frame);
       if (widths.narrowest == widths.in_one_piece) continue;
-      stretches.emplace_back(executor_, spheres_, frame, k);
-      stretches.back().lay_out(level, widths);
+      StretchLayout<Spheres, E>(executor_, spheres_, frame, k).lay_out(level, widths);
     }
     number_keys(frame);
     return frame;

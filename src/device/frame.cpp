@@ -51,7 +51,7 @@ CellWidths lay_out(SizeLevel<Dim>& level, const Extent<Dim>& extent, const Frame
       level.largest_radius + extent.second_largest_radius * frame.scale + frame.margin;
   double longest = 0.0;
   for (int axis = 0; axis < Dim; ++axis) {
-    level.axes[axis] = {extent.lower[axis] * frame.scale, nullptr, 0};
+    level.axes[axis] = {extent.lower[axis] * frame.scale, 0, nullptr};
     longest = std::max(longest, extent.upper[axis] * frame.scale - level.axes[axis].lower);
   }
   const double wanted =

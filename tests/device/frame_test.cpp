@@ -7,6 +7,7 @@
 
 #include "device/columns_of.hpp"
 #include "device/search/axis_stretches.hpp"
+#include "device/search/stretch_layout.hpp"
 #include "scenes/random.hpp"
 #include "support/scene_view.hpp"
 
@@ -128,17 +129,20 @@ TEST(DeviceFrame, WideGapsAreClosed) {
 
   base::MemoryMeter memory;
   HostExecutor executor(memory, ItemOrder::shuffled, 1);
-  AxisStretches<SphereColumns<3, double>, HostExecutor> stretches(
-      executor, columns_of<3, double>(view_of(scene)), frame, 0);
-  stretches.lay_out(level, widths);
+  const auto elements = columns_of<3, double>(view_of(scene));
+  StretchLayout<SphereColumns<3, double>, HostExecutor>(executor, elements, frame, 0)
+      .lay_out(level, widths);
+  EXPECT_EQ(memory.held(), 0U);
+  AxisStretches<SphereColumns<3, double>, HostExecutor> stretches(executor, elements, frame, 0, 0);
+  stretches.divide(level.widest_gap, level.axes[0].stretch_count);
+  const AxisOfStretches along_x = stretches.number_cells(level.units_of_one);
   EXPECT_EQ(level.units_of_one, units_of_cell / widths.narrowest);
   EXPECT_LE(level.cells[0], 2 * scene.size());
   EXPECT_LE(level.cells[1], 30U);
   for (std::size_t a = 0; a < scene.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const auto cell_of = [&](double x) {
-        return static_cast<std::int64_t>(units_along(level.axes[0], level.units_of_one, x) >>
-                                         unit_bits);
+        return static_cast<std::int64_t>(along_x.units_along(level.units_of_one, x) >> unit_bits);
       };
       const std::int64_t steps = std::abs(cell_of(scene.x[a]) - cell_of(scene.x[b]));
       const double distance = std::fabs(scene.x[a] - scene.x[b]);

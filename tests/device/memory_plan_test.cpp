@@ -100,8 +100,8 @@ TEST(DeviceMemory, InAWideDomain) {
   }
   const HostAnswer answer = list_on_host(view_of(scene), 0.0, {.items_at_a_time = 100});
   EXPECT_EQ(answer.count, 0U);
-  EXPECT_LE(answer.peak_bytes, (60 + 48) * scene.size() + 8192);
-  EXPECT_GE(answer.peak_bytes, 64 * scene.size());
+  EXPECT_LE(answer.peak_bytes, 48 * scene.size() + 8192);
+  EXPECT_GE(answer.peak_bytes, 40 * scene.size());
 }
 
 }  // namespace

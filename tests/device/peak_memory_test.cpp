@@ -101,5 +101,42 @@ TEST(DevicePeak, InAPeriodicDomain) {
   }
 }
 
+/// So far apart that each element is a stretch of its own on every axis, beside a compact part; of
+/// one size, so that one level is all, and of nine, and with giants, which are a level of their
+/// own.
+std::vector<Scene> wide_scenes(std::size_t count) {
+  std::vector<Scene> all{strewn(count, 1e14, 1), strewn(count, 1e14, 9)};
+  for (const std::size_t giants : {std::size_t{1}, std::size_t{7}}) {
+    Scene scene = strewn(count, 1e14, 1);
+    for (std::size_t k = 0; k < giants; ++k) scene.radius[count / 2 + k] = 1e13;
+    all.push_back(scene);
+  }
+  for (const char* const name : {"two_far_clusters", "graded_1000", "log_uniform_1000"}) {
+    Scene scene = scenes::scene_named(name).make(count, 5);
+    for (std::size_t k = 0; k < count; k += 4) scene.x[k] += 1e13 * static_cast<double>(k);
+    for (std::size_t k = 0; k < count; k += 3) scene.y[k] += 1e13 * static_cast<double>(k);
+    for (std::size_t k = 0; k < scene.z.size(); k += 2) scene.z[k] += 1e13 * static_cast<double>(k);
+    all.push_back(scene);
+  }
+  return all;
+}
+
+TEST(DevicePeak, InAWideDomain) {
+  for (const std::size_t count : {std::size_t{400}, std::size_t{4000}}) {
+    for (const Scene& scene : wide_scenes(count)) expect_at_most(60, scene, Domain::open());
+  }
+}
+
+/// Wide along open axes, with a periodic face; and wide in a cell that is as wide.
+TEST(DevicePeak, InAWidePeriodicDomain) {
+  for (const Scene& scene : wide_scenes(3000)) {
+    const double side = side_of(scene);
+    for (const double length : {0.25 * side, side}) {
+      expect_at_most(76, scene, Domain::periodic({length, unbounded, unbounded}));
+      expect_at_most(76, scene, Domain::periodic({length, length, length}));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace abut::testing

@@ -30,39 +30,42 @@ struct AxisCell {
   bool is_behind;  ///< above it
 };
 
-/// By the sequence of units_along: each rounding keeps the order of coordinates, so that elements
-/// at or above this one are in this cell or a later one, and those at or below in this or an
-/// earlier one. In a gap between stretches it is the empty cell there.
-[[nodiscard]] ABUT_HD inline AxisCell cell_at(const Axis& axis, double units_of_one,
-                                              std::uint64_t cells, double scaled) noexcept {
-  Stretch stretch{axis.lower, 0};
-  std::uint64_t end = cells;
-  if (axis.stretches != nullptr) {
-    const std::uint32_t number = stretch_of(axis, scaled);
-    stretch = axis.stretches[number];
-    if (number + 1 < axis.stretch_count) end = axis.stretches[number + 1].first_cell;
-  }
-  const double units = (scaled - stretch.start) * units_of_one;
-  if (!(units >= 0.0)) return {0, true, false};
-  const std::uint64_t room = end - stretch.first_cell;
-  if (units < static_cast<double>(room) * units_of_cell) {
-    return {stretch.first_cell + (static_cast<std::uint64_t>(units) >> unit_bits), false, false};
-  }
-  return {end - 1, false, end == cells};
-}
+/// Cells along an axis from the coordinate `start` on, in [first, end) of all cells of the axis.
+struct StretchCells {
+  double start;
+  std::uint64_t first;
+  std::uint64_t end;
+  std::uint64_t all;
 
-/// The cells that scaled coordinates from `lower` to `upper` lie in.
+  /// By the sequence of units_along: each rounding keeps the order of coordinates, so that elements
+  /// at or above this one are in this cell or a later one, and those at or below in this or an
+  /// earlier one. Beyond the range it is the last cell there, empty where a gap follows.
+  [[nodiscard]] ABUT_HD AxisCell at(double scaled, double units_of_one) const noexcept {
+    const double units = (scaled - start) * units_of_one;
+    if (!(units >= 0.0)) return {0, true, false};
+    if (units < static_cast<double>(end - first) * units_of_cell) {
+      return {first + (static_cast<std::uint64_t>(units) >> unit_bits), false, false};
+    }
+    return {end - 1, false, end == all};
+  }
+};
+
+/// Scaled coordinates between which a coarse element may have partners.
+template <int Dim>
+struct CoordinateEnds {
+  double lower[Dim];
+  double upper[Dim];
+};
+
+/// The cells that these lie in, of a level whose axes are in one piece.
 template <int Dim>
 [[nodiscard]] ABUT_HD inline CellBox<Dim> cells_between(const SizeLevel<Dim>& level,
-                                                        const double (&lower)[Dim],
-                                                        const double (&upper)[Dim]) noexcept {
+                                                        const CoordinateEnds<Dim>& ends) noexcept {
   CellBox<Dim> box{};
   for (int axis = 0; axis < Dim; ++axis) {
-    const auto cell_of = [&](double scaled) {
-      return cell_at(level.axes[axis], level.units_of_one, level.cells[axis], scaled);
-    };
-    const AxisCell first = cell_of(lower[axis]);
-    const AxisCell last = cell_of(upper[axis]);
+    const StretchCells all{level.axes[axis].lower, 0, level.cells[axis], level.cells[axis]};
+    const AxisCell first = all.at(ends.lower[axis], level.units_of_one);
+    const AxisCell last = all.at(ends.upper[axis], level.units_of_one);
     box.first[axis] = first.cell;
     box.last[axis] = last.cell;
     box.is_empty = box.is_empty || first.is_behind || last.is_before;

@@ -27,21 +27,16 @@ struct CoarseBox {
   std::int32_t margin;  ///< in units, rounded down
   bool in_double;       ///< whether the filter is that of doubles
 
+  /// `cells` are left to who knows them.
   [[nodiscard]] ABUT_HD static CoarseBox of(const exact::Box<Dim>& box, std::uint32_t number,
                                             const CoarseScales& scales,
                                             const SizeLevel<Dim>& level) noexcept {
     CoarseBox coarse{};
     coarse.number = number;
     const double beyond = scales.scaled_margin + 2.0 * level.largest_radius;
-    const double before = (beyond + scales.scaled_slack) * (1.0 + 0x1p-40);
-    const double behind = (scales.scaled_margin + scales.scaled_slack) * (1.0 + 0x1p-40);
-    double first[Dim];
-    double last[Dim];
     for (int axis = 0; axis < Dim; ++axis) {
       const double ends[] = {box.lower[axis] * scales.scale, box.upper[axis] * scales.scale};
-      first[axis] = ends[0] - before;
-      last[axis] = ends[1] + behind;
-      coarse.in_double = coarse.in_double || level.axes[axis].stretches != nullptr;
+      coarse.in_double = coarse.in_double || level.axes[axis].is_divided();
       const double low = (ends[0] - level.axes[axis].lower) * level.units_of_one;
       const double high = (ends[1] - level.axes[axis].lower) * level.units_of_one;
       const bool is_near = std::fabs(low) <= farthest_center && std::fabs(high) <= farthest_center;
@@ -54,8 +49,21 @@ struct CoarseBox {
     if (!coarse.in_double) {
       coarse.margin = static_cast<std::int32_t>(scales.scaled_margin * level.units_of_one);
     }
-    coarse.cells = cells_between(level, first, last);
     return coarse;
+  }
+
+  [[nodiscard]] ABUT_HD static CoordinateEnds<Dim> ends_of(const exact::Box<Dim>& box,
+                                                           const CoarseScales& scales,
+                                                           const SizeLevel<Dim>& level) noexcept {
+    const double beyond = scales.scaled_margin + 2.0 * level.largest_radius;
+    const double before = (beyond + scales.scaled_slack) * (1.0 + 0x1p-40);
+    const double behind = (scales.scaled_margin + scales.scaled_slack) * (1.0 + 0x1p-40);
+    CoordinateEnds<Dim> ends{};
+    for (int axis = 0; axis < Dim; ++axis) {
+      ends.lower[axis] = box.lower[axis] * scales.scale - before;
+      ends.upper[axis] = box.upper[axis] * scales.scale + behind;
+    }
+    return ends;
   }
 
   [[nodiscard]] ABUT_HD FilterVerdict compare(const std::uint32_t* other,

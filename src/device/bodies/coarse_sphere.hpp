@@ -35,6 +35,7 @@ struct CoarseSphere {
   float slack;               ///< in units
   bool in_double;            ///< whether the filter is that of doubles
 
+  /// `cells` are left to who knows them.
   [[nodiscard]] ABUT_HD static CoarseSphere of(const exact::Sphere<Dim>& sphere,
                                                std::uint32_t number, const CoarseScales& scales,
                                                const SizeLevel<Dim>& level) noexcept {
@@ -46,21 +47,30 @@ struct CoarseSphere {
     coarse.slack =
         filter_slack + slack_of_reach * static_cast<float>(farthest * level.units_of_one);
     coarse.in_double = !(farthest * level.units_of_one <= widest_ball);
-    const double distance = (farthest + scales.scaled_slack) * (1.0 + 0x1p-40);
-    double lower[Dim];
-    double upper[Dim];
     for (int axis = 0; axis < Dim; ++axis) {
       const double center = sphere.center[axis] * scales.scale;
-      lower[axis] = center - distance;
-      upper[axis] = center + distance;
       const double units = (center - level.axes[axis].lower) * level.units_of_one;
-      coarse.in_double = coarse.in_double || level.axes[axis].stretches != nullptr ||
+      coarse.in_double = coarse.in_double || level.axes[axis].is_divided() ||
                          !(std::fabs(units) <= farthest_center);
       if (coarse.in_double) continue;
       coarse.units[axis] = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(units)));
     }
-    coarse.cells = cells_between(level, lower, upper);
     return coarse;
+  }
+
+  [[nodiscard]] ABUT_HD static CoordinateEnds<Dim> ends_of(const exact::Sphere<Dim>& sphere,
+                                                           const CoarseScales& scales,
+                                                           const SizeLevel<Dim>& level) noexcept {
+    const double own = sphere.radius * scales.scale + scales.scaled_margin;
+    const double farthest = own + level.largest_radius;
+    const double distance = (farthest + scales.scaled_slack) * (1.0 + 0x1p-40);
+    CoordinateEnds<Dim> ends{};
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double center = sphere.center[axis] * scales.scale;
+      ends.lower[axis] = center - distance;
+      ends.upper[axis] = center + distance;
+    }
+    return ends;
   }
 
   [[nodiscard]] ABUT_HD FilterVerdict compare(const std::uint32_t* other,

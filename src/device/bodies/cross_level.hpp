@@ -41,6 +41,7 @@ struct MeetCoarse {
   const SizeOf<Spheres>* sizes;
   Directory<Key> directory;
   SlotRun coarse_slots;
+  const CellBox<Dim>* boxes;          ///< of each coarse element, where the axes are divided
   const std::uint64_t* items_before;  ///< of each coarse element
 
   [[nodiscard]] ABUT_HD std::uint64_t items_of(std::uint64_t k) const noexcept {
@@ -87,7 +88,11 @@ struct MeetCoarse {
 
   [[nodiscard]] ABUT_HD Coarse coarse_element(std::uint64_t k) const noexcept {
     const std::uint32_t number = records[coarse_slots.first + k].number;
-    return Coarse::of(elements.whole(number), number, scales, level);
+    const auto whole = elements.whole(number);
+    Coarse coarse = Coarse::of(whole, number, scales, level);
+    coarse.cells =
+        boxes != nullptr ? boxes[k] : cells_between(level, Coarse::ends_of(whole, scales, level));
+    return coarse;
   }
 
   /// The last coarse element whose items begin at or before this one.

@@ -14,17 +14,14 @@ inline constexpr double units_of_cell = 0x1p20;
 /// The most levels that elements are divided into.
 inline constexpr std::uint32_t most_levels = 8;
 
-/// A part of an axis without a wide gap, from the lowest coordinate in it on.
-struct Stretch {
-  double start;  ///< scaled
-  std::uint64_t first_cell;
-};
-
-/// An axis from `lower` on, or, where that is far longer than its elements need, in stretches.
+/// An axis from `lower` on, or, where that is far longer than its elements need, in stretches
+/// without a wide gap.
 struct Axis {
-  double lower;              ///< scaled
-  const Stretch* stretches;  ///< null: one, without end
-  std::uint32_t stretch_count;
+  double lower;                      ///< scaled
+  std::uint32_t stretch_count;       ///< 0: one, without end
+  const std::uint32_t* first_slots;  ///< of each stretch the slot of its lowest element
+
+  [[nodiscard]] ABUT_HD bool is_divided() const noexcept { return stretch_count > 0; }
 };
 
 /// The elements of one class of radii, in cells of their own reach from their own lowest corner on.
@@ -40,6 +37,7 @@ struct SizeLevel {
   double largest_radius;  ///< of its elements, scaled
   double largest_reach;   ///< of two of them, scaled
   double units_of_one;    ///< units in one scaled length
+  double widest_gap;      ///< along its axes, scaled, where these are divided
   Axis axes[Dim];
   std::uint64_t cells[Dim];
   std::uint64_t pitch[Dim];
@@ -69,32 +67,12 @@ template <int Dim>
   return level;
 }
 
-/// The number of the last stretch that begins at or before a coordinate; 0 if none does.
-[[nodiscard]] ABUT_HD inline std::uint32_t stretch_of(const Axis& axis, double scaled) noexcept {
-  std::uint32_t first = 0;
-  std::uint32_t count = axis.stretch_count;
-  while (count > 1) {
-    const std::uint32_t half = count / 2;
-    if (axis.stretches[first + half].start <= scaled) {
-      first += half;
-      count -= half;
-    } else {
-      count = half;
-    }
-  }
-  return first;
-}
-
-/// Where an element of the level lies along an axis, in units: floor((x - lower) units_of_one). No
-/// element lies below the lower end of its axis or stretch, so that truncation is floor.
+/// Where an element of the level lies along an axis in one piece, in units:
+/// floor((x - lower) units_of_one). No element lies below the lower end, so that truncation is
+/// floor.
 [[nodiscard]] ABUT_HD inline std::uint64_t units_along(const Axis& axis, double units_of_one,
                                                        double scaled) noexcept {
-  if (axis.stretches == nullptr) {
-    return static_cast<std::uint64_t>((scaled - axis.lower) * units_of_one);
-  }
-  const Stretch stretch = axis.stretches[stretch_of(axis, scaled)];
-  return (stretch.first_cell << unit_bits) +
-         static_cast<std::uint64_t>((scaled - stretch.start) * units_of_one);
+  return static_cast<std::uint64_t>((scaled - axis.lower) * units_of_one);
 }
 
 /// The key of a cell, given by its numbers along the axes.

@@ -36,7 +36,8 @@ struct ExtentInLevel {
   }
 };
 
-/// Body: the key of element k, and its number, which is sorted with it.
+/// Body: the key of element k, and its number, which is sorted with it. Along divided axes it is at
+/// 0, until PlaceAlongAxis moves it.
 template <class Spheres, class Key>
 struct PlaceElement {
   static constexpr int Dim = Spheres::dimensions;
@@ -54,8 +55,11 @@ struct PlaceElement {
     std::uint64_t cell[Dim];
     PlacedRecord<Dim> record{};
     for (int axis = 0; axis < Dim; ++axis) {
+      const Axis& along = level.axes[axis];
       const std::uint64_t units =
-          units_along(level.axes[axis], level.units_of_one, sphere.center[axis] * frame.scale);
+          along.is_divided()
+              ? 0
+              : units_along(along, level.units_of_one, sphere.center[axis] * frame.scale);
       cell[axis] = units >> unit_bits;
       record.units[axis] = static_cast<std::uint32_t>(units);
     }

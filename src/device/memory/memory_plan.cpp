@@ -1,4 +1,5 @@
 #include "device/device_request.hpp"
+#include "device/search/search_settings.hpp"
 #include "lattice/ghost_windows.hpp"
 #include "lattice/wrapper.hpp"
 
@@ -16,10 +17,10 @@ namespace {
 constexpr std::uint64_t sorted_bytes = 16 + 8 + 8 + 2 * 4;
 /// Two counts of an element.
 constexpr std::uint64_t count_bytes = 2 * 4;
-/// Two counts of an item of larger elements, and how many items half as many of these have.
-constexpr std::uint64_t item_bytes = 2 * 8 + 8 / 2;
-/// A start and a first cell on three axes, and as much while the last of them is divided.
-constexpr std::uint64_t stretch_bytes = 3 * 16;
+/// Two counts of an item of larger elements, and what some of these take themselves.
+constexpr std::uint64_t item_bytes = 2 * 8 + SearchSettings::bytes_of_coarse;
+/// The lowest element of a stretch on three axes, where larger elements look for their cells.
+constexpr std::uint64_t stretch_bytes = 3 * 4;
 /// A radix sort keeps a number for each digit of 8 bits and tile of some thousand keys, 1 KiB a
 /// tile; scans and selections keep less.
 constexpr std::uint64_t keys_of_scratch_byte = 4;

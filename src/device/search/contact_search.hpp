@@ -1,7 +1,9 @@
 #pragma once
 
+#include "device/bodies/cell_box.hpp"
 #include "device/bodies/cross_level.hpp"
 #include "device/bodies/meet.hpp"
+#include "device/bodies/sorted_stretches.hpp"
 #include "device/executor.hpp"
 #include "device/search/level_search.hpp"
 #include "device/search/part_sums.hpp"
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace abut::device {
@@ -28,9 +31,9 @@ class ContactSearch {
                 const SearchSettings& settings)
       : executor_(executor),
         elements_(elements),
-        frame_(frame),
         settings_(settings),
-        sorted_(executor, elements, frame) {
+        sorted_(executor, elements, frame),
+        frame_(sorted_.frame()) {
     count_levels();
     count_coarse();
   }
@@ -95,8 +98,9 @@ class ContactSearch {
     if (n < meets_[k].part_count()) meets_[k].count(n, &counts->meets);
     const SlotRun coarse = coarse_of(k, n);
     if (coarse.size() == 0) return;
+    Buffer<CellBox<Dim>, E> boxes;
     executor_.reduce_into(&counts->items_of_coarse, coarse.size(), std::uint64_t{0},
-                          ItemsOfCoarse<Across>{across(k, coarse, nullptr)}, SumOfTwo{});
+                          ItemsOfCoarse<Across>{across(k, coarse, boxes)}, SumOfTwo{});
   }
 
   /// Waits once for all levels.
@@ -122,29 +126,59 @@ class ContactSearch {
     return meet;
   }
 
+  /// Each has a number of items, and a box where the host cannot tell its cells by few numbers.
+  [[nodiscard]] std::uint64_t coarse_at_a_time(std::uint32_t k) const noexcept {
+    const std::uint64_t box = is_divided(k) ? sizeof(CellBox<Dim>) : 0;
+    return settings_.coarse_at_a_time(sizeof(std::uint64_t) + box);
+  }
+
+  [[nodiscard]] bool is_divided(std::uint32_t k) const noexcept {
+    return frame_.levels[k].axes[0].is_divided();
+  }
+
   /// In how many steps larger elements look for partners in a level.
   [[nodiscard]] std::uint64_t coarse_steps(std::uint32_t k) const noexcept {
     const SizeLevel<Dim>& level = frame_.levels[k];
     if (level.first_slot == level.end_slot) return 0;
-    const std::uint64_t most = settings_.coarse_at_a_time();
+    const std::uint64_t most = coarse_at_a_time(k);
     return (elements_.count - level.end_slot + most - 1) / most;
   }
 
   /// Those of a step.
   [[nodiscard]] SlotRun coarse_of(std::uint32_t k, std::uint64_t n) const noexcept {
     if (n >= coarse_steps(k)) return {};
-    const std::uint64_t most = settings_.coarse_at_a_time();
+    const std::uint64_t most = coarse_at_a_time(k);
     const std::uint64_t first = frame_.levels[k].end_slot + n * most;
     const std::uint64_t end = std::min<std::uint64_t>(first + most, elements_.count);
     return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
   }
 
+  /// The search of some of the larger elements through a level, without items. `boxes` lives as
+  /// long as that.
   [[nodiscard]] Across across(std::uint32_t k, const SlotRun& coarse,
-                              const std::uint64_t* items_before) const {
+                              Buffer<CellBox<Dim>, E>& boxes) {
     const CoarseScales scales{frame_.scale, frame_.margin, frame_.slack, settings_.margin,
                               settings_.slack};
-    return {elements_,           scales, frame_.levels[k], sorted_.records(), sorted_.all_sizes(),
-            sorted_.directory(), coarse, items_before};
+    Across across{elements_,
+                  scales,
+                  frame_.levels[k],
+                  sorted_.records(),
+                  sorted_.all_sizes(),
+                  sorted_.directory(),
+                  coarse,
+                  nullptr,
+                  nullptr};
+    if (!is_divided(k)) return across;
+    boxes = Buffer<CellBox<Dim>, E>(executor_, coarse.size());
+    const auto cut = [&]<int axis>(std::integral_constant<int, axis>) {
+      executor_.for_each(coarse.size(), FindCoarseCells<Across, std::integral_constant<int, axis>>{
+                                            across, boxes.data()});
+    };
+    cut(std::integral_constant<int, 0>{});
+    cut(std::integral_constant<int, 1>{});
+    if constexpr (Dim == 3) cut(std::integral_constant<int, 2>{});
+    across.boxes = boxes.data();
+    return across;
   }
 
   /// Calls use(search, part) for all parts of the searches of larger elements through a level, some
@@ -156,11 +190,13 @@ class ContactSearch {
       const std::uint64_t all = step(k, n).items_of_coarse;
       if (all == 0) continue;
       const SlotRun coarse = coarse_of(k, n);
+      Buffer<CellBox<Dim>, E> boxes;
+      Across its_across = across(k, coarse, boxes);
       Buffer<std::uint64_t, E> items(executor_, coarse.size() + 1);
-      const Across its_across = across(k, coarse, items.data());
       executor_.for_each(coarse.size() + 1,
                          CountItems<Across>{its_across, coarse.size(), items.data()});
       executor_.exclusive_scan(items.data(), coarse.size() + 1);
+      its_across.items_before = items.data();
       CrossLevelSearch search(executor_, its_across, 0, all, settings_.items_at_a_time);
       for (std::uint64_t part = 0; part < search.part_count(); ++part) use(search, part);
     }
@@ -168,9 +204,9 @@ class ContactSearch {
 
   E& executor_;
   Spheres elements_;
-  Frame<Dim> frame_;
   SearchSettings settings_;
   Sorted sorted_;
+  Frame<Dim> frame_;
   std::vector<LevelSearch<Meet, E>> meets_;
   std::vector<std::size_t> first_steps_;  ///< of each level, and behind the last
   std::vector<StepCounts> steps_;

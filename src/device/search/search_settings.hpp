@@ -2,6 +2,7 @@
 
 #include "device/device_request.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace abut::device {
@@ -17,10 +18,12 @@ struct SearchSettings {
   /// those of so many.
   [[nodiscard]] std::uint64_t elements_of_part() const noexcept { return 8 * items_at_a_time; }
 
-  /// Larger elements that look into a level at a time; their numbers of items take 8 bytes each.
-  [[nodiscard]] std::uint64_t coarse_at_a_time() const noexcept {
-    return items_at_a_time > 1 ? items_at_a_time / 2 : 1;
+  /// Larger elements that look into a level at a time, if each takes so many bytes besides.
+  [[nodiscard]] std::uint64_t coarse_at_a_time(std::uint64_t bytes) const noexcept {
+    return std::max<std::uint64_t>(bytes_of_coarse * items_at_a_time / bytes, 1);
   }
+
+  static constexpr std::uint64_t bytes_of_coarse = 4;  ///< for each item
 };
 
 }  // namespace abut::device

@@ -65,6 +65,9 @@ struct MemoryPlan {
   std::uint64_t pair_bytes = 0;    ///< bytes of the list while it is brought into order
   std::uint64_t gap_bytes = 0;     ///< bytes more in a domain so wide that gaps are closed
   std::uint64_t image_bytes = 0;   ///< bytes more in a periodic domain
+  /// Bytes more in a periodic domain where numbers of cells are too large for one word: of elements
+  /// about a million cells out along each of three sides.
+  std::uint64_t far_image_bytes = 0;
   /// Bytes more where shifts are stored, or gaps are measured in a periodic domain.
   std::uint64_t shift_bytes = 0;
   /// Bytes more where the reach is about as long as a periodic cell or longer.

@@ -60,7 +60,7 @@ class ImageSearchByPairs {
       lattice::refuse_number_of_images();
     }
     images_ = Buffer<Image, E>(executor_, places);
-    elements_.ghosts = images_.data();
+    elements_.ghosts = {images_.data()};
     auto sums = sums_.on_host().begin();
     for_each_part([&](Search& search, std::uint64_t part) {
       search.write_by(part, certain, doubtful, [&](const FillPartners<Check>& fill) {

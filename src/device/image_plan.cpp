@@ -121,6 +121,22 @@ void ImagePlan<Dim>::take_extent_as_given(const lattice::CellExtent<Dim>& extent
 }
 
 template <int Dim>
+PackedLayout ImagePlan<Dim>::packing_of_cells_moved() const noexcept {
+  PackedLayout packing;
+  for (const double most : cells_moved_at_most_) packing.add_side(most);
+  return packing;
+}
+
+template <int Dim>
+PackedLayout ImagePlan<Dim>::packing_of_images(const lattice::GhostWindows<Dim>& windows) noexcept {
+  PackedLayout packing;
+  for (std::size_t side = 0; side < windows.of_large.sides(); ++side) {
+    packing.add_side(windows.of_large.most_cells(side));
+  }
+  return packing;
+}
+
+template <int Dim>
 lattice::GhostWindows<Dim> ImagePlan<Dim>::windows_in(const lattice::OrthogonalCell<Dim>& cell,
                                                       double unit) const {
   const lattice::Reaches reaches{bounds_.largest_radius * given_unit_ * unit, margin_ * unit,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device/bodies/check.hpp"
+#include "device/bodies/packed_cells.hpp"
 #include "device/bodies/periodic_elements.hpp"
 #include "device/levels.hpp"
 #include "exact/lattice.hpp"
@@ -50,6 +51,9 @@ class ImagePlan {
   [[nodiscard]] bool moves_any() const noexcept { return moves_any_; }
   [[nodiscard]] lattice::Wrapper<Dim> wrapper() const;
 
+  /// Of the numbers that elements are moved by.
+  [[nodiscard]] PackedLayout packing_of_cells_moved() const noexcept;
+
   /// The cell that locals are in, which are all times unit(), and their extent in it.
   [[nodiscard]] double unit() const noexcept { return unit_; }
   [[nodiscard]] lattice::OrthogonalCell<Dim> cell_of_locals() const { return {reduced_, unit_}; }
@@ -71,6 +75,9 @@ class ImagePlan {
   [[nodiscard]] double unit_of_checks() const noexcept { return unit_of_checks_; }
   /// Of windows().
   [[nodiscard]] ImageMap<Dim> map(const lattice::GhostWindows<Dim>& windows) const;
+  /// Of the numbers of ghosts.
+  [[nodiscard]] static PackedLayout packing_of_images(
+      const lattice::GhostWindows<Dim>& windows) noexcept;
   /// How far the distance of two positions may be off, times unit().
   [[nodiscard]] double slack(const lattice::GhostWindows<Dim>& windows) const;
   [[nodiscard]] double margin() const noexcept { return margin_ * unit_; }

@@ -3,6 +3,7 @@
 #include "device/bodies/images.hpp"
 #include "device/bodies/larger.hpp"
 #include "device/bodies/size_class.hpp"
+#include "device/cell_buffer.hpp"
 #include "device/checked_elements.hpp"
 #include "device/executor.hpp"
 #include "device/image_plan.hpp"
@@ -51,7 +52,7 @@ class ImageSearch {
   /// than elements. Nothing is listed then: pairs are to be checked one by one.
   [[nodiscard]] bool reach_is_long() const noexcept { return reach_is_long_; }
   [[nodiscard]] CheckedElements<Given> checked_elements() const {
-    return {elements_, plan_.map_of_basis(), nullptr, nullptr, elements_.count};
+    return {elements_, plan_.map_of_basis(), {}, {}, elements_.count};
   }
   [[nodiscard]] lattice::ImageWindows<Dim> windows_of_pairs() const {
     return lattice::ImageWindows<Dim>(plan_.reduced(), plan_.unit_of_checks());
@@ -65,7 +66,7 @@ class ImageSearch {
 
  private:
   [[nodiscard]] Spheres as_given() const {
-    return {elements_, plan_.map_as_given(), nullptr, nullptr, elements_.count};
+    return {elements_, plan_.map_as_given(), {}, {}, elements_.count};
   }
 
   template <class Locals>
@@ -80,7 +81,7 @@ class ImageSearch {
     for (const lattice::Wrapper<Dim>& wrapper : {plan_.wrapper_of_all(), plan_.wrapper()}) {
       const std::uint32_t far = executor_.reduce(
           elements_.count, no_element,
-          FarElement<Given>{{elements_, wrapper, plan_.given_unit(), nullptr}}, Smaller{});
+          FarElement<Given>{{elements_, wrapper, plan_.given_unit(), {}}}, Smaller{});
       if (far == no_element) continue;
       exact::Sphere<Dim> sphere = stand_in(whole_on_host(executor_, elements_, far));
       for (double& x : sphere.center) x *= plan_.given_unit();
@@ -95,16 +96,17 @@ class ImageSearch {
 
   void wrap() {
     if (!plan_.moves_any()) return;
-    cells_moved_ = Buffer<lattice::CellsMoved, E>(executor_, elements_.count);
+    cells_moved_ =
+        CellBuffer<std::uint64_t, E>(executor_, elements_.count, plan_.packing_of_cells_moved());
     executor_.for_each(
         elements_.count,
-        WrapElement<Given>{elements_, plan_.wrapper(), plan_.given_unit(), cells_moved_.data()});
+        WrapElement<Given>{elements_, plan_.wrapper(), plan_.given_unit(), cells_moved_.cells()});
   }
 
   [[nodiscard]] lattice::GhostWindows<Dim> find_windows() {
     if (plan_.needs_extent_of_locals()) {
-      const Spheres locals{elements_, plan_.map_of_locals(), cells_moved_.data(), nullptr,
-                           elements_.count};
+      const Spheres locals{
+          elements_, plan_.map_of_locals(), cells_moved_.cells(), {}, elements_.count};
       plan_.take_extent_of_locals(extent_in(plan_.cell_of_locals(), locals));
     }
     return plan_.windows();
@@ -112,7 +114,7 @@ class ImageSearch {
 
   void list_ghosts(const lattice::GhostWindows<Dim>& windows) {
     spheres_.emplace(
-        Spheres{elements_, plan_.map(windows), cells_moved_.data(), nullptr, elements_.count});
+        Spheres{elements_, plan_.map(windows), cells_moved_.cells(), {}, elements_.count});
     const std::uint64_t count = elements_.count;
     const Buffer<std::uint64_t, E> places(executor_, count + 1);
     executor_.for_each(
@@ -122,10 +124,11 @@ class ImageSearch {
         static_cast<double>(ghosts) > lattice::ghosts_of_long_reach * static_cast<double>(count);
     if (reach_is_long_) return;
     require_countable(windows, ghosts);
-    ghosts_ = Buffer<lattice::Ghost, E>(executor_, ghosts);
-    executor_.for_each(count,
-                       WriteGhosts<Spheres>{*spheres_, windows, places.data(), ghosts_.data()});
-    spheres_->ghosts = ghosts_.data();
+    elements_of_ghosts_ = Buffer<std::uint32_t, E>(executor_, ghosts);
+    images_ = CellBuffer<std::uint32_t, E>(executor_, ghosts, plan_.packing_of_images(windows));
+    const PackedGhosts packed{elements_of_ghosts_.data(), images_.cells()};
+    executor_.for_each(count, WriteGhosts<Spheres>{*spheres_, windows, places.data(), packed});
+    spheres_->ghosts = packed;
     spheres_->count = static_cast<std::uint32_t>(count + ghosts);
   }
 
@@ -148,8 +151,9 @@ class ImageSearch {
   E& executor_;
   Given elements_;
   ImagePlan<Dim> plan_;
-  Buffer<lattice::CellsMoved, E> cells_moved_;
-  Buffer<lattice::Ghost, E> ghosts_;
+  CellBuffer<std::uint64_t, E> cells_moved_;
+  Buffer<std::uint32_t, E> elements_of_ghosts_;
+  CellBuffer<std::uint32_t, E> images_;
   std::optional<Spheres> spheres_;
   double slack_ = 0.0;
   bool reach_is_long_ = false;

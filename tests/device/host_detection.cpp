@@ -19,6 +19,24 @@ void copy(std::vector<T>& to, const T* from, std::uint64_t count) {
   if (from != nullptr) to.assign(from, from + count);
 }
 
+device::DeviceRequest request_of(double margin, const HostRun& run) {
+  return {.margin = margin,
+          .max_pairs = run.max_pairs,
+          .items_at_a_time = run.items_at_a_time,
+          .narrow_places = run.narrow_places,
+          .shifts = run.shifts,
+          .form = run.form,
+          .quantities = run.quantities,
+          .lattice = elements::lattice_of(run.domain),
+          .rule = run.rule};
+}
+
+HostExecutor executor_of(const HostRun& run, base::MemoryMeter& memory) {
+  if (run.kept == nullptr) return {memory, run.order, run.workers};
+  run.kept->begin(run.max_bytes, {});
+  return {*run.kept, run.order, run.workers};
+}
+
 /// Runs a pipeline, which is made by make(executor, request, progress).
 template <class Make>
 HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const Make& make) {
@@ -26,26 +44,16 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
   base::MemoryMeter memory(run.max_bytes);
   HostAnswer result;
   {
-    HostExecutor executor(memory, run.order, run.workers);
+    HostExecutor executor = executor_of(run, memory);
     base::ProgressReporter progress(run.progress);
-    auto pipeline = make(executor,
-                         device::DeviceRequest{.margin = margin,
-                                               .max_pairs = run.max_pairs,
-                                               .items_at_a_time = run.items_at_a_time,
-                                               .narrow_places = run.narrow_places,
-                                               .shifts = run.shifts,
-                                               .form = run.form,
-                                               .quantities = run.quantities,
-                                               .lattice = elements::lattice_of(run.domain),
-                                               .rule = run.rule},
-                         progress);
+    auto pipeline = make(executor, request_of(margin, run), progress);
     const auto found = wanted == Wanted::list ? pipeline.list() : pipeline.count();
     result.count = found.contact_pairs();
     result.exact_decisions = found.exact_decisions;
     result.searched = found.searched;
     result.candidate_tests = found.candidate_tests;
     result.waits = executor.waits();
-    result.peak_bytes = memory.peak();
+    result.peak_bytes = run.kept == nullptr ? memory.peak() : run.kept->peak();
     if (wanted == Wanted::list) {
       copy(result.pairs, found.pairs.data(), found.count);
       copy(result.shifts, found.shifts.data(), found.count);

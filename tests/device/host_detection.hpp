@@ -2,6 +2,7 @@
 
 #include "device/device_request.hpp"
 #include "device/host/host_executor.hpp"
+#include "device/memory/kept_memory.hpp"
 #include "support/oracle.hpp"
 
 #include <abut/domain.hpp>
@@ -33,6 +34,7 @@ struct HostRun {
   Quantities quantities = {};
   const ElementView* second = nullptr;  ///< the second of two sets
   PairRule rule = {};
+  device::KeptMemory* kept = nullptr;  ///< of calls one after the other
 };
 
 /// The same run with items in ascending, in descending and, on three threads, in shuffled order.

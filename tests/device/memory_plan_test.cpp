@@ -21,7 +21,7 @@ constexpr std::uint64_t fixed = 48 << 20;
 
 std::uint64_t bytes_of(const device::MemoryPlan& plan, const HostRun& run) {
   std::uint64_t bytes = plan.bytes() + plan.gap_bytes;
-  if (run.domain.is_periodic()) bytes += plan.image_bytes;
+  if (run.domain.is_periodic()) bytes += plan.image_bytes;  // no element is far out here
   if (run.shifts == Shifts::stored) bytes += plan.shift_bytes;
   return bytes;
 }
@@ -54,7 +54,10 @@ TEST(DeviceMemory, FollowsElementsAndPairs) {
   const device::MemoryPlan none = device::plan(1, 0);
   EXPECT_LE(none.bytes(), fixed);
   const device::MemoryPlan plan = device::plan(1'000'000, 3'000'000);
-  EXPECT_LE(plan.bytes(), 64U * 1'000'000 + 16U * 3'000'000 + fixed);
+  EXPECT_LE(plan.bytes(), 48U * 1'000'000 + 16U * 3'000'000 + fixed);
+  EXPECT_LE(plan.bytes() + plan.gap_bytes + plan.image_bytes,
+            64U * 1'000'000 + 16U * 3'000'000 + fixed);
+  EXPECT_EQ(plan.far_image_bytes, 8U * 1'000'000);
   for (const char* name : {"dense", "log_uniform", "graded", "one_giant", "gas_2d"}) {
     SCOPED_TRACE(name);
     const scenes::Scene scene = scenes::scene_named(name).make(20000, 5);

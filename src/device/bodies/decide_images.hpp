@@ -15,9 +15,9 @@ namespace abut::device {
 
 /// All stages of the predicate with a lattice. Nothing for a pair within reach whose shift exceeds
 /// 2^31 - 1: it must be refused, also where its elements may not pair.
-template <class Given, class Ghost>
+template <class Given, class Ghosts>
 [[nodiscard]] ABUT_HD std::optional<bool> decide_at_last(
-    const PeriodicElements<Given, Ghost>& elements, const ContactPair& pair,
+    const PeriodicElements<Given, Ghosts>& elements, const ContactPair& pair,
     double margin) noexcept {
   const auto a = elements.given().whole(pair.first);
   const auto b = elements.given().whole(elements.element_of(pair.second));

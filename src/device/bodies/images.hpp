@@ -60,12 +60,12 @@ struct WrapElement {
   Given elements;
   lattice::Wrapper<Dim> wrapper;
   double unit;  ///< lattice::unit_of
-  lattice::CellsMoved* cells_moved;
+  PackedCells<std::uint64_t> cells_moved;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     lattice::CellsMoved cells{};
     static_cast<void>(wrap(k, cells));
-    cells_moved[k] = cells;
+    cells_moved.set(k, cells);
   }
 
   [[nodiscard]] ABUT_HD bool wrap(std::uint64_t k, lattice::CellsMoved& cells) const noexcept {
@@ -126,20 +126,21 @@ struct WriteGhosts {
   Spheres locals;
   lattice::GhostWindows<Spheres::dimensions> windows;
   const std::uint64_t* places;  ///< of the first ghost of each element
-  lattice::Ghost* ghosts;
+  PackedGhosts ghosts;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     const auto number = static_cast<std::uint32_t>(k);
-    lattice::Ghost* next = ghosts + places[k];
+    std::uint64_t next = places[k];
     const std::size_t last_side = windows.of_large.sides() - 1;
     windows.for_each_row(locals[number], [&](std::int64_t first, std::int64_t last,
                                              const lattice::ImageNumbers& row) {
       for (std::int64_t m = first; m <= last; ++m) {
-        lattice::Ghost ghost{number, {}};
+        lattice::CellsMoved image{};
         for (std::size_t side = 0; side < 3; ++side) {
-          ghost.image[side] = static_cast<std::int32_t>(side == last_side ? m : row[side]);
+          image[side] = static_cast<std::int32_t>(side == last_side ? m : row[side]);
         }
-        *next++ = ghost;
+        ghosts.elements[next] = number;
+        ghosts.cells.set(next++, image);
       }
       return true;
     });

@@ -4,6 +4,7 @@
 #include "base/opposite_shift.hpp"
 #include "device/bodies/filter_verdict.hpp"
 #include "device/bodies/joined_columns.hpp"
+#include "device/bodies/packed_cells.hpp"
 #include "device/bodies/pair_rule.hpp"
 #include "exact/box.hpp"
 #include "exact/far_image.hpp"
@@ -42,18 +43,18 @@ struct ImageMap {
 /// ghosts; in an open domain the elements where they are. Nothing but the numbers of a ghost is
 /// stored: positions are computed from the caller's whenever they are asked for, always by the same
 /// sequence.
-template <class GivenElements, class GhostNumbers = lattice::Ghost>
+template <class GivenElements, class Ghosts = PackedGhosts>
 struct PeriodicElements {
   using Given = GivenElements;
-  using Ghost = GhostNumbers;
+  using Ghost = typename Ghosts::Ghost;
   static constexpr int Dim = Given::dimensions;
   static constexpr int dimensions = Dim;
   static constexpr Shape shape = Given::shape;
 
   Given elements;
   ImageMap<Dim> map;
-  const lattice::CellsMoved* cells_moved;  ///< of each element; null where none was moved
-  const Ghost* ghosts;
+  PackedCells<std::uint64_t> cells_moved;  ///< of each element; none where none was moved
+  Ghosts ghosts;
   std::uint32_t count;  ///< locals and ghosts
   RuleView rule = {};   ///< of one set's or of two sets' elements
 
@@ -67,7 +68,7 @@ struct PeriodicElements {
   }
 
   [[nodiscard]] ABUT_HD std::uint32_t element_of(std::uint32_t k) const noexcept {
-    return k < elements.count ? k : static_cast<std::uint32_t>(ghosts[k - elements.count].element);
+    return k < elements.count ? k : ghosts.element(k - elements.count);
   }
 
   [[nodiscard]] ABUT_HD double radius(std::uint32_t k) const noexcept {
@@ -85,13 +86,13 @@ struct PeriodicElements {
     const std::uint32_t element = element_of(k);
     const auto along = static_cast<std::size_t>(axis);
     lattice::CellsMoved cells{};
-    if (cells_moved != nullptr) cells = cells_moved[element];
+    if (!cells_moved.is_empty()) cells = cells_moved.all(element);
     const double given = elements.coordinate(element, axis) * map.given_unit;
     double coordinate = map.wrapper.moved(given, along, cells);
     if (k < elements.count) return coordinate;
-    const Ghost& ghost = ghosts[k - elements.count];
     for (std::size_t side = 0; side < Dim; ++side) {
-      coordinate += static_cast<double>(ghost.image[side]) * map.steps[side][along];
+      const auto image = static_cast<double>(ghosts.image(k - elements.count, side));
+      coordinate += image * map.steps[side][along];
     }
     return coordinate;
   }
@@ -130,10 +131,10 @@ struct PeriodicElements {
 
   [[nodiscard]] ABUT_HD bool is_as_given(const ContactPair& pair) const noexcept {
     if (pair.second >= elements.count) return false;
-    if (cells_moved == nullptr) return true;
+    if (cells_moved.is_empty()) return true;
     bool is_same = true;
     for (std::size_t side = 0; side < Dim; ++side) {
-      is_same = is_same && cells_moved[pair.first][side] == cells_moved[pair.second][side];
+      is_same = is_same && cells_moved.at(pair.first, side) == cells_moved.at(pair.second, side);
     }
     return is_same;
   }
@@ -155,7 +156,7 @@ struct PeriodicElements {
     const ContactPair pair = one < other ? ContactPair{one, other} : ContactPair{other, one};
     if (pair.first >= elements.count) return FilterVerdict::apart;
     if (map.has_large && pair.second >= elements.count &&
-        !counts(pair.first, ghosts[pair.second - elements.count])) {
+        !counts(pair.first, pair.second - elements.count)) {
       return FilterVerdict::apart;
     }
     if (!map.shifts_always_fit && !is_as_given(pair)) return FilterVerdict::doubtful;
@@ -168,10 +169,10 @@ struct PeriodicElements {
   [[nodiscard]] ABUT_HD std::int64_t steps_along(const ContactPair& pair,
                                                  std::size_t side) const noexcept {
     std::int64_t steps = 0;
-    if (pair.second >= elements.count) steps = ghosts[pair.second - elements.count].image[side];
-    if (cells_moved != nullptr) {
-      steps += cells_moved[pair.first][side];
-      steps -= cells_moved[element_of(pair.second)][side];
+    if (pair.second >= elements.count) steps = ghosts.image(pair.second - elements.count, side);
+    if (!cells_moved.is_empty()) {
+      steps += cells_moved.at(pair.first, side);
+      steps -= cells_moved.at(element_of(pair.second), side);
     }
     return steps;
   }
@@ -203,10 +204,10 @@ struct PeriodicElements {
 
  private:
   /// Images::counts
-  [[nodiscard]] ABUT_HD bool counts(std::uint32_t local, const Ghost& ghost) const noexcept {
+  [[nodiscard]] ABUT_HD bool counts(std::uint32_t local, std::uint32_t ghost) const noexcept {
     const bool is_large = radius(local) >= map.size_cut;
-    if (radius(static_cast<std::uint32_t>(ghost.element)) < map.size_cut) return !is_large;
-    return !is_large || ghost.is_positive();
+    if (radius(ghosts.element(ghost)) < map.size_cut) return !is_large;
+    return !is_large || ghosts.is_positive(ghost);
   }
 };
 
@@ -216,6 +217,6 @@ using PeriodicSpheres = PeriodicElements<JoinedColumns<Dim>>;
 /// Elements that are checked pair by pair: none is moved, and ghosts are the images that were found
 /// within reach, by vectors of the reduced basis, as often as it takes from elements far out.
 template <class Given>
-using CheckedElements = PeriodicElements<Given, lattice::GhostOf<std::int64_t>>;
+using CheckedElements = PeriodicElements<Given, ImagesAsGhosts>;
 
 }  // namespace abut::device

@@ -43,8 +43,22 @@ inline constexpr std::uint64_t cells_between_stretches = 1;
   return std::bit_cast<double>((ordered & sign) != 0 ? ordered ^ sign : ~ordered);
 }
 
-/// Body: the scaled coordinate of element k on one axis, to be sorted; those of other levels come
-/// behind all.
+/// Body: 1 if element k belongs to a level, else 0.
+template <class Spheres>
+struct CountInLevel {
+  static constexpr int Dim = Spheres::dimensions;
+
+  Spheres elements;
+  Frame<Dim> frame;
+  std::uint32_t level;
+  std::uint32_t* counts;
+
+  ABUT_HD void operator()(std::uint64_t k) const noexcept {
+    counts[k] = level_of(frame, elements.radius(static_cast<std::uint32_t>(k))) == level ? 1 : 0;
+  }
+};
+
+/// Body: the scaled coordinate of element k on one axis, to be sorted, if it belongs to a level.
 template <class Spheres>
 struct CoordinateInLevel {
   static constexpr int Dim = Spheres::dimensions;
@@ -53,15 +67,16 @@ struct CoordinateInLevel {
   Frame<Dim> frame;
   std::uint32_t level;
   int axis;
+  const std::uint32_t* places;  ///< of its elements; null where it has all
   std::uint64_t* coordinates;
   std::uint32_t* numbers;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     const auto number = static_cast<std::uint32_t>(k);
-    const bool is_here = level_of(frame, elements.radius(number)) == level;
-    coordinates[k] =
-        is_here ? ordered_bits(elements.coordinate(number, axis) * frame.scale) : ~std::uint64_t{0};
-    numbers[k] = number;
+    if (level_of(frame, elements.radius(number)) != level) return;
+    const std::uint64_t place = places == nullptr ? k : places[k];
+    coordinates[place] = ordered_bits(elements.coordinate(number, axis) * frame.scale);
+    numbers[place] = number;
   }
 };
 

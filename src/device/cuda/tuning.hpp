@@ -2,7 +2,7 @@
 
 namespace abut::device {
 
-template <class Given, class Ghost>
+template <class Given, class Ghosts>
 struct PeriodicElements;
 
 /// Threads of a block. Not measured yet: no device has run this.
@@ -10,8 +10,8 @@ inline constexpr unsigned threads_of_block = 256;
 /// Whether a body computes positions of periodic images.
 template <class Body>
 inline constexpr bool has_images = false;
-template <class Given, class Ghost>
-inline constexpr bool has_images<PeriodicElements<Given, Ghost>> = true;
+template <class Given, class Ghosts>
+inline constexpr bool has_images<PeriodicElements<Given, Ghosts>> = true;
 template <template <class...> class Body, class... Parts>
 inline constexpr bool has_images<Body<Parts...>> = (has_images<Parts> || ...);
 

@@ -19,8 +19,12 @@ constexpr std::uint64_t sorted_bytes = 16 + 8 + 8 + 2 * 4;
 constexpr std::uint64_t count_bytes = 2 * 4;
 /// Two counts of an item of larger elements, and what some of these take themselves.
 constexpr std::uint64_t item_bytes = 2 * 8 + SearchSettings::bytes_of_coarse;
-/// The lowest element of a stretch on three axes, where larger elements look for their cells.
-constexpr std::uint64_t stretch_bytes = 3 * 4;
+/// The lowest element of a stretch on three axes, where larger elements look for their cells. There
+/// is one head then.
+constexpr std::uint64_t stretch_bytes = 3 * 4 - 4;
+/// A ghost, or how an element is moved.
+constexpr std::uint64_t image_bytes = 8;
+static_assert(sizeof(lattice::Ghost) >= sizeof(lattice::CellsMoved));
 /// A radix sort keeps a number for each digit of 8 bits and tile of some thousand keys, 1 KiB a
 /// tile; scans and selections keep less.
 constexpr std::uint64_t keys_of_scratch_byte = 4;
@@ -31,7 +35,6 @@ constexpr std::uint64_t bytes_with_shift =
     sizeof(ContactPair) + sizeof(ImageShift) + 2 * (sizeof(std::uint64_t) + sizeof(std::uint32_t));
 static_assert(2 * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) >=
               sizeof(std::uint64_t) + sizeof(std::uint32_t) + sizeof(ImageShift));
-static_assert(sizeof(lattice::Ghost) >= sizeof(lattice::CellsMoved));
 /// Histogram, ends of arrays, heads of few elements.
 constexpr std::uint64_t fixed_bytes = 4096;
 
@@ -54,7 +57,8 @@ MemoryPlan plan(std::uint64_t elements, PairCount pairs, const PairRule& rule) {
   plan.pair_bytes = pairs * 2 * sizeof(ContactPair);
   plan.gap_bytes = elements * stretch_bytes;
   plan.scratch_bytes = (elements + pairs) / keys_of_scratch_byte + fixed_scratch_bytes;
-  plan.image_bytes = elements * sizeof(lattice::Ghost);
+  plan.image_bytes = elements * image_bytes;
+  plan.far_image_bytes = elements * (sizeof(lattice::Ghost) - image_bytes);
   plan.long_reach_bytes = pairs * sizeof(lattice::GhostOf<std::int64_t>);
   plan.quantity_bytes = pairs * sizeof(double);
   plan.rule_bytes = bytes_of(rule);

@@ -12,8 +12,8 @@
 
 namespace abut::device {
 
-/// Divides one axis of a level into stretches. It sorts the coordinates along the axis once, 24
-/// bytes an element while it does and 8 from then on.
+/// Divides one axis of a level into stretches. It sorts the coordinates of its elements along the
+/// axis once, 24 bytes an element while it does and 12 from then on, 8 without their numbers.
 template <class Spheres, class E>
 class AxisStretches {
   static constexpr int Dim = Spheres::dimensions;
@@ -22,12 +22,19 @@ class AxisStretches {
   AxisStretches(E& executor, const Spheres& elements, const Frame<Dim>& frame, std::uint32_t level,
                 int axis)
       : executor_(executor), count_(frame.levels[level].end_slot - frame.levels[level].first_slot) {
-    TwinBuffer<std::uint64_t, E> coordinates(executor_, elements.count);
-    TwinBuffer<std::uint32_t, E> numbers(executor_, elements.count);
-    executor_.for_each(elements.count, CoordinateInLevel<Spheres>{elements, frame, level, axis,
-                                                                  coordinates.current.data(),
-                                                                  numbers.current.data()});
-    executor_.sort_by_key(coordinates, numbers, elements.count, 64);
+    TwinBuffer<std::uint64_t, E> coordinates;
+    TwinBuffer<std::uint32_t, E> numbers;
+    {
+      const Buffer<std::uint32_t, E> places = places_in_level(elements, frame, level);
+      coordinates.current = Buffer<std::uint64_t, E>(executor_, count_);
+      numbers.current = Buffer<std::uint32_t, E>(executor_, count_);
+      executor_.for_each(elements.count, CoordinateInLevel<Spheres>{
+                                             elements, frame, level, axis, places.data(),
+                                             coordinates.current.data(), numbers.current.data()});
+    }
+    coordinates.other = Buffer<std::uint64_t, E>(executor_, count_);
+    numbers.other = Buffer<std::uint32_t, E>(executor_, count_);
+    executor_.sort_by_key(coordinates, numbers, count_, 64);
     coordinates_.swap(coordinates.current);
     numbers_.swap(numbers.current);
   }
@@ -60,11 +67,10 @@ class AxisStretches {
     note_begins(count_begins(widest_gap), stretches);
   }
 
-  /// Returns the number of the lowest element in each stretch, and forgets the others.
-  [[nodiscard]] Buffer<std::uint32_t, E> take_first_elements() {
+  /// Returns the number of the lowest element in each stretch.
+  [[nodiscard]] Buffer<std::uint32_t, E> first_elements() {
     Buffer<std::uint32_t, E> first(executor_, begins_.size());
     executor_.for_each(begins_.size(), GatherEntry{numbers_.data(), begins_.data(), first.data()});
-    forget_numbers();
     return first;
   }
 
@@ -81,6 +87,18 @@ class AxisStretches {
   }
 
  private:
+  /// Where the elements of a level stand among each other; empty where it has all.
+  [[nodiscard]] Buffer<std::uint32_t, E> places_in_level(const Spheres& elements,
+                                                         const Frame<Dim>& frame,
+                                                         std::uint32_t level) {
+    if (count_ == elements.count) return {};
+    Buffer<std::uint32_t, E> places(executor_, elements.count);
+    executor_.for_each(elements.count,
+                       CountInLevel<Spheres>{elements, frame, level, places.data()});
+    executor_.exclusive_scan(places.data(), elements.count);
+    return places;
+  }
+
   /// How many stretches begin before each coordinate, and in all.
   [[nodiscard]] Buffer<std::uint32_t, E> count_begins(double widest_gap) {
     Buffer<std::uint32_t, E> before(executor_, count_ + 1);

@@ -61,13 +61,16 @@ class SortedElements {
     TwinBuffer<std::uint32_t, E> numbers;
     keys.current = Buffer<Key, E>(executor_, count);
     numbers.current = Buffer<std::uint32_t, E>(executor_, count);
+    Buffer<char, E> room = room_for_records();
     Buffer<PlacedRecord<Dim>, E> records(executor_, count);
     executor_.for_each(count, PlaceElement<Spheres, Key>{elements_, frame_, keys.current.data(),
                                                          numbers.current.data(), records.data()});
     if (has_divided_axes()) {
       numbers.current = {};
+      room = {};
       place_on_axes(keys.current.data(), records.data());
       numbers.current = Buffer<std::uint32_t, E>(executor_, count);
+      room = room_for_records();
       executor_.for_each(count, FillInOrder{numbers.current.data()});
     }
     keys.other = Buffer<Key, E>(executor_, count);
@@ -78,8 +81,17 @@ class SortedElements {
     numbers_.swap(numbers.current);
     keys = {};
     numbers = {};
+    room = {};
     records_ = Buffer<PlacedRecord<Dim>, E>(executor_, count);
     executor_.for_each(count, GatherRecord<Dim>{numbers_.data(), records.data(), records_.data()});
+  }
+
+  /// Beside keys and numbers that are given back it makes a gap that sorted records fit into, where
+  /// all blocks lie in one array.
+  [[nodiscard]] Buffer<char, E> room_for_records() {
+    constexpr std::uint64_t missing =
+        sizeof(PlacedRecord<Dim>) - sizeof(Key) - sizeof(std::uint32_t);
+    return Buffer<char, E>(executor_, elements_.count * missing);
   }
 
   [[nodiscard]] bool has_divided_axes() const noexcept {
@@ -101,7 +113,7 @@ class SortedElements {
         AxisStretches<Spheres, E> stretches(executor_, elements_, frame_, k, axis);
         stretches.divide(level.widest_gap, level.axes[axis].stretch_count);
         if (level.end_slot < elements_.count) {
-          first_of_stretches_[k][axis] = stretches.take_first_elements();
+          first_of_stretches_[k][axis] = stretches.first_elements();
         }
         stretches.forget_numbers();
         executor_.for_each(elements_.count,
@@ -130,11 +142,13 @@ class SortedElements {
     }
   }
 
-  /// At most 2 N heads and two more, however many cells there are.
+  /// At most 2 N heads and two more, however many cells there are; N where most cells are empty and
+  /// memory is needed for stretches.
   void write_directory() {
     const std::uint64_t count = elements_.count;
     shift_ = 0;
-    while (frame_.key_count >> shift_ > 2 * count) ++shift_;
+    const std::uint64_t most = has_divided_axes() ? count : 2 * count;
+    while (frame_.key_count >> shift_ > most) ++shift_;
     const std::uint64_t heads = (frame_.key_count >> shift_) + 2;
     heads_ = Buffer<std::uint32_t, E>(executor_, heads);
     executor_.for_each(heads, FillArray<std::uint32_t>{heads_.data(), unset_head});

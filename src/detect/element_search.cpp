@@ -82,17 +82,23 @@ void ElementSearch<Dim>::search(elements::GatheredElements<Dim>& elements, const
   const registry::AlgorithmInput<Dim> input{packed, elements.bounds, task.settings, *workspace_,
                                             *periodic_};
   if (task.domain.is_periodic()) {
-    workspace_->last.most_in_layers = 0;
+    workspace_->last = {};
     entry.on_images(input, elements.spheres, elements::lattice_of(task.domain), sink, context);
-    next_may_be_in_place_ = workspace_->last.most_in_layers >= packed.size();
+    next_may_be_in_place_ = may_next_be_in_place(packed.size());
     return;
   }
   if (entry.on_elements != nullptr) {
     entry.on_elements(input, sink, context);
-    next_may_be_in_place_ = workspace_->last.most_in_layers == packed.size();
+    next_may_be_in_place_ = may_next_be_in_place(packed.size());
     return;
   }
   search_cells<Dim>(*choice.row, packed, elements.bounds, task.options, sink, context);
+}
+
+/// Tells whether a search of so many elements in place would have gone as the last one did.
+template <int Dim>
+bool ElementSearch<Dim>::may_next_be_in_place(std::size_t elements) const noexcept {
+  return workspace_->last.most_in_layers >= elements && !workspace_->last.must_be_packed;
 }
 
 template <int Dim>

@@ -13,6 +13,7 @@
 #include <abut/options.hpp>
 #include <abut/statistics.hpp>
 
+#include <cstddef>
 #include <optional>
 
 namespace abut::detect {
@@ -59,6 +60,7 @@ class ElementSearch {
     Statistics& statistics;
   };
 
+  [[nodiscard]] bool may_next_be_in_place(std::size_t elements) const noexcept;
   void find_bounds(const InPlaceCall& call) const;
   [[nodiscard]] bool search_boxes_in_place(const InPlaceCall& call);
   [[nodiscard]] bool may_be_in_place(const ElementView& elements, const SearchTask& task) const;

@@ -68,9 +68,8 @@ bool SetSearch<Dim>::search_in_layers(const SearchSet<Dim>& set) {
 /// Searches the set in a plane if that suits it.
 template <int Dim>
 bool SetSearch<Dim>::take_in_plane(const SearchSet<Dim>& set) {
-  if (!SearchInPlane<Dim>(*input_, workspace_, context_).search(set, next_unit_)) return false;
+  if (!search_in_plane(set, *input_, workspace_, context_, next_unit_)) return false;
   ++next_unit_;
-  workspace_.last.in_plane = set.locals.size();
   return true;
 }
 

@@ -26,7 +26,8 @@ namespace abut::engine {
 /// How the last search went that was not one of a part.
 struct LastSearch {
   std::size_t most_in_layers = 0;   ///< elements of the largest set in layers
-  std::size_t in_plane = 0;         ///< elements, if that was a plane
+  std::size_t in_plane = 0;         ///< elements, if they were in a plane
+  bool must_be_packed = false;      ///< so few that a plane might have suited them
   std::size_t clusters_moved = 0;   ///< 0 where elements stayed in their places
   std::size_t beside_layers = 0;    ///< coarse elements without which it was done
   std::size_t levels_of_sizes = 0;  ///< 0 where there were none

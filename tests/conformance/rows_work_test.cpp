@@ -2,7 +2,7 @@
 // for. Work is counted, not timed.
 
 #include "scenes/many_scales.hpp"
-#include "support/rows_in_tiles.hpp"
+#include "support/rows_without_plane.hpp"
 #include "support/scene_view.hpp"
 
 #include <abut/detect.hpp>

@@ -1,6 +1,6 @@
 #include "support/rows_variants.hpp"
 
-#include "support/rows_in_tiles.hpp"
+#include "support/rows_without_plane.hpp"
 #include "support/same_pairs.hpp"
 #include "support/sort_pairs.hpp"
 
@@ -58,14 +58,11 @@ AssertionResult same_course(const PairList& first, const PairList& other, const 
   return AssertionSuccess();
 }
 
-/// More elements are searched in no plane (engine::LayerLimits).
-constexpr std::size_t most_in_plane = 8191;
-
 /// The pairs of few elements, and the order in which they are found, where these are cut into tiles
 /// and layers.
 AssertionResult agrees_without_plane(std::span<const ContactPair> expected,
                                      const ElementView& elements, double margin) {
-  if (elements.size() == 0 || elements.size() > most_in_plane) return AssertionSuccess();
+  if (elements.size() == 0 || elements.size() > most_in_plane()) return AssertionSuccess();
   const PairVector first = rows_without_plane(elements, margin, Simd::scalar, 1).pairs;
   PairVector sorted = first;
   sort_pairs(sorted);

@@ -6,7 +6,7 @@
 
 namespace abut::engine {
 
-/// What layers are worth.
+/// What layers are worth, and for few elements a plane instead.
 struct LayerLimits {
   /// So many spheres and boxes may be searched in a plane instead (PlaneGrid), and of those with
   /// many pairs so many in 2D, where a plane leaves nothing undivided.

@@ -42,15 +42,18 @@ bool must_be_packed(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
 }
 
 template <int Dim>
-bool SearchInPlane<Dim>::search(const SearchSet<Dim>& set, std::uint64_t unit) {
-  if (input_.elements.size() != set.locals.size()) return false;
-  const auto grid = plane_for(set, input_);
+bool search_in_plane(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
+                     Workspace<Dim>& workspace, base::DetectionContext& context,
+                     std::uint64_t unit) {
+  const exact::Elements<Dim>& elements = input.elements;
+  if (elements.size() != set.locals.size()) return false;
+  const auto grid = plane_for(set, input);
   if (!grid) return false;
-  PlaneRows<Dim>& rows = workspace_.plane;
-  TileSearcher<Dim>& worker = *workspace_.workers[0];
-  const exact::Elements<Dim>& elements = input_.elements;
-  rows.count(elements, *grid, input_.plane_kernels, worker.work());
-  const LayerLimits& limits = input_.layer_limits;
+  workspace.last.must_be_packed = true;
+  PlaneRows<Dim>& rows = workspace.plane;
+  TileSearcher<Dim>& worker = *workspace.workers[0];
+  rows.count(elements, *grid, input.plane_kernels, worker.work());
+  const LayerLimits& limits = input.layer_limits;
   if (elements.size() > limits.always_in_plane &&
       rows.mean_met(elements, *grid) > most_crowded * grid->most_met(limits)) {
     return false;
@@ -58,14 +61,17 @@ bool SearchInPlane<Dim>::search(const SearchSet<Dim>& set, std::uint64_t unit) {
   rows.sort(elements, *grid, worker.work());
   worker.begin_unit(unit);
   worker.search(rows.view(), grid->unit());
-  context_.progress.advance(set.locals.size());
-  context_.progress.poll();
+  workspace.last.in_plane = elements.size();
+  context.progress.advance(elements.size());
+  context.progress.poll();
   return true;
 }
 
 template bool must_be_packed(const SearchSet<2>&, const SearchInput<2>&);
 template bool must_be_packed(const SearchSet<3>&, const SearchInput<3>&);
-template class SearchInPlane<2>;
-template class SearchInPlane<3>;
+template bool search_in_plane(const SearchSet<2>&, const SearchInput<2>&, Workspace<2>&,
+                              base::DetectionContext&, std::uint64_t);
+template bool search_in_plane(const SearchSet<3>&, const SearchInput<3>&, Workspace<3>&,
+                              base::DetectionContext&, std::uint64_t);
 
 }  // namespace abut::engine

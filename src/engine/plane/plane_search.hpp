@@ -14,21 +14,11 @@ namespace abut::engine {
 template <int Dim>
 [[nodiscard]] bool must_be_packed(const SearchSet<Dim>& set, const SearchInput<Dim>& input);
 
-/// Searches a set of few elements in a plane, by one worker.
+/// Searches a set of few packed elements in a plane by the first worker, as this unit of the
+/// search, if a plane suits it; returns whether it did.
 template <int Dim>
-class SearchInPlane {
- public:
-  SearchInPlane(const SearchInput<Dim>& input, Workspace<Dim>& workspace,
-                base::DetectionContext& context)
-      : input_(input), workspace_(workspace), context_(context) {}
-
-  /// Searches the set, as this unit of the search, if a plane suits it; returns whether it did.
-  [[nodiscard]] bool search(const SearchSet<Dim>& set, std::uint64_t unit);
-
- private:
-  const SearchInput<Dim>& input_;
-  Workspace<Dim>& workspace_;
-  base::DetectionContext& context_;
-};
+[[nodiscard]] bool search_in_plane(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
+                                   Workspace<Dim>& workspace, base::DetectionContext& context,
+                                   std::uint64_t unit);
 
 }  // namespace abut::engine

@@ -2,7 +2,7 @@
 // same sequence of operations in single precision as in plane_search_simd.cpp.
 
 #include "kernels/plane/plane_search.hpp"
-#include "kernels/tiles/scalar_probe.hpp"
+#include "kernels/scalar_probe.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -38,24 +38,16 @@ class ScalarPlaneTester {
     job_.candidate_tests += run.end - run.begin;
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
       const ProbeAnswer answer = probe.test(q);
-      if (answer != ProbeAnswer::none) push(probe.number(), plane_.number[q], answer);
+      if (answer != ProbeAnswer::none) push_hit(job_, probe.number(), plane_.number[q], answer);
     }
-  }
-
-  void push(std::uint32_t element, std::uint32_t partner, ProbeAnswer answer) {
-    HitBuffer& to = *job_.hits;
-    if (to.found == HitBuffer::size) job_.take(job_);
-    if (answer == ProbeAnswer::undecided) {
-      to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found);
-    }
-    to.element[to.found] = element;
-    to.partner[to.found++] = partner;
   }
 
   const PlaneView& plane_;
   SearchJob& job_;
   std::uint64_t tests_at_take_ = job_.candidate_tests;
 };
+
+#include "kernels/element_variants-inl.hpp"
 
 #include "kernels/plane/plane_variants-inl.hpp"
 

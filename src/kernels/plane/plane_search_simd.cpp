@@ -23,9 +23,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #include "kernels/simd_lanes-inl.hpp"
 
-#include "kernels/tiles/simd_probe-inl.hpp"
+#include "kernels/simd_undecided-inl.hpp"
+
+#include "kernels/simd_probe-inl.hpp"
 
 #include "kernels/plane/simd_plane_tester-inl.hpp"
+
+#include "kernels/element_variants-inl.hpp"
 
 #include "kernels/plane/plane_variants-inl.hpp"
 

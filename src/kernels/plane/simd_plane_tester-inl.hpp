@@ -171,22 +171,14 @@ class SimdPlaneTester {
       const Bits hits = bits_of(filtered.hit);
       if (hits == 0) continue;
       if (hits_.found + lanes > HitBuffer::size) take();
-      note_undecided(hits, hits & ~bits_of(filtered.sure));
+      const Bits undecided = hits & ~bits_of(filtered.sure);
+      are_undecided_ = are_undecided_ || undecided != 0;
+      note_undecided(hits_, hits, undecided, hits_.found);
       hn::StoreU(probe.number(), numbers, hits_.element + hits_.found);
       write_hits(columns_, q, hits, hits_.partner + hits_.found);
       const auto count = static_cast<std::size_t>(std::popcount(hits));
       hits_.found += count;
       found_in_row_ += count;
-    }
-  }
-
-  /// The undecided ones among the hits that are about to be written.
-  HWY_INLINE void note_undecided(Bits hits, Bits undecided) {
-    if (undecided != 0) are_undecided_ = true;
-    for (; undecided != 0; undecided &= undecided - 1) {
-      const Bits below = (undecided & (Bits{0} - undecided)) - 1;
-      const std::size_t place = hits_.found + static_cast<std::size_t>(std::popcount(hits & below));
-      hits_.undecided[hits_.undecided_count++] = static_cast<std::uint32_t>(place);
     }
   }
 

@@ -196,17 +196,8 @@ class SimdPairTester {
         undecided_count |= (hit & ~(Hits{bits_of(filtered.sure)} << k)) << (8 * r);
       }
     }
-    note_undecided_count(hits, undecided_count, place);
+    note_undecided(hits_, hits, undecided_count, place);
     return write(p, hits, runs, place);
-  }
-
-  /// The undecided ones among the hits that are about to be written from that place on.
-  HWY_INLINE void note_undecided_count(Hits hits, Hits undecided_count, std::size_t place) {
-    for (; undecided_count != 0; undecided_count &= undecided_count - 1) {
-      const Hits below = (undecided_count & (Hits{0} - undecided_count)) - 1;
-      const std::size_t own = place + static_cast<std::size_t>(std::popcount(hits & below));
-      hits_.undecided[hits_.undecided_count++] = static_cast<std::uint32_t>(own);
-    }
   }
 
   /// Writes the element's hits to that place of the buffer and returns how many there are. Whole
@@ -380,7 +371,7 @@ class SimdPairTester {
   HWY_INLINE void write_lanes(const Probe& probe, const Columns& columns, std::size_t q, Bits hits,
                               Bits sure) {
     const std::size_t found = hits_.found;
-    if (HWY_UNLIKELY((hits & ~sure) != 0)) note_undecided_count(hits, hits & ~sure, found);
+    if (HWY_UNLIKELY((hits & ~sure) != 0)) note_undecided(hits_, hits, hits & ~sure, found);
     hn::StoreU(probe.number(), numbers, element_ + found);
     hn::StoreU(compress(hn::LoadU(numbers, columns.number + q), hits), numbers, partner_ + found);
     hits_.found = found + static_cast<std::size_t>(std::popcount(hits));

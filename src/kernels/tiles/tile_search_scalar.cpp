@@ -1,7 +1,7 @@
 // The candidate loop in plain C++: the level `scalar`, and the only one without Highway. The same
 // sequence of operations in single precision as in tile_search_simd.cpp.
 
-#include "kernels/tiles/scalar_probe.hpp"
+#include "kernels/scalar_probe.hpp"
 #include "kernels/tiles/tile_search.hpp"
 
 #include <algorithm>
@@ -75,7 +75,7 @@ class ScalarPairTester {
     for (std::uint32_t q = run.begin; q < run.end; ++q) {
       const ProbeAnswer hit = element.test(q);
       if (hit == ProbeAnswer::none) continue;
-      push(element.number(), tile_.number[q], hit);
+      push_hit(job_, element.number(), tile_.number[q], hit);
     }
   }
 
@@ -109,22 +109,14 @@ class ScalarPairTester {
     test(Element(tile_, job_, p), {k == 0 ? p + 1 : cell[x.below ? -1 : 0], cell[x.above ? 2 : 1]});
   }
 
-  void push(std::uint32_t element, std::uint32_t partner, ProbeAnswer hit) {
-    HitBuffer& to = *job_.hits;
-    if (to.found == HitBuffer::size) job_.take(job_);
-    if (hit == ProbeAnswer::undecided) {
-      to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found);
-    }
-    to.element[to.found] = element;
-    to.partner[to.found++] = partner;
-  }
-
   const TileView& tile_;
   SearchJob& job_;
   std::uint64_t tests_at_take_ = job_.candidate_tests;
 };
 
 #include "kernels/tiles/tile_search-inl.hpp"
+
+#include "kernels/element_variants-inl.hpp"
 
 #include "kernels/tiles/tile_search_variants-inl.hpp"
 

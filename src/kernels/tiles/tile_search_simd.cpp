@@ -37,7 +37,9 @@ constexpr Bits all_of_short_run = (1u << short_run) - 1;
 /// Most hits of an element whose five runs are short.
 constexpr std::size_t most_hits = 5 * short_run;
 
-#include "kernels/tiles/simd_probe-inl.hpp"
+#include "kernels/simd_undecided-inl.hpp"
+
+#include "kernels/simd_probe-inl.hpp"
 
 #include "kernels/tiles/simd_nearby-inl.hpp"
 
@@ -48,6 +50,8 @@ constexpr std::size_t most_hits = 5 * short_run;
 #include "kernels/tiles/simd_pair_tester-inl.hpp"
 
 #include "kernels/tiles/tile_search-inl.hpp"
+
+#include "kernels/element_variants-inl.hpp"
 
 #include "kernels/tiles/tile_search_variants-inl.hpp"
 

@@ -35,7 +35,7 @@ class PlaneSearchOf : public ::testing::Test {
   Spheres<its_dim> of_many_sizes(std::size_t count, double neighbors, double octaves) {
     auto spheres = system(count, neighbors);
     for (auto& sphere : spheres) {
-      sphere.radius = half * std::ldexp(1.0, -static_cast<int>(random_.uniform(0.0, octaves)));
+      sphere.radius = half * std::exp2(-random_.uniform(0.0, octaves));
     }
     return spheres;
   }
@@ -128,8 +128,8 @@ TYPED_TEST(PlaneSearchOf, Lattices) {
   }
 }
 
-/// Pairs at the reach, give or take some last places, one along the first axis of the plane, one
-/// along the second, and one that is between columns and rows wherever these begin.
+/// Pairs at the reach, give or take some last places, along each axis, anywhere among columns and
+/// rows.
 TYPED_TEST(PlaneSearchOf, PairsAtTheReach) {
   constexpr int dim = TypeParam::value;
   for (std::uint64_t turn = 0; turn < 40; ++turn) {

@@ -1,4 +1,4 @@
-#include "support/rows_in_tiles.hpp"
+#include "support/rows_without_plane.hpp"
 
 #include "base/float_environment.hpp"
 #include "elements/gathered_elements.hpp"
@@ -20,6 +20,10 @@ RowsWithoutPlane rows_in(const ElementView& elements, const engine::RowsSettings
 }
 
 }  // namespace
+
+std::size_t most_in_plane() {
+  return engine::LayerLimits{}.most_elements_in_plane;
+}
 
 RowsWithoutPlane rows_without_plane(const ElementView& elements, double margin, Simd simd,
                                     std::size_t workers) {

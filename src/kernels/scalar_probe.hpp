@@ -104,4 +104,16 @@ class ScalarProbe<Dim, ElementShape::boxes> {
   std::uint32_t number_;
 };
 
+/// Notes a pair that is not certainly apart.
+inline void push_hit(SearchJob& job, std::uint32_t element, std::uint32_t partner,
+                     ProbeAnswer answer) {
+  HitBuffer& to = *job.hits;
+  if (to.found == HitBuffer::size) job.take(job);
+  if (answer == ProbeAnswer::undecided) {
+    to.undecided[to.undecided_count++] = static_cast<std::uint32_t>(to.found);
+  }
+  to.element[to.found] = element;
+  to.partner[to.found++] = partner;
+}
+
 }  // namespace abut::kernels

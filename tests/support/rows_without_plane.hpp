@@ -10,6 +10,9 @@
 
 namespace abut::testing {
 
+/// More elements are searched in no plane.
+[[nodiscard]] std::size_t most_in_plane();
+
 struct RowsWithoutPlane {
   PairVector pairs;  ///< as found
   std::uint64_t candidate_tests = 0;

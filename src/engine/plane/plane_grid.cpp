@@ -172,6 +172,13 @@ bool PlaneGrid<Dim>::has_clusters(const LayerSpheres<Dim>& elements) const noexc
 }
 
 template <int Dim>
+bool PlaneGrid<Dim>::suits_crowds_of(std::size_t elements,
+                                     const LayerLimits& limits) const noexcept {
+  return elements <= limits.always_in_plane &&
+         reach_ - error_of_distance >= limits.least_reach_of_crowds;
+}
+
+template <int Dim>
 double PlaneGrid<Dim>::most_met(const LayerLimits& limits) const noexcept {
   const double most = limits.most_met_in_plane;
   const double well_known = (reach_ - error_of_distance) / least_well_known;
@@ -187,7 +194,7 @@ std::optional<PlaneGrid<Dim>> PlaneGrid<Dim>::over(const SearchSet<Dim>& set,
   if (Dim == 2 && !grid.has_few_hits_ && elements > limits.most_with_many_hits_in_2d) {
     return std::nullopt;
   }
-  if (elements <= limits.always_in_plane) return grid;
+  if (grid.suits_crowds_of(elements, limits)) return grid;
   const double sides = grid.rows_ == 1 ? 1.0 : sides_in_rows / grid.rows_;
   if (!(sides * grid.met_in_one_row(elements) <= grid.most_met(limits))) return std::nullopt;
   return grid;

@@ -39,6 +39,9 @@ class PlaneGrid {
   /// Candidates of an element, on average, up to which no other search is faster.
   [[nodiscard]] double most_met(const LayerLimits& limits) const noexcept;
 
+  /// Tells whether so few elements are searched in a plane however they crowd.
+  [[nodiscard]] bool suits_crowds_of(std::size_t elements,
+                                     const LayerLimits& limits) const noexcept;
   /// Tells whether elements that lie so crowd in a few places of a box that is nearly empty, as far
   /// as a few of them show.
   [[nodiscard]] bool has_clusters(const LayerSpheres<Dim>& elements) const noexcept;

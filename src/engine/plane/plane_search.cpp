@@ -30,7 +30,7 @@ std::optional<PlaneGrid<Dim>> plane_for(const SearchSet<Dim>& set, const SearchI
     return std::nullopt;
   }
   const auto grid = PlaneGrid<Dim>::over(set, input);
-  if (!grid || elements <= limits.always_in_plane) return grid;
+  if (!grid || grid->suits_crowds_of(elements, limits)) return grid;
   return grid->has_clusters(input.spheres.first(elements)) ? std::nullopt : grid;
 }
 
@@ -54,7 +54,7 @@ bool search_in_plane(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
   TileSearcher<Dim>& worker = *workspace.workers[0];
   rows.count(elements, *grid, input.plane_kernels, worker.work());
   const LayerLimits& limits = input.layer_limits;
-  if (elements.size() > limits.always_in_plane &&
+  if (!grid->suits_crowds_of(elements.size(), limits) &&
       rows.mean_met(elements, *grid) > most_crowded * grid->most_met(limits)) {
     return false;
   }

@@ -139,6 +139,7 @@ inline constexpr engine::LayerLimits always_in_plane = [] {
   limits.most_elements_in_plane = limits.most_boxes_in_plane = never;
   limits.most_with_many_hits_in_2d = limits.always_in_plane = never;
   limits.most_met_in_plane = limits.most_met_far_apart = any_number;
+  limits.least_reach_of_crowds = 0.0;
   limits.least_elements_in_steps = never;
   return limits;
 }();

@@ -201,6 +201,12 @@ TYPED_TEST(PlaneSearchOf, IsTakenWhereItPays) {
     clusters[k].center[0] += 1e6 * static_cast<double>(k % 6);
   }
   EXPECT_FALSE(is_in_plane(clusters));
+  // Of few in crowds, too, where the filter would leave most pairs undecided.
+  for (const double distance : {1e3, 1e7, 1e18}) {
+    auto crowds = this->system(120, 8.0);
+    for (std::size_t k = 0; k < 60; ++k) crowds[k].center[0] += distance;
+    EXPECT_EQ(is_in_plane(crowds), distance == 1e3) << distance;
+  }
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include <abut/abut.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -23,14 +22,16 @@ namespace {
 
 using scenes::Scene;
 
+const std::vector<std::string> scene_names{"dense",        "gas",           "sparse",
+                                           "bidisperse",   "log_uniform",   "clusters_100",
+                                           "hexagonal_2d", "touching_cubic"};
+
 struct Choice {
+  std::vector<std::string> scenes = scene_names;
   std::vector<std::size_t> counts{10, 20, 64, 100, 300, 1000, 3000, 8000};
   std::size_t elements = 200'000;
   int repetitions = 5;
 };
-
-constexpr std::array scene_names{"dense",       "gas",          "sparse",       "bidisperse",
-                                 "log_uniform", "clusters_100", "hexagonal_2d", "touching_cubic"};
 
 ElementView view_of(const Scene& scene) {
   return scene.dimensions == 2 ? discs(scene.x, scene.y, scene.radius)
@@ -59,7 +60,7 @@ double seconds_of(const std::vector<Scene>& sets, const std::vector<Domain>& dom
   });
 }
 
-void measure(const char* name, std::size_t count, bool is_periodic, const Choice& choice) {
+void measure(const std::string& name, std::size_t count, bool is_periodic, const Choice& choice) {
   std::vector<Scene> sets;
   std::vector<Domain> domains;
   while (sets.size() * count < choice.elements || sets.empty()) {
@@ -67,7 +68,7 @@ void measure(const char* name, std::size_t count, bool is_periodic, const Choice
     domains.push_back(is_periodic ? cell_around(sets.back()) : Domain::open());
   }
   const auto elements = static_cast<double>(sets.size() * count);
-  std::printf("%s,%s,%zu,%zu", name, is_periodic ? "periodic" : "open", count, sets.size());
+  std::printf("%s,%s,%zu,%zu", name.c_str(), is_periodic ? "periodic" : "open", count, sets.size());
   std::uint64_t pairs = 0;
   for (const Algorithm algorithm :
        {Algorithm::automatic, Algorithm::rows, Algorithm::direct_check}) {
@@ -90,12 +91,13 @@ void measure(const char* name, std::size_t count, bool is_periodic, const Choice
 int main_of(int argc, char** argv) {
   Choice choice;
   CommandLine command_line("Times detections in many small sets, as found, one thread.");
+  command_line.add_words("--scenes", choice.scenes, "scenes to measure", scene_names);
   command_line.add("--counts", choice.counts, "elements of a set", {1.0, 1'000'000.0});
   command_line.add("--elements", choice.elements, "elements of all sets", {1.0, 100'000'000.0});
   command_line.add("--repetitions", choice.repetitions, "rounds", positive);
   if (const auto exit_code = command_line.read(argc, argv)) return *exit_code;
   std::puts("scene,domain,elements,sets,auto_ns,rows_ns,direct_check_ns,pairs_an_element");
-  for (const char* name : scene_names) {
+  for (const std::string& name : choice.scenes) {
     for (const bool is_periodic : {false, true}) {
       for (const std::size_t count : choice.counts) measure(name, count, is_periodic, choice);
     }

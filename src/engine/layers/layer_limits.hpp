@@ -13,15 +13,16 @@ struct LayerLimits {
   std::size_t most_elements_in_plane = 8'191;
   std::size_t most_boxes_in_plane = 4'000;
   std::size_t most_with_many_hits_in_2d = 128;
-  /// So few are searched so however they crowd, unless the reach is so small a part of their box
-  /// that the filter leaves most pairs of a crowd undecided.
+  /// So few are searched so however they crowd; and the same where the reach is so small a part of
+  /// their box that the filter leaves most pairs of a crowd undecided.
   std::size_t always_in_plane = 256;
+  std::size_t always_in_plane_far_apart = 128;
   double least_reach_of_crowds = 0x1p-16;
   /// Candidates of an element in a plane, on average, up to which no other search is faster, as far
   /// as can be told without a look at them; and the same where elements lie so far apart that the
   /// filter leaves many undecided.
   double most_met_in_plane = 50.0;
-  double most_met_far_apart = 8.0;
+  double most_met_far_apart = 1.0;
   /// Fewer elements are searched as fast in one tile. The second number is for those that need
   /// several, which hold copies of each other's elements, the third for those whose cells are no
   /// wider than the reach needs: with AVX-512 they take a tenth less time than in tiles, with AVX2

@@ -149,7 +149,8 @@ double PlaneGrid<Dim>::met_in_one_row(std::size_t elements) const noexcept {
 }
 
 template <int Dim>
-bool PlaneGrid<Dim>::has_clusters(const LayerSpheres<Dim>& elements) const noexcept {
+bool PlaneGrid<Dim>::has_clusters(const LayerSpheres<Dim>& elements,
+                                  const LayerLimits& limits) const noexcept {
   if (!is_nearly_empty_) return false;
   std::array<std::uint32_t, looked_at> drawn{};
   std::array<std::uint32_t, looked_at> columns{};
@@ -168,14 +169,14 @@ bool PlaneGrid<Dim>::has_clusters(const LayerSpheres<Dim>& elements) const noexc
   }
   constexpr double pairs_looked_at = looked_at * looked_at;
   const double met = static_cast<double>(near) * static_cast<double>(elements.size());
-  return met > least_met_in_clusters * pairs_looked_at;
+  return met > std::min(least_met_in_clusters, most_met(limits)) * pairs_looked_at;
 }
 
 template <int Dim>
 bool PlaneGrid<Dim>::suits_crowds_of(std::size_t elements,
                                      const LayerLimits& limits) const noexcept {
-  return elements <= limits.always_in_plane &&
-         reach_ - error_of_distance >= limits.least_reach_of_crowds;
+  const bool are_far_apart = reach_ - error_of_distance < limits.least_reach_of_crowds;
+  return elements <= (are_far_apart ? limits.always_in_plane_far_apart : limits.always_in_plane);
 }
 
 template <int Dim>

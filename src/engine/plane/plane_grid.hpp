@@ -44,7 +44,8 @@ class PlaneGrid {
                                      const LayerLimits& limits) const noexcept;
   /// Tells whether elements that lie so crowd in a few places of a box that is nearly empty, as far
   /// as a few of them show.
-  [[nodiscard]] bool has_clusters(const LayerSpheres<Dim>& elements) const noexcept;
+  [[nodiscard]] bool has_clusters(const LayerSpheres<Dim>& elements,
+                                  const LayerLimits& limits) const noexcept;
 
   [[nodiscard]] float length(double length) const noexcept {
     return static_cast<float>(length * map_.unit);

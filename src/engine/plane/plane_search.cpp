@@ -31,7 +31,7 @@ std::optional<PlaneGrid<Dim>> plane_for(const SearchSet<Dim>& set, const SearchI
   }
   const auto grid = PlaneGrid<Dim>::over(set, input);
   if (!grid || grid->suits_crowds_of(elements, limits)) return grid;
-  return grid->has_clusters(input.spheres.first(elements)) ? std::nullopt : grid;
+  return grid->has_clusters(input.spheres.first(elements), limits) ? std::nullopt : grid;
 }
 
 }  // namespace

@@ -137,9 +137,9 @@ inline constexpr engine::LayerLimits always_in_plane = [] {
   constexpr double any_number = std::numeric_limits<double>::max();
   engine::LayerLimits limits;
   limits.most_elements_in_plane = limits.most_boxes_in_plane = never;
-  limits.most_with_many_hits_in_2d = limits.always_in_plane = never;
+  limits.most_with_many_hits_in_2d = never;
+  limits.always_in_plane = limits.always_in_plane_far_apart = never;
   limits.most_met_in_plane = limits.most_met_far_apart = any_number;
-  limits.least_reach_of_crowds = 0.0;
   limits.least_elements_in_steps = never;
   return limits;
 }();

@@ -203,9 +203,11 @@ TYPED_TEST(PlaneSearchOf, IsTakenWhereItPays) {
   EXPECT_FALSE(is_in_plane(clusters));
   // Of few in crowds, too, where the filter would leave most pairs undecided.
   for (const double distance : {1e3, 1e7, 1e18}) {
-    auto crowds = this->system(120, 8.0);
-    for (std::size_t k = 0; k < 60; ++k) crowds[k].center[0] += distance;
-    EXPECT_EQ(is_in_plane(crowds), distance == 1e3) << distance;
+    for (const std::size_t count : {128u, 200u}) {
+      auto crowds = this->system(count, 8.0);
+      for (std::size_t k = 0; k < count / 2; ++k) crowds[k].center[0] += distance;
+      EXPECT_EQ(is_in_plane(crowds), count == 128 || distance == 1e3) << count << " " << distance;
+    }
   }
 }
 

@@ -3,7 +3,7 @@
 #include "base/progress_reporter.hpp"
 #include "engine/members.hpp"
 #include "engine/search_set.hpp"
-#include "engine/tiles.hpp"
+#include "engine/tiles/tiles.hpp"
 #include "exact/elements.hpp"
 #include "kernels/element_kernels.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/search_set.hpp"
-#include "engine/tile_grid.hpp"
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
+#include "engine/tiles/tile_grid.hpp"
 #include "grid/bounds.hpp"
 
 namespace abut::engine {

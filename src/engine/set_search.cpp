@@ -151,7 +151,7 @@ void SetSearch<Dim>::search(const WaitingSet<Dim>& next, const SearchPlace& at) 
 /// the arrays of all.
 template <int Dim>
 void SetSearch<Dim>::search_by_first(const WaitingSet<Dim>& next) {
-  TileSearcher<Dim>& first = *workspace_.workers[0];
+  SearchWorker<Dim>& first = *workspace_.workers[0];
   const SearchPlace place{&first, workspace_.tiles, first.scratch().sets, Parallel::nothing};
   first.begin_unit(next_unit_++);
   search(next, place);
@@ -210,7 +210,7 @@ void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& 
   if (grid.tiles_in_box() == 1.0) return search_one_tile(set, grid);
   const auto search_one = [&](std::size_t w, std::size_t tile, base::WorkCounter& work) {
     work.did(1);
-    TileSearcher<Dim>& worker = *workspace_.workers[w];
+    SearchWorker<Dim>& worker = *workspace_.workers[w];
     worker.begin_unit(next_unit_ + tile);
     if (tiles.own_count(tile) > 0) {
       search_tile(set, grid, tiles, tile, place_of(worker, Parallel::tiles));
@@ -232,7 +232,7 @@ void SetSearch<Dim>::search_tiles(const SearchSet<Dim>& set, const SearchPlace& 
 template <int Dim>
 void SetSearch<Dim>::search_one_tile(const SearchSet<Dim>& set, const TileGrid<Dim>& grid) {
   const bool is_shared = worker_count_ > 1 && set.locals.size() >= least_shared_tile;
-  TileSearcher<Dim>& first = *workspace_.workers[0];
+  SearchWorker<Dim>& first = *workspace_.workers[0];
   first.begin_unit(next_unit_++);
   search_tile(set, grid, workspace_.tiles, grid.first_tile(),
               place_of(first, is_shared ? Parallel::layers : Parallel::tiles));
@@ -255,7 +255,7 @@ void SetSearch<Dim>::search_pairs(double unit, const SearchPlace& at) {
   const std::size_t parts = std::min(layers, parts_for_each * worker_count_);
   const auto search_part = [&](std::size_t w, std::size_t part, base::WorkCounter&) {
     const auto [begin, end] = base::share_of(part, parts, layers);
-    TileSearcher<Dim>& worker = *workspace_.workers[w];
+    SearchWorker<Dim>& worker = *workspace_.workers[w];
     worker.begin_unit(next_unit_ + part);
     worker.search(tile, {static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)}, unit);
     worker.finish_unit();

@@ -2,8 +2,8 @@
 
 #include "base/detection_context.hpp"
 #include "engine/layers/layer_grid.hpp"
+#include "engine/search_worker.hpp"
 #include "engine/sizes/size_classes.hpp"
-#include "engine/tile_searcher.hpp"
 #include "engine/workspace.hpp"
 
 #include <cstdint>
@@ -48,7 +48,7 @@ class SetSearch {
 
   /// The workers that search a search set or a tile of it, and the arrays of what comes of it.
   struct SearchPlace {
-    TileSearcher<Dim>* worker;  ///< none: all, each tiles of its own
+    SearchWorker<Dim>* worker;  ///< none: all, each tiles of its own
     Tiles<Dim>& tiles;
     SetScratch<Dim>& sets;
     Parallel parallel;
@@ -80,7 +80,7 @@ class SetSearch {
     LayerGrid<Dim> layers;
   };
 
-  [[nodiscard]] static SearchPlace place_of(TileSearcher<Dim>& worker, Parallel parallel) {
+  [[nodiscard]] static SearchPlace place_of(SearchWorker<Dim>& worker, Parallel parallel) {
     return {&worker, worker.scratch().tiles, worker.scratch().sets, parallel};
   }
 

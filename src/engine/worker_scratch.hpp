@@ -1,12 +1,12 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "engine/cross_level_runs.hpp"
 #include "engine/layers/far_spheres.hpp"
 #include "engine/layers/sorted_layers.hpp"
 #include "engine/sizes/radius_histogram.hpp"
-#include "engine/sorted_tile.hpp"
-#include "engine/tiles.hpp"
+#include "engine/tiles/cross_level_runs.hpp"
+#include "engine/tiles/sorted_tile.hpp"
+#include "engine/tiles/tiles.hpp"
 #include "engine/waiting_sets.hpp"
 #include "exact/sphere.hpp"
 

@@ -12,7 +12,7 @@
 #include "engine/layers/size_levels.hpp"
 #include "engine/memory_law.hpp"
 #include "engine/plane/plane_rows.hpp"
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
 #include "engine/worker_scratch.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ struct Workspace {
 
   void expect_workers(std::size_t count) {
     while (workers.size() < count) {
-      workers.push_back(std::make_unique<TileSearcher<Dim>>(memory, first_worker + workers.size()));
+      workers.push_back(std::make_unique<SearchWorker<Dim>>(memory, first_worker + workers.size()));
     }
     of_parts.expect_workers(count);
   }
@@ -67,7 +67,7 @@ struct Workspace {
   }
   /// Frees the arrays of a worker that has searched a tile where much memory is in use: each of
   /// many workers may have had a large one. The first one, who is alone in most calls, keeps them.
-  void keep_law(TileSearcher<Dim>& worker) const {
+  void keep_law(SearchWorker<Dim>& worker) const {
     if (worker.origin().worker == first_worker) return;
     if (memory.working() > much_memory) worker.free_arrays();
   }
@@ -97,7 +97,7 @@ struct Workspace {
   LayerCrowds<Dim> layer_crowds;
   PartWorkspaces<Dim> of_parts;
   std::unique_ptr<WaitingParts<Dim>> waiting;
-  std::vector<std::unique_ptr<TileSearcher<Dim>>> workers;
+  std::vector<std::unique_ptr<SearchWorker<Dim>>> workers;
   std::uint64_t much_memory = 0;  ///< more than this is in use only for a while
   LastSearch last;
   bool had_many_undecided = false;  ///< the last search in layers, as on lattices

@@ -15,7 +15,7 @@ struct Segment {
 };
 
 /// The map from a coordinate to a cell number on one axis, for all algorithms of the book. Tiles
-/// have one of their own (engine/tile_grid.hpp).
+/// have one of their own (engine/tiles/tile_grid.hpp).
 ///
 ///   cell(x) = first_cell + floor((x * scale - start) / cell_size)
 ///

@@ -99,7 +99,7 @@ def worst_error(draw, largest, equal):
 
 def cells_apart(draw, margin):
     """How many of many pairs at most a reach apart fall two cells apart, by framed() of
-    src/engine/sorted_tile.cpp."""
+    src/engine/tiles/sorted_tile.cpp."""
     lost = 0
     for _ in range(60000):
         count = draw.choice([2, 3, 18, 1000, 1023, 1024])

@@ -1,6 +1,6 @@
 // Where ghosts go: each reaches the tiles of all locals that it may pair with, or is out of reach.
 
-#include "engine/tiles.hpp"
+#include "engine/tiles/tiles.hpp"
 #include "grid/scaling.hpp"
 #include "kernels/images/image_kernels.hpp"
 #include "lattice/lattice_unit.hpp"

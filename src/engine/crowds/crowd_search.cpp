@@ -114,7 +114,7 @@ std::uint64_t CrowdSearch<Dim>::search(const LayerGrid<Dim>& grid, const LayerRe
   input_.sink.expect_units(unit, count);
   base::for_each_index(worker_count_, count, work,
                        [&](std::size_t w, std::size_t place, base::WorkCounter&) {
-                         TileSearcher<Dim>& worker = *workspace_.workers[w];
+                         SearchWorker<Dim>& worker = *workspace_.workers[w];
                          worker.begin_unit(unit + place);
                          search_or_defer(grid, records, crowds.layers()[place], worker);
                          if (worker_count_ > 1) worker.finish_unit();
@@ -125,7 +125,7 @@ std::uint64_t CrowdSearch<Dim>::search(const LayerGrid<Dim>& grid, const LayerRe
 template <int Dim>
 LayerElements<Dim> CrowdSearch<Dim>::rest(const LayerGrid<Dim>& grid,
                                           const LayerRecords<Dim>& records, std::size_t k,
-                                          TileSearcher<Dim>& worker) {
+                                          SearchWorker<Dim>& worker) {
   const std::size_t place = worker.origin().worker - workspace_.first_worker;
   return workspace_.layer_crowds.rest(grid, records, k, place, worker.work());
 }
@@ -141,7 +141,7 @@ bool CrowdSearch<Dim>::waits(std::size_t k, const CrowdedPart<Dim>& part) const 
 
 template <int Dim>
 void CrowdSearch<Dim>::search_or_defer(const LayerGrid<Dim>& grid, const LayerRecords<Dim>& records,
-                                       std::size_t k, TileSearcher<Dim>& worker) {
+                                       std::size_t k, SearchWorker<Dim>& worker) {
   const LayerCrowds<Dim>& crowds = workspace_.layer_crowds;
   WaitingParts<Dim>& waiting = workspace_.waiting_parts();
   std::unique_ptr<CrowdedPart<Dim>> part = waiting.spare(crowds.in_layer(k).crowd);

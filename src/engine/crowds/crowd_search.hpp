@@ -23,14 +23,14 @@ class CrowdSearch final : public CrowdsOfLayers<Dim> {
                                      std::uint64_t unit) override;
   [[nodiscard]] LayerElements<Dim> rest(const LayerGrid<Dim>& grid,
                                         const LayerRecords<Dim>& records, std::size_t k,
-                                        TileSearcher<Dim>& worker) override;
+                                        SearchWorker<Dim>& worker) override;
   [[nodiscard]] std::size_t largest_rest() const override {
     return workspace_.layer_crowds.largest_rest();
   }
 
  private:
   void search_or_defer(const LayerGrid<Dim>& grid, const LayerRecords<Dim>& records, std::size_t k,
-                       TileSearcher<Dim>& worker);
+                       SearchWorker<Dim>& worker);
   [[nodiscard]] bool waits(std::size_t k, const CrowdedPart<Dim>& part) const;
 
   const SearchInput<Dim>& input_;

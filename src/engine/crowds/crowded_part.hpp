@@ -5,7 +5,7 @@
 #include "engine/crowds/layer_crowds.hpp"
 #include "engine/crowds/part_numbers.hpp"
 #include "engine/search_set.hpp"
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
 #include "exact/box.hpp"
 #include "exact/sphere.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "engine/layers/layer_grid.hpp"
 #include "engine/layers/layer_records.hpp"
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ class CrowdsOfLayers {
   /// The elements of layer k that are in no crowd. They last until this worker asks again.
   [[nodiscard]] virtual LayerElements<Dim> rest(const LayerGrid<Dim>& grid,
                                                 const LayerRecords<Dim>& records, std::size_t k,
-                                                TileSearcher<Dim>& worker) = 0;
+                                                SearchWorker<Dim>& worker) = 0;
   /// The most such elements of a layer.
   [[nodiscard]] virtual std::size_t largest_rest() const = 0;
 

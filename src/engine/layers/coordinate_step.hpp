@@ -3,7 +3,7 @@
 #include "base/progress_reporter.hpp"
 #include "engine/layers/layer_grid.hpp"
 #include "engine/search_set.hpp"
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
 #include "kernels/layers/layer_kernels.hpp"
 #include "kernels/strided_spheres.hpp"
 

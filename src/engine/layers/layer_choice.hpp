@@ -4,8 +4,8 @@
 #include "engine/layers/layer_limits.hpp"
 #include "engine/layers/occupancy_sample.hpp"
 #include "engine/search_set.hpp"
+#include "engine/search_worker.hpp"
 #include "engine/sizes/size_classes.hpp"
-#include "engine/tile_searcher.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -95,7 +95,7 @@ std::uint64_t LayerSearch<Dim>::search(const SearchSet<Dim>& set, const LayerGri
                        [&](std::size_t w, std::size_t stretch, base::WorkCounter& its_work) {
                          const std::size_t first = stretches.begin(stretch);
                          const std::size_t last = stretches.begin(stretch + 1);
-                         TileSearcher<Dim>& worker = *workspace_.workers[w];
+                         SearchWorker<Dim>& worker = *workspace_.workers[w];
                          worker.begin_unit(unit + stretch);
                          if (grid.is_by_size()) {
                            search_stretch_by_size(grid, first, last, worker, its_work);
@@ -178,7 +178,7 @@ template <int Dim>
 std::uint64_t LayerSearch<Dim>::search_coarse_pairs(const LayerGrid<Dim>& grid,
                                                     std::uint64_t unit) {
   const CoarseElements<Dim>& coarse = workspace_.coarse;
-  TileSearcher<Dim>& worker = *workspace_.workers[0];
+  SearchWorker<Dim>& worker = *workspace_.workers[0];
   input_.sink.expect_units(unit, 1);
   worker.begin_unit(unit);
   const double wider = input_.margin + position_slack * grid.cell();
@@ -194,7 +194,7 @@ std::uint64_t LayerSearch<Dim>::search_coarse_pairs(const LayerGrid<Dim>& grid,
 /// What is searched of layer k; nothing behind the last one.
 template <int Dim>
 LayerElements<Dim> LayerSearch<Dim>::elements_of(const LayerGrid<Dim>& grid, std::size_t k,
-                                                 TileSearcher<Dim>& worker) const {
+                                                 SearchWorker<Dim>& worker) const {
   const LayerRecords<Dim>& records = workspace_.layer_records;
   if (k >= grid.layer_count()) return {};
   return crowds_ != nullptr ? crowds_->rest(grid, records, k, worker) : records.layer(k);
@@ -208,7 +208,7 @@ std::size_t LayerSearch<Dim>::largest_layer() const {
 
 template <int Dim>
 void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t first,
-                                      std::size_t last, TileSearcher<Dim>& worker,
+                                      std::size_t last, SearchWorker<Dim>& worker,
                                       base::WorkCounter& work) {
   const LayerRecords<Dim>& records = workspace_.layer_records;
   SortedLayers<Dim>& sorted = worker.scratch().layers;
@@ -240,7 +240,7 @@ void LayerSearch<Dim>::search_stretch(const LayerGrid<Dim>& grid, std::size_t fi
 
 template <int Dim>
 void LayerSearch<Dim>::search_stretch_by_size(const LayerGrid<Dim>& grid, std::size_t first,
-                                              std::size_t last, TileSearcher<Dim>& worker,
+                                              std::size_t last, SearchWorker<Dim>& worker,
                                               base::WorkCounter& work) {
   const LayerRecords<Dim>& records = workspace_.layer_records;
   SortedLayers<Dim>& sorted = worker.scratch().layers;

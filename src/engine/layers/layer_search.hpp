@@ -4,7 +4,7 @@
 #include "engine/crowds/crowds_of_layers.hpp"
 #include "engine/layers/layer_grid.hpp"
 #include "engine/search_set.hpp"
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
 #include "engine/workspace.hpp"
 
 #include <atomic>
@@ -41,12 +41,12 @@ class LayerSearch {
   void sort_coarse(const LayerGrid<Dim>& grid);
   [[nodiscard]] std::uint64_t search_coarse_pairs(const LayerGrid<Dim>& grid, std::uint64_t unit);
   [[nodiscard]] LayerElements<Dim> elements_of(const LayerGrid<Dim>& grid, std::size_t k,
-                                               TileSearcher<Dim>& worker) const;
+                                               SearchWorker<Dim>& worker) const;
   [[nodiscard]] std::size_t largest_layer() const;
   void search_stretch(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,
-                      TileSearcher<Dim>& worker, base::WorkCounter& work);
+                      SearchWorker<Dim>& worker, base::WorkCounter& work);
   void search_stretch_by_size(const LayerGrid<Dim>& grid, std::size_t first, std::size_t last,
-                              TileSearcher<Dim>& worker, base::WorkCounter& work);
+                              SearchWorker<Dim>& worker, base::WorkCounter& work);
 
   const SearchInput<Dim>& input_;
   Workspace<Dim>& workspace_;

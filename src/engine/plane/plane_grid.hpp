@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/search_set.hpp"
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
 #include "kernels/plane/plane_search.hpp"
 
 #include <algorithm>

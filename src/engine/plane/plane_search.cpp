@@ -51,7 +51,7 @@ bool search_in_plane(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
   if (!grid) return false;
   workspace.last.must_be_packed = true;
   PlaneRows<Dim>& rows = workspace.plane;
-  TileSearcher<Dim>& worker = *workspace.workers[0];
+  SearchWorker<Dim>& worker = *workspace.workers[0];
   rows.count(elements, *grid, input.plane_kernels, worker.work());
   const LayerLimits& limits = input.layer_limits;
   if (!grid->suits_crowds_of(elements.size(), limits) &&

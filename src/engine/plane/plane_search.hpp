@@ -2,7 +2,7 @@
 
 #include "base/detection_context.hpp"
 #include "engine/search_set.hpp"
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
 #include "engine/workspace.hpp"
 
 #include <cstdint>

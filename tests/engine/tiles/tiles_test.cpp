@@ -1,7 +1,7 @@
-#include "engine/tiles.hpp"
+#include "engine/tiles/tiles.hpp"
 
 #include "engine/random_spheres.hpp"
-#include "engine/tile_neighbors.hpp"
+#include "engine/tiles/tile_neighbors.hpp"
 #include "support/nobody_asked.hpp"
 #include "support/rows_variants.hpp"
 

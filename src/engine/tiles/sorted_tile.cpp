@@ -1,4 +1,4 @@
-#include "engine/sorted_tile.hpp"
+#include "engine/tiles/sorted_tile.hpp"
 
 #include <algorithm>
 #include <limits>

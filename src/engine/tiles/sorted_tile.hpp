@@ -2,8 +2,8 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
-#include "engine/record.hpp"
-#include "engine/tile_cells.hpp"
+#include "engine/tiles/record.hpp"
+#include "engine/tiles/tile_cells.hpp"
 #include "kernels/element_kernels.hpp"
 #include "kernels/tiles/tile_view.hpp"
 

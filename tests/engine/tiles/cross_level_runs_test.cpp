@@ -1,7 +1,7 @@
-#include "engine/cross_level_runs.hpp"
+#include "engine/tiles/cross_level_runs.hpp"
 
 #include "engine/random_spheres.hpp"
-#include "engine/sorted_tile.hpp"
+#include "engine/tiles/sorted_tile.hpp"
 #include "support/nobody_asked.hpp"
 
 #include <array>

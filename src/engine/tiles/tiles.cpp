@@ -1,11 +1,11 @@
-#include "engine/tiles.hpp"
+#include "engine/tiles/tiles.hpp"
 
 #include "base/asking_workers.hpp"
 #include "base/fetch_next_line.hpp"
 #include "engine/query_box.hpp"
 #include "engine/sphere_block.hpp"
-#include "engine/tile_neighbors.hpp"
-#include "engine/tile_range.hpp"
+#include "engine/tiles/tile_neighbors.hpp"
+#include "engine/tiles/tile_range.hpp"
 #include "kernels/place_format.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/query_box.hpp"
-#include "engine/tile_grid.hpp"
+#include "engine/tiles/tile_grid.hpp"
 
 #include <algorithm>
 #include <array>

@@ -57,13 +57,13 @@ struct SearchInput {
 /// One worker: sorts tiles and layers on its scratch, runs the kernels, decides what they leave
 /// undecided, hands on pairs.
 template <int Dim>
-class TileSearcher {
+class SearchWorker {
  public:
-  TileSearcher(base::MemoryMeter& memory, std::size_t worker);
+  SearchWorker(base::MemoryMeter& memory, std::size_t worker);
 
-  TileSearcher(const TileSearcher&) = delete;
-  TileSearcher& operator=(const TileSearcher&) = delete;
-  ~TileSearcher() = default;
+  SearchWorker(const SearchWorker&) = delete;
+  SearchWorker& operator=(const SearchWorker&) = delete;
+  ~SearchWorker() = default;
 
   /// A new search; `input` must outlive it.
   void start(const SearchInput<Dim>& input);

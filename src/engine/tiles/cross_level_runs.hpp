@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "engine/tile_grid.hpp"
+#include "engine/tiles/tile_grid.hpp"
 #include "exact/elements.hpp"
 #include "kernels/tiles/tile_view.hpp"
 

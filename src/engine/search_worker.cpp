@@ -1,4 +1,4 @@
-#include "engine/tile_searcher.hpp"
+#include "engine/search_worker.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -20,16 +20,16 @@ constexpr std::size_t small_tile = 1 << 13;
 }  // namespace
 
 template <int Dim>
-TileSearcher<Dim>::TileSearcher(base::MemoryMeter& memory, std::size_t worker)
+SearchWorker<Dim>::SearchWorker(base::MemoryMeter& memory, std::size_t worker)
     : memory_(memory), scratch_(std::in_place, memory), origin_{worker, 0} {
   job_.slack = static_cast<float>(kernels::filter_error);  // numbers of a tile are below 2
   job_.hits = &hits_;
   job_.owner = this;
-  job_.take = [](kernels::SearchJob& job) { static_cast<TileSearcher*>(job.owner)->take(); };
+  job_.take = [](kernels::SearchJob& job) { static_cast<SearchWorker*>(job.owner)->take(); };
 }
 
 template <int Dim>
-void TileSearcher<Dim>::start(const SearchInput<Dim>& input) {
+void SearchWorker<Dim>::start(const SearchInput<Dim>& input) {
   input_ = &input;
   scratch_->sets.waiting.start();
   origin_.unit = 0;
@@ -49,32 +49,32 @@ void TileSearcher<Dim>::start(const SearchInput<Dim>& input) {
 }
 
 template <int Dim>
-void TileSearcher<Dim>::free_arrays() {
+void SearchWorker<Dim>::free_arrays() {
   scratch_.reset();
   scratch_.emplace(memory_);
 }
 
 template <int Dim>
-void TileSearcher<Dim>::begin_unit(std::uint64_t unit) {
+void SearchWorker<Dim>::begin_unit(std::uint64_t unit) {
   origin_.unit = unit;
   input_->sink.begin_unit(origin_);
 }
 
 template <int Dim>
-void TileSearcher<Dim>::finish_unit() {
+void SearchWorker<Dim>::finish_unit() {
   hand_over();
   input_->sink.finish_unit(origin_);
 }
 
 template <int Dim>
-void TileSearcher<Dim>::hand_over() {
+void SearchWorker<Dim>::hand_over() {
   take();
   flush();
   pairs_ = {};
 }
 
 template <int Dim>
-void TileSearcher<Dim>::count_in(std::uint64_t tests, std::uint64_t decisions) noexcept {
+void SearchWorker<Dim>::count_in(std::uint64_t tests, std::uint64_t decisions) noexcept {
   far_tests_ += tests;
   tests_told_ += tests;
   exact_decisions_ += decisions;
@@ -82,7 +82,7 @@ void TileSearcher<Dim>::count_in(std::uint64_t tests, std::uint64_t decisions) n
 
 /// Decides the undecided pairs and hands all on.
 template <int Dim>
-void TileSearcher<Dim>::take() {
+void SearchWorker<Dim>::take() {
   work_.did(steps_of_decision * hits_.undecided_count);
   if (input_->part.is_part()) number_as_given();
   if (hits_.undecided_count > 0) settle();
@@ -93,7 +93,7 @@ void TileSearcher<Dim>::take() {
 /// Gives the elements of a part their numbers in the whole, and drops pairs that are found
 /// elsewhere.
 template <int Dim>
-void TileSearcher<Dim>::number_as_given() {
+void SearchWorker<Dim>::number_as_given() {
   const PartNumbers& part = input_->part;
   std::size_t kept = 0;
   std::size_t undecided = 0;
@@ -117,7 +117,7 @@ void TileSearcher<Dim>::number_as_given() {
 
 /// Drops the undecided pairs that are none; the others keep their order.
 template <int Dim>
-void TileSearcher<Dim>::settle() {
+void SearchWorker<Dim>::settle() {
   input_->decider.decide(hits_, exact_decisions_);
   const std::span undecided(hits_.undecided, hits_.undecided_count);
   const std::span verdicts(hits_.verdict, hits_.undecided_count);
@@ -140,7 +140,7 @@ void TileSearcher<Dim>::settle() {
 
 /// Writes what was found, pair by pair, into the sink's room.
 template <int Dim>
-void TileSearcher<Dim>::hand_on() {
+void SearchWorker<Dim>::hand_on() {
   for (std::size_t done = 0; done < hits_.found;) {
     if (filled_ == pairs_.size()) {
       flush();
@@ -156,7 +156,7 @@ void TileSearcher<Dim>::hand_on() {
 }
 
 template <int Dim>
-void TileSearcher<Dim>::flush() {
+void SearchWorker<Dim>::flush() {
   const std::size_t count = filled_;
   filled_ = 0;
   if (count > 0) input_->sink.commit(count, origin_);
@@ -164,12 +164,12 @@ void TileSearcher<Dim>::flush() {
 
 /// The tests since it last did.
 template <int Dim>
-void TileSearcher<Dim>::tell() {
+void SearchWorker<Dim>::tell() {
   work_.did(candidate_tests() - std::exchange(tests_told_, candidate_tests()));
 }
 
 template <int Dim>
-void TileSearcher<Dim>::prepare(const SortedTile<Dim>& tile, double unit) {
+void SearchWorker<Dim>::prepare(const SortedTile<Dim>& tile, double unit) {
   job_.margin = static_cast<float>(input_->margin * unit);
   const std::size_t places =
       tile.size() < small_tile ? tile.size() : std::min(tile.size(), tile.most_places_met());
@@ -190,12 +190,12 @@ void TileSearcher<Dim>::prepare(const SortedTile<Dim>& tile, double unit) {
 }
 
 template <int Dim>
-void TileSearcher<Dim>::search(double unit) {
+void SearchWorker<Dim>::search(double unit) {
   search(scratch_->tile, kernels::all_layers(scratch_->tile.view(), Dim), unit);
 }
 
 template <int Dim>
-void TileSearcher<Dim>::search(const SortedTile<Dim>& tile, const kernels::Layers& layers,
+void SearchWorker<Dim>::search(const SortedTile<Dim>& tile, const kernels::Layers& layers,
                                double unit) {
   prepare(tile, unit);
   input_->kernels.search(tile.view(), layers, job_, Dim);
@@ -203,20 +203,20 @@ void TileSearcher<Dim>::search(const SortedTile<Dim>& tile, const kernels::Layer
 }
 
 template <int Dim>
-void TileSearcher<Dim>::search(const kernels::PlaneView& plane, double unit) {
+void SearchWorker<Dim>::search(const kernels::PlaneView& plane, double unit) {
   job_.margin = static_cast<float>(input_->margin * unit);
   input_->plane_kernels.search(plane, job_, Dim);
   tell();
 }
 
 template <int Dim>
-void TileSearcher<Dim>::search(const kernels::LayerPair& layers) {
+void SearchWorker<Dim>::search(const kernels::LayerPair& layers) {
   input_->layer_kernels.search(layers, job_, Dim);
   tell();
 }
 
 template <int Dim>
-void TileSearcher<Dim>::search(const kernels::ThreeLayers& layers,
+void SearchWorker<Dim>::search(const kernels::ThreeLayers& layers,
                                std::span<const kernels::FarSphere> far) {
   input_->layer_kernels.search_near(layers, job_, Dim);
   if (!far.empty()) input_->layer_kernels.search_far(layers, far.data(), far.size(), job_, Dim);
@@ -224,7 +224,7 @@ void TileSearcher<Dim>::search(const kernels::ThreeLayers& layers,
 }
 
 template <int Dim>
-void TileSearcher<Dim>::search_coarse(const kernels::ThreeLayers& layers,
+void SearchWorker<Dim>::search_coarse(const kernels::ThreeLayers& layers,
                                       std::span<const kernels::FarSphere> coarse) {
   if (coarse.empty()) return;
   input_->layer_kernels.search_coarse(layers, coarse.data(), coarse.size(), job_, Dim);
@@ -232,7 +232,7 @@ void TileSearcher<Dim>::search_coarse(const kernels::ThreeLayers& layers,
 }
 
 template <int Dim>
-void TileSearcher<Dim>::test_coarse(const TileFrame<Dim>& frame,
+void SearchWorker<Dim>::test_coarse(const TileFrame<Dim>& frame,
                                     std::span<const std::uint32_t> coarse_elements) {
   if (coarse_elements.empty()) return;
   prepare(scratch_->tile, frame.unit);
@@ -252,7 +252,7 @@ void TileSearcher<Dim>::test_coarse(const TileFrame<Dim>& frame,
 }
 
 template <int Dim>
-void TileSearcher<Dim>::test_far_coarse(std::span<const kernels::Run> runs, std::uint32_t coarse) {
+void SearchWorker<Dim>::test_far_coarse(std::span<const kernels::Run> runs, std::uint32_t coarse) {
   for (const kernels::Run& run : runs) {
     for (std::uint32_t k = run.begin; k < run.end; ++k) {
       test_pair(coarse, scratch_->tile.view().number[k]);
@@ -261,7 +261,7 @@ void TileSearcher<Dim>::test_far_coarse(std::span<const kernels::Run> runs, std:
 }
 
 template <int Dim>
-void TileSearcher<Dim>::test_pair(std::uint32_t first, std::uint32_t second) {
+void SearchWorker<Dim>::test_pair(std::uint32_t first, std::uint32_t second) {
   if (++far_tests_ % far_tests_between_tells == 0) tell();
   if (!decide(first, second)) return;
   if (hits_.found == kernels::HitBuffer::size) take();
@@ -270,14 +270,14 @@ void TileSearcher<Dim>::test_pair(std::uint32_t first, std::uint32_t second) {
 }
 
 template <int Dim>
-bool TileSearcher<Dim>::decide(std::uint32_t first, std::uint32_t second) {
+bool SearchWorker<Dim>::decide(std::uint32_t first, std::uint32_t second) {
   const PartNumbers& part = input_->part;
   if (!part.is_part()) return input_->decider.within_reach(first, second, exact_decisions_);
   return part.is_wanted(first, second) &&
          input_->decider.within_reach(part.given[first], part.given[second], exact_decisions_);
 }
 
-template class TileSearcher<2>;
-template class TileSearcher<3>;
+template class SearchWorker<2>;
+template class SearchWorker<3>;
 
 }  // namespace abut::engine

@@ -1,4 +1,4 @@
-#include "engine/tile_neighbors.hpp"
+#include "engine/tiles/tile_neighbors.hpp"
 
 #include "engine/random_spheres.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "base/array.hpp"
 #include "base/progress_reporter.hpp"
-#include "engine/record.hpp"
 #include "engine/search_set.hpp"
-#include "engine/tile_grid.hpp"
+#include "engine/tiles/record.hpp"
+#include "engine/tiles/tile_grid.hpp"
 #include "exact/elements.hpp"
 #include "kernels/tiles/tile_view.hpp"
 

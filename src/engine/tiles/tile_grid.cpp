@@ -1,4 +1,4 @@
-#include "engine/tile_grid.hpp"
+#include "engine/tiles/tile_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

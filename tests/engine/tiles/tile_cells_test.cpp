@@ -1,4 +1,4 @@
-#include "engine/tile_cells.hpp"
+#include "engine/tiles/tile_cells.hpp"
 
 #include "engine/random_spheres.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/tile_grid.hpp"
+#include "engine/tiles/tile_grid.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "engine/tile_grid.hpp"
+#include "engine/tiles/tile_grid.hpp"
 
 #include "engine/random_spheres.hpp"
 #include "kernels/element_kernels.hpp"

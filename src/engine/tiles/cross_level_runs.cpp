@@ -1,4 +1,4 @@
-#include "engine/cross_level_runs.hpp"
+#include "engine/tiles/cross_level_runs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "device/host/host_executor.hpp"
 #include "device/memory/block_places.hpp"
+#include "device/memory_source.hpp"
 
 #include "scenes/random.hpp"
 #include "support/error_expectations.hpp"
@@ -14,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <new>
@@ -74,33 +74,6 @@ TEST(DeviceBlockPlaces, NeverOverlap) {
   EXPECT_LE(places.length(), 21U * 1000U * 2U);
 }
 
-/// An allocator of the host that counts, and refuses what is larger than it is told.
-struct Source {
-  std::uint64_t requests = 0;
-  std::uint64_t largest = ~std::uint64_t{0};
-  std::uint64_t most_at_once = ~std::uint64_t{0};
-  std::uint64_t held = 0;
-  std::vector<void*> streams;
-  std::int64_t blocks = 0;
-
-  device::Allocator functions() {
-    return {[this](std::uint64_t bytes, Stream stream) -> void* {
-              ++requests;
-              streams.push_back(stream.handle);
-              if (bytes > largest || held + bytes > most_at_once) return nullptr;
-              held += bytes;
-              ++blocks;
-              return std::aligned_alloc(256, (bytes + 255) / 256 * 256);
-            },
-            [this](void* block, std::uint64_t bytes, Stream stream) {
-              streams.push_back(stream.handle);
-              held -= bytes;
-              --blocks;
-              std::free(block);
-            }};
-  }
-};
-
 constexpr std::uint64_t no_bound = base::MemoryMeter::unbounded;
 
 /// A call that holds 1000 bytes, then 300 and 500 at once.
@@ -114,7 +87,7 @@ void call(KeptMemory& memory) {
 }
 
 TEST(DeviceKeptMemory, IsOneBlockFromTheSecondCallOn) {
-  Source source;
+  MemorySource source;
   {
     KeptMemory memory(source.functions());
     memory.begin(no_bound, {});
@@ -144,7 +117,7 @@ TEST(DeviceKeptMemory, IsOneBlockFromTheSecondCallOn) {
 
 TEST(DeviceKeptMemory, IsTakenAnewInAnotherStream) {
   int handle = 0;
-  Source source;
+  MemorySource source;
   KeptMemory memory(source.functions());
   memory.begin(no_bound, {});
   call(memory);
@@ -156,7 +129,7 @@ TEST(DeviceKeptMemory, IsTakenAnewInAnotherStream) {
 }
 
 TEST(DeviceKeptMemory, IsGivenUpForABoundOrForWantOfIt) {
-  Source source;
+  MemorySource source;
   KeptMemory memory(source.functions());
   memory.begin(no_bound, {});
   call(memory);
@@ -179,7 +152,7 @@ TEST(DeviceKeptMemory, IsGivenUpForABoundOrForWantOfIt) {
 /// Calls that hold 1024 bytes, and some more beside them, within a bound.
 class GrowingCalls {
  public:
-  explicit GrowingCalls(Source& source) : memory_(source.functions()) {}
+  explicit GrowingCalls(MemorySource& source) : memory_(source.functions()) {}
 
   /// Returns the peak of a call.
   std::uint64_t run(std::uint64_t more) {
@@ -213,7 +186,7 @@ class GrowingCalls {
 /// A call that needs a little more than the one before: the whole block would lie beside the array,
 /// whose end would be of no use.
 TEST(DeviceKeptMemory, IsTakenAnewWhereItsArrayIsInTheWay) {
-  Source source;
+  MemorySource source;
   GrowingCalls calls(source);
   EXPECT_EQ(calls.run(1024), 2048U);
   EXPECT_EQ(calls.run(1024), 2048U);
@@ -238,7 +211,7 @@ TEST(DeviceKeptMemory, IsTakenAnewWhereItsArrayIsInTheWay) {
 
 /// Other errors than a lack of memory end a call at once.
 TEST(DeviceKeptMemory, RunsNothingTwiceForAnotherError) {
-  Source source;
+  MemorySource source;
   KeptMemory memory(source.functions());
   for (int call_before = 0; call_before < 2; ++call_before) {
     memory.run(no_bound, {}, [&] { call(memory); });
@@ -254,7 +227,7 @@ TEST(DeviceKeptMemory, RunsNothingTwiceForAnotherError) {
 }
 
 TEST(DeviceKeptMemory, RefusesBlocksThatAreNotAligned) {
-  Source source;
+  MemorySource source;
   device::Allocator functions = source.functions();
   functions.allocate = [give = functions.allocate](std::uint64_t bytes, Stream stream) -> void* {
     return static_cast<std::byte*>(give(bytes + 64, stream)) + 64;
@@ -273,7 +246,7 @@ TEST(DeviceKeptMemory, RefusesBlocksThatAreNotAligned) {
 /// What was not given counts nothing: the bound is as far away as before.
 TEST(DeviceKeptMemory, AnAllocatorMayThrow) {
   bool throws = true;
-  Source source;
+  MemorySource source;
   device::Allocator functions = source.functions();
   functions.allocate = [&, give = functions.allocate](std::uint64_t bytes, Stream stream) {
     if (throws) throw std::out_of_range("mine");

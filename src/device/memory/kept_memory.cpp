@@ -2,22 +2,14 @@
 
 #include <abut/error.hpp>
 
+#include <new>
 #include <string>
 
 namespace abut::device {
-namespace {
-
-/// What CUDA aligns its blocks to.
-constexpr std::uint64_t alignment = 256;
-
-std::uint64_t aligned(std::uint64_t bytes) {
-  return (bytes + alignment - 1) / alignment * alignment;
-}
-
-}  // namespace
 
 void KeptMemory::begin(std::uint64_t max_bytes, Stream stream) {
-  const std::uint64_t needed = places_.length();
+  learn();
+  const std::uint64_t needed = plans_.length();
   // Work in another stream is in no order with what still uses the array.
   const bool is_of_use =
       array_bytes_ >= needed && array_bytes_ <= max_bytes && stream.handle == stream_.handle;
@@ -26,46 +18,84 @@ void KeptMemory::begin(std::uint64_t max_bytes, Stream stream) {
   if (array_ == nullptr && needed > 0 && needed <= max_bytes) take_array(needed);
 }
 
+/// Plans for calls like the last, unless these are at home in the array. Memory of the host that
+/// cannot be had for that costs nothing but a plan.
+void KeptMemory::learn() noexcept {
+  if (!needs_plan_) return;
+  try {
+    if (array_ == nullptr) {
+      plans_.plan_for(sequence_);
+    } else {
+      plans_.plan_also_for(sequence_, array_bytes_);
+    }
+  } catch (const std::bad_alloc&) {
+    // The last plan stays.
+  }
+}
+
 void KeptMemory::start(std::uint64_t max_bytes, Stream stream) {
   stream_ = stream;
+  sequence_.forget_all();
+  plans_.restart();
   places_ = {};
   was_short_ = false;
+  needs_plan_ = false;
   meter_.start_anew(max_bytes);
 }
 
+/// What could not be had is no part of the sequence, or the next call would ask for an array that
+/// holds it.
 void* KeptMemory::take(std::uint64_t bytes) {
-  const std::uint64_t place = places_.lowest_gap(aligned(bytes));
-  if (place + aligned(bytes) > array_bytes_) return take_beside(bytes, place);
-  places_.take(place, aligned(bytes));
+  const std::size_t number = sequence_.take(bytes);
+  try {
+    void* const block = take_block(bytes, number);
+    if (block == nullptr) sequence_.forget_last();
+    return block;
+  } catch (...) {
+    sequence_.forget_last();
+    throw;
+  }
+}
+
+void* KeptMemory::take_block(std::uint64_t bytes, std::size_t number) {
+  if (array_ == nullptr) return take_beside(bytes, number);
+  const std::uint64_t place = plans_.place_for_last(sequence_, places_, array_bytes_);
+  if (place + aligned_block(bytes) > array_bytes_) return take_beside(bytes, number);
+  places_.take(place, aligned_block(bytes));
+  try {
+    held_.emplace(array_ + place, KeptBlock{number, false});
+  } catch (...) {
+    places_.give_back(place);
+    throw;
+  }
+  sequence_.place(number, place);
   return array_ + place;
 }
 
-/// What could not be had takes no place, or the next call would ask for an array that holds it.
-void* KeptMemory::take_beside(std::uint64_t bytes, std::uint64_t place) {
+void* KeptMemory::take_beside(std::uint64_t bytes, std::size_t number) {
   was_short_ = true;
   void* const block = allocate(bytes);
   if (block == nullptr) return nullptr;
   was_short_ = false;
   try {
-    places_.take(place, aligned(bytes));
-    beside_.emplace(block, place);
+    held_.emplace(block, KeptBlock{number, true});
   } catch (...) {
-    places_.give_back(place);
     release(block, bytes);
     throw;
   }
+  needs_plan_ = true;
   return block;
 }
 
 void KeptMemory::give_back(void* block, std::uint64_t bytes) noexcept {
-  const auto found = beside_.find(block);
-  if (found == beside_.end()) {
+  const auto found = held_.find(block);
+  sequence_.give_back(found->second.number);
+  if (found->second.is_beside) {
+    release(block, bytes);
+  } else {
     places_.give_back(static_cast<std::uint64_t>(static_cast<std::byte*>(block) - array_));
-    return;
   }
-  places_.give_back(found->second);
-  beside_.erase(found);
-  release(block, bytes);
+  held_.erase(found);
 }
 
 void KeptMemory::release_array() noexcept {
@@ -92,11 +122,11 @@ void* KeptMemory::allocate(std::uint64_t bytes) {
   }
   if (block == nullptr) {
     meter_.give_back(bytes);
-  } else if (reinterpret_cast<std::uintptr_t>(block) % alignment != 0) {
+  } else if (reinterpret_cast<std::uintptr_t>(block) % block_alignment != 0) {
     release(block, bytes);
     throw Error(ErrorCode::wrong_usage, "the allocator gave " + std::to_string(bytes) +
                                             " bytes at an address that is no multiple of " +
-                                            std::to_string(alignment) +
+                                            std::to_string(block_alignment) +
                                             "; align its blocks to that");
   }
   return block;

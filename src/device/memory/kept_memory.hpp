@@ -2,6 +2,8 @@
 
 #include "base/memory_meter.hpp"
 #include "device/memory/block_places.hpp"
+#include "device/memory/block_plans.hpp"
+#include "device/memory/block_sequence.hpp"
 
 #include <abut/device.hpp>
 
@@ -12,10 +14,10 @@
 
 namespace abut::device {
 
-/// The memory that one detector takes from an allocator, counted. A call learns how long one array
-/// for all of its blocks would be; the next takes that array at once and keeps it, so that calls
-/// which need no more than the one before allocate nothing. Blocks that the array is too short for
-/// lie beside it.
+/// The memory that one detector takes from an allocator, counted. From the first call it learns
+/// where the blocks of such calls lie best in one array; the next takes that array at once and
+/// keeps it, so that calls which need no more than the one before allocate nothing. Blocks that do
+/// not fit there lie beside it, and then it learns from that call as well.
 class KeptMemory {
  public:
   explicit KeptMemory(Allocator allocator) : allocator_(std::move(allocator)) {}
@@ -35,7 +37,10 @@ class KeptMemory {
     try {
       return call();
     } catch (...) {
-      if (!was_short_) throw;
+      if (!was_short_) {
+        needs_plan_ = false;  // a call that ended early tells little of others
+        throw;
+      }
     }
     release_array();
     start(max_bytes, stream);
@@ -56,8 +61,16 @@ class KeptMemory {
   [[nodiscard]] std::uint64_t held() const noexcept { return meter_.held(); }
 
  private:
+  /// A block that a call has.
+  struct KeptBlock {
+    std::size_t number;  ///< in the sequence
+    bool is_beside;      ///< the array, and not in it
+  };
+
+  void learn() noexcept;
   void start(std::uint64_t max_bytes, Stream stream);
-  [[nodiscard]] void* take_beside(std::uint64_t bytes, std::uint64_t place);
+  [[nodiscard]] void* take_block(std::uint64_t bytes, std::size_t number);
+  [[nodiscard]] void* take_beside(std::uint64_t bytes, std::size_t number);
   void take_array(std::uint64_t bytes);
   [[nodiscard]] void* allocate(std::uint64_t bytes);
   void release(void* block, std::uint64_t bytes) noexcept;
@@ -65,11 +78,14 @@ class KeptMemory {
   Allocator allocator_;
   base::MemoryMeter meter_;
   Stream stream_;
-  BlockPlaces places_;  ///< of this call's blocks in the array, whether it is long enough or not
+  BlockSequence sequence_;  ///< of this call
+  BlockPlans plans_;        ///< of the array
+  BlockPlaces places_;      ///< of this call's blocks in the array
+  std::map<void*, KeptBlock> held_;
   std::byte* array_ = nullptr;
   std::uint64_t array_bytes_ = 0;
-  bool was_short_ = false;                 ///< the last block of the call could not be had
-  std::map<void*, std::uint64_t> beside_;  ///< places of blocks that the array was too short for
+  bool was_short_ = false;   ///< the last block of the call could not be had
+  bool needs_plan_ = false;  ///< a block of the call lay beside the array
 };
 
 }  // namespace abut::device

@@ -61,16 +61,13 @@ class SortedElements {
     TwinBuffer<std::uint32_t, E> numbers;
     keys.current = Buffer<Key, E>(executor_, count);
     numbers.current = Buffer<std::uint32_t, E>(executor_, count);
-    Buffer<char, E> room = room_for_records();
     Buffer<PlacedRecord<Dim>, E> records(executor_, count);
     executor_.for_each(count, PlaceElement<Spheres, Key>{elements_, frame_, keys.current.data(),
                                                          numbers.current.data(), records.data()});
     if (has_divided_axes()) {
       numbers.current = {};
-      room = {};
       place_on_axes(keys.current.data(), records.data());
       numbers.current = Buffer<std::uint32_t, E>(executor_, count);
-      room = room_for_records();
       executor_.for_each(count, FillInOrder{numbers.current.data()});
     }
     keys.other = Buffer<Key, E>(executor_, count);
@@ -81,17 +78,8 @@ class SortedElements {
     numbers_.swap(numbers.current);
     keys = {};
     numbers = {};
-    room = {};
     records_ = Buffer<PlacedRecord<Dim>, E>(executor_, count);
     executor_.for_each(count, GatherRecord<Dim>{numbers_.data(), records.data(), records_.data()});
-  }
-
-  /// Beside keys and numbers that are given back it makes a gap that sorted records fit into, where
-  /// all blocks lie in one array.
-  [[nodiscard]] Buffer<char, E> room_for_records() {
-    constexpr std::uint64_t missing =
-        sizeof(PlacedRecord<Dim>) - sizeof(Key) - sizeof(std::uint32_t);
-    return Buffer<char, E>(executor_, elements_.count * missing);
   }
 
   [[nodiscard]] bool has_divided_axes() const noexcept {

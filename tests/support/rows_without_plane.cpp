@@ -22,14 +22,14 @@ RowsWithoutPlane rows_in(const ElementView& elements, const engine::RowsSettings
 }  // namespace
 
 std::size_t most_in_plane() {
-  return engine::LayerLimits{}.most_elements_in_plane;
+  return engine::PlaneLimits{}.most_spheres;
 }
 
 RowsWithoutPlane rows_without_plane(const ElementView& elements, double margin, Simd simd,
                                     std::size_t workers) {
   const base::FloatEnvironment environment;
   engine::RowsSettings settings{margin, workers, simd};
-  settings.layers.most_elements_in_plane = settings.layers.most_boxes_in_plane = 0;
+  settings.layers.plane = engine::no_plane;
   return elements.dimensions() == 2 ? rows_in<2>(elements, settings)
                                     : rows_in<3>(elements, settings);
 }

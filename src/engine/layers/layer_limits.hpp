@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/plane/plane_limits.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -8,21 +10,7 @@ namespace abut::engine {
 
 /// What layers are worth, and for few elements a plane instead.
 struct LayerLimits {
-  /// So many spheres and boxes may be searched in a plane instead (PlaneGrid), and of those with
-  /// many pairs so many in 2D, where a plane leaves nothing undivided.
-  std::size_t most_elements_in_plane = 8'191;
-  std::size_t most_boxes_in_plane = 4'000;
-  std::size_t most_with_many_hits_in_2d = 128;
-  /// So few are searched so however they crowd; and the same where the reach is so small a part of
-  /// their box that the filter leaves most pairs of a crowd undecided.
-  std::size_t always_in_plane = 256;
-  std::size_t always_in_plane_far_apart = 128;
-  double least_reach_of_crowds = 0x1p-16;
-  /// Candidates of an element in a plane, on average, up to which no other search is faster, as far
-  /// as can be told without a look at them; and the same where elements lie so far apart that the
-  /// filter leaves many undecided.
-  double most_met_in_plane = 50.0;
-  double most_met_far_apart = 1.0;
+  PlaneLimits plane = {};
   /// Fewer elements are searched as fast in one tile. The second number is for those that need
   /// several, which hold copies of each other's elements, the third for those whose cells are no
   /// wider than the reach needs: with AVX-512 they take a tenth less time than in tiles, with AVX2
@@ -143,8 +131,9 @@ struct LayerLimits {
   void require_little() noexcept {
     least_elements = least_sparse_elements = least_boxes = least_rectangles = 0;
     least_elements_of_clusters = least_elements_of_tiles = least_elements_of_dense = 0;
-    least_elements_of_crowds = most_elements_in_plane = most_boxes_in_plane = 0;
+    least_elements_of_crowds = 0;
     least_elements_of_layer = 0.0;
+    plane = no_plane;
   }
 
   /// The limits of a part of a set that is in layers: parts have no other search, and stay where

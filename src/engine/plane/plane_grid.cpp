@@ -150,7 +150,7 @@ double PlaneGrid<Dim>::met_in_one_row(std::size_t elements) const noexcept {
 
 template <int Dim>
 bool PlaneGrid<Dim>::has_clusters(const LayerSpheres<Dim>& elements,
-                                  const LayerLimits& limits) const noexcept {
+                                  const PlaneLimits& limits) const noexcept {
   if (!is_nearly_empty_) return false;
   std::array<std::uint32_t, looked_at> drawn{};
   std::array<std::uint32_t, looked_at> columns{};
@@ -174,14 +174,14 @@ bool PlaneGrid<Dim>::has_clusters(const LayerSpheres<Dim>& elements,
 
 template <int Dim>
 bool PlaneGrid<Dim>::suits_crowds_of(std::size_t elements,
-                                     const LayerLimits& limits) const noexcept {
+                                     const PlaneLimits& limits) const noexcept {
   const bool are_far_apart = reach_ - error_of_distance < limits.least_reach_of_crowds;
-  return elements <= (are_far_apart ? limits.always_in_plane_far_apart : limits.always_in_plane);
+  return elements <= (are_far_apart ? limits.always_far_apart : limits.always);
 }
 
 template <int Dim>
-double PlaneGrid<Dim>::most_met(const LayerLimits& limits) const noexcept {
-  const double most = limits.most_met_in_plane;
+double PlaneGrid<Dim>::most_met(const PlaneLimits& limits) const noexcept {
+  const double most = limits.most_met;
   const double well_known = (reach_ - error_of_distance) / least_well_known;
   return well_known < 1.0 ? std::clamp(most * well_known, limits.most_met_far_apart, most) : most;
 }
@@ -191,7 +191,7 @@ std::optional<PlaneGrid<Dim>> PlaneGrid<Dim>::over(const SearchSet<Dim>& set,
                                                    const SearchInput<Dim>& input) {
   const std::size_t elements = set.locals.size();
   const PlaneGrid grid(set, input);
-  const LayerLimits& limits = input.layer_limits;
+  const PlaneLimits& limits = input.layer_limits.plane;
   if (Dim == 2 && !grid.has_few_hits_ && elements > limits.most_with_many_hits_in_2d) {
     return std::nullopt;
   }

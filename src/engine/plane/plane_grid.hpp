@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/plane/plane_limits.hpp"
 #include "engine/search_set.hpp"
 #include "engine/search_worker.hpp"
 #include "kernels/plane/plane_search.hpp"
@@ -37,15 +38,15 @@ class PlaneGrid {
   /// Tells whether elements have few pairs, if all are spread equally.
   [[nodiscard]] bool has_few_hits() const noexcept { return has_few_hits_; }
   /// Candidates of an element, on average, up to which no other search is faster.
-  [[nodiscard]] double most_met(const LayerLimits& limits) const noexcept;
+  [[nodiscard]] double most_met(const PlaneLimits& limits) const noexcept;
 
   /// Tells whether so few elements are searched in a plane however they crowd.
   [[nodiscard]] bool suits_crowds_of(std::size_t elements,
-                                     const LayerLimits& limits) const noexcept;
+                                     const PlaneLimits& limits) const noexcept;
   /// Tells whether elements that lie so crowd in a few places of a box that is nearly empty, as far
   /// as a few of them show.
   [[nodiscard]] bool has_clusters(const LayerSpheres<Dim>& elements,
-                                  const LayerLimits& limits) const noexcept;
+                                  const PlaneLimits& limits) const noexcept;
 
   [[nodiscard]] float length(double length) const noexcept {
     return static_cast<float>(length * map_.unit);

@@ -19,13 +19,12 @@ constexpr double most_crowded = 2.0;
 /// layers decide ties in integers, and are in no clusters.
 template <int Dim>
 std::optional<PlaneGrid<Dim>> plane_for(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
-  const LayerLimits& limits = input.layer_limits;
+  const PlaneLimits& limits = input.layer_limits.plane;
   const std::size_t elements = set.locals.size();
-  const std::size_t most =
-      input.spheres.stand_for_boxes() ? limits.most_boxes_in_plane : limits.most_elements_in_plane;
-  if (elements > most) return std::nullopt;
+  if (elements > (input.spheres.stand_for_boxes() ? limits.most_boxes : limits.most_spheres))
+    return std::nullopt;
   if (!pair_with_none_but_each_other(set) || !set.locals.are_the_first()) return std::nullopt;
-  if (elements >= limits.least_elements_in_steps &&
+  if (elements >= input.layer_limits.least_elements_in_steps &&
       may_be_in_steps(set, input, cell_size_for(set.bounds, input))) {
     return std::nullopt;
   }
@@ -53,7 +52,7 @@ bool search_in_plane(const SearchSet<Dim>& set, const SearchInput<Dim>& input,
   PlaneRows<Dim>& rows = workspace.plane;
   SearchWorker<Dim>& worker = *workspace.workers[0];
   rows.count(elements, *grid, input.plane_kernels, worker.work());
-  const LayerLimits& limits = input.layer_limits;
+  const PlaneLimits& limits = input.layer_limits.plane;
   if (!grid->suits_crowds_of(elements.size(), limits) &&
       rows.mean_met(elements, *grid) > most_crowded * grid->most_met(limits)) {
     return false;

@@ -19,13 +19,11 @@
 namespace abut::testing {
 
 /// The limits that hold, but no plane.
-inline constexpr engine::LayerLimits without_plane{.most_elements_in_plane = 0,
-                                                   .most_boxes_in_plane = 0};
+inline constexpr engine::LayerLimits without_plane{.plane = engine::no_plane};
 
 /// Whatever the layers are worth.
 inline constexpr engine::LayerLimits always_in_layers{
-    .most_elements_in_plane = 0,
-    .most_boxes_in_plane = 0,
+    .plane = engine::no_plane,
     .least_elements = 0,
     .least_sparse_elements = 0,
     .least_boxes = 0,
@@ -42,8 +40,7 @@ inline constexpr engine::LayerLimits always_in_layers{
 
 /// Elements look for smaller ones, whatever that costs. Elements of one radius are not asked.
 inline constexpr engine::LayerLimits always_by_size{
-    .most_elements_in_plane = 0,
-    .most_boxes_in_plane = 0,
+    .plane = engine::no_plane,
     .least_elements = 0,
     .least_sparse_elements = 0,
     .least_boxes = 0,
@@ -71,8 +68,7 @@ inline constexpr engine::LayerLimits always_beside_coarse = [] {
 
 /// Clusters are moved wherever their cells would be crowded otherwise.
 inline constexpr engine::LayerLimits always_moved{
-    .most_elements_in_plane = 0,
-    .most_boxes_in_plane = 0,
+    .plane = engine::no_plane,
     .least_elements = 0,
     .least_elements_of_clusters = 0,
     .least_sparse_elements = 0,
@@ -136,10 +132,13 @@ inline constexpr engine::LayerLimits always_in_plane = [] {
   constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
   constexpr double any_number = std::numeric_limits<double>::max();
   engine::LayerLimits limits;
-  limits.most_elements_in_plane = limits.most_boxes_in_plane = never;
-  limits.most_with_many_hits_in_2d = never;
-  limits.always_in_plane = limits.always_in_plane_far_apart = never;
-  limits.most_met_in_plane = limits.most_met_far_apart = any_number;
+  limits.plane = {.most_spheres = never,
+                  .most_boxes = never,
+                  .most_with_many_hits_in_2d = never,
+                  .always = never,
+                  .always_far_apart = never,
+                  .most_met = any_number,
+                  .most_met_far_apart = any_number};
   limits.least_elements_in_steps = never;
   return limits;
 }();

@@ -126,5 +126,19 @@ TEST(DevicePlaceBlocks, KeepsApartWhatStays) {
   expect_no_overlap(blocks, 512U + 768U);
 }
 
+/// The same of many, in whatever order they are placed.
+TEST(DevicePlaceBlocks, KeepsApartManyThatStay) {
+  SCOPED_TRACE(::testing::Message() << "seed " << seed + 2);
+  scenes::Random random(seed + 2);
+  for (int which = 0; which < 100; ++which) {
+    const BlockScript script(random, 20 + random.below(100), 10);
+    std::vector<PlacedBlock> blocks = sequence_of(script).blocks();
+    for (PlacedBlock& block : blocks) {
+      if (random.below(8) == 0) block.end = PlacedBlock{}.end;
+    }
+    expect_no_overlap(blocks, device::place_blocks(blocks));
+  }
+}
+
 }  // namespace
 }  // namespace abut::testing

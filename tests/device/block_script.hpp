@@ -30,8 +30,9 @@ class BlockScript {
   BlockScript(scenes::Random& random, std::size_t blocks, std::size_t at_once) {
     std::vector<std::size_t> there;
     for (std::size_t taken = 0; taken < blocks || !there.empty();) {
-      const bool gives_back = taken == blocks || there.size() == at_once ||
-                              (!there.empty() && random.uniform() < 0.3 + 0.3 * random.uniform());
+      const double part = 0.3 + 0.3 * random.uniform();
+      const bool gives_back =
+          taken == blocks || there.size() == at_once || (!there.empty() && random.uniform() < part);
       if (!gives_back) {
         there.push_back(taken++);
         steps_.push_back({static_cast<std::uint64_t>(std::exp2(random.uniform(0.0, 20.0))), 0});

@@ -28,7 +28,8 @@ constexpr std::uint64_t seed = 73;
 std::vector<BlockScript> made_scripts(scenes::Random& random, std::size_t count) {
   std::vector<BlockScript> scripts;
   for (std::size_t k = 0; k < count; ++k) {
-    scripts.emplace_back(random, 20 + random.below(130), 3 + random.below(20));
+    const std::size_t blocks = 20 + random.below(130);
+    scripts.emplace_back(random, blocks, 3 + random.below(20));
   }
   return scripts;
 }

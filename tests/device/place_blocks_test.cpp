@@ -5,6 +5,7 @@
 
 #include "device/block_script.hpp"
 #include "device/memory/block_places.hpp"
+#include "device/memory/block_plans.hpp"
 #include "device/memory/block_sequence.hpp"
 #include "scenes/random.hpp"
 
@@ -71,7 +72,8 @@ TEST(DevicePlaceBlocks, KeepsApartWhatIsThereAtTheSameTime) {
   double longest = 0.0;
   double all = 0.0;
   for (int which = 0; which < 300; ++which) {
-    const BlockScript script(random, 1 + random.below(150), 1 + random.below(30));
+    const std::size_t blocks_in_script = 1 + random.below(150);
+    const BlockScript script(random, blocks_in_script, 1 + random.below(30));
     std::vector<PlacedBlock> blocks = sequence_of(script).blocks();
     const std::uint64_t length = device::place_blocks(blocks);
     expect_no_overlap(blocks, length);
@@ -101,6 +103,27 @@ TEST(DevicePlaceBlocks, LeavesNoGapBelowALargeBlock) {
   EXPECT_EQ(device::place_blocks(blocks), 2000U * 256);
   EXPECT_EQ(blocks[large].place, 0U);
   expect_no_overlap(blocks, 2000U * 256);
+}
+
+/// Of calls that hold much, and of those that hold little.
+TEST(DevicePlaceBlocks, RoomToGrowHasABound) {
+  constexpr std::uint64_t mib = std::uint64_t{1} << 20;
+  for (const std::uint64_t bytes : {mib, 100 * mib, 100'000 * mib}) {
+    SCOPED_TRACE(bytes);
+    device::BlockPlans plans;
+    const auto sequence_of_two = [&](std::uint64_t second) {
+      BlockSequence sequence;
+      static_cast<void>(sequence.take(bytes));
+      static_cast<void>(sequence.take(second));
+      return sequence;
+    };
+    plans.plan_for(sequence_of_two(bytes));
+    EXPECT_EQ(plans.length(), 2 * bytes);
+    const std::uint64_t held = 2 * bytes + bytes / 64;
+    plans.plan_also_for(sequence_of_two(held - bytes), plans.length());
+    EXPECT_GT(plans.length(), held);
+    EXPECT_LE(plans.length(), held + std::min(held / 16, 16 * mib));
+  }
 }
 
 /// More than are compared with each other are placed as they come.

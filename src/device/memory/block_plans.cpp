@@ -16,16 +16,26 @@ constexpr std::size_t most_plans = 4;
 constexpr std::size_t most_looked_ahead = 32;
 constexpr std::uint64_t part_of_alike = 8;
 
-/// Blocks that have grown get a 32nd more.
+/// Blocks that have grown get a 32nd more, or less where that would be many bytes in all.
 constexpr std::uint64_t part_of_growth = 32;
+constexpr std::uint64_t most_growth = std::uint64_t{8} << 20;
+
+/// An array for calls that hold so much may be longer by a sixteenth, and by so many bytes, which
+/// stand beside the 41 MiB of any detection within the 64 that it may hold whatever its size.
 constexpr std::uint64_t part_of_array = 16;
+constexpr std::uint64_t most_room = std::uint64_t{16} << 20;
+
+std::uint64_t longest_array_for(std::uint64_t held) {
+  return held + std::min(held / part_of_array, most_room);
+}
 
 /// Makes blocks as large as both calls need that took them.
-void grow_for_both(std::vector<PlacedBlock>& blocks, const std::vector<PlacedBlock>& earlier) {
+void grow_for_both(std::vector<PlacedBlock>& blocks, const std::vector<PlacedBlock>& earlier,
+                   std::uint64_t held) {
+  const std::uint64_t part = std::max(part_of_growth, held / most_growth);
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     std::uint64_t& bytes = blocks[k].bytes;
-    bytes =
-        bytes > earlier[k].bytes ? aligned_block(bytes + bytes / part_of_growth) : earlier[k].bytes;
+    bytes = bytes > earlier[k].bytes ? aligned_block(bytes + bytes / part) : earlier[k].bytes;
   }
 }
 
@@ -34,7 +44,7 @@ void grow_for_both(std::vector<PlacedBlock>& blocks, const std::vector<PlacedBlo
 void BlockPlans::plan_for(const BlockSequence& sequence) {
   const std::uint64_t held = most_held_at_once(sequence.blocks());
   const auto planned = std::find_if(plans_.begin(), plans_.end(), [&](const BlockPlan& plan) {
-    return plan.length() <= held + held / part_of_array && plan.has_room_for(sequence.blocks());
+    return plan.length() <= longest_array_for(held) && plan.has_room_for(sequence.blocks());
   });
   std::vector<BlockPlan> plans;
   if (planned != plans_.end()) {
@@ -65,9 +75,9 @@ void BlockPlans::plan_also_for(const BlockSequence& sequence, std::uint64_t arra
 BlockPlan BlockPlans::made_for(const BlockSequence& sequence, const BlockPlan* earlier,
                                std::uint64_t array_bytes) const {
   const std::uint64_t held = most_held_at_once(sequence.blocks());
-  const std::uint64_t most = std::max(array_bytes, held + held / part_of_array);
+  const std::uint64_t most = std::max(array_bytes, longest_array_for(held));
   std::vector<PlacedBlock> blocks = sequence.blocks();
-  if (earlier != nullptr) grow_for_both(blocks, earlier->blocks());
+  if (earlier != nullptr) grow_for_both(blocks, earlier->blocks(), held);
   for (std::size_t k = 0; k < followed_; ++k) {
     blocks[k].bytes = plans_.front().blocks()[k].bytes;
   }

@@ -23,7 +23,7 @@ class BlockPlans {
   /// Plans also for calls like this one, which did not fit into the array. If it took its blocks in
   /// the steps of a plan, that is replaced: calls like those before will fit as well, and blocks
   /// that have grown have some room to grow on, so that few calls pass a plan. The array is to be
-  /// longer than this one, and than for such a call alone, by a sixteenth at most.
+  /// longer than this one, or than for such a call alone, by a sixteenth and 16 MiB at most.
   void plan_also_for(const BlockSequence& sequence, std::uint64_t array_bytes);
 
   /// Length of the array that all plans need.

@@ -71,12 +71,22 @@ bool OrderSearch::place_all() {
   return true;
 }
 
-/// In descending order of a weight; of equal ones the order stays.
+/// Of two blocks of equal weight the order stays. std::stable_sort would be exported from the
+/// library.
+void OrderSearch::put_heaviest_first(const auto& weight_of) {
+  std::vector<decltype(weight_of(blocks_.front()))> weights;
+  for (const PlacedBlock& block : blocks_) weights.push_back(weight_of(block));
+  std::vector<std::size_t> turns(order_.size());
+  for (std::size_t turn = 0; turn < order_.size(); ++turn) turns[order_[turn]] = turn;
+  std::sort(order_.begin() + static_cast<std::ptrdiff_t>(placed_), order_.end(),
+            [&](std::size_t a, std::size_t b) {
+              return weights[a] != weights[b] ? weights[a] > weights[b] : turns[a] < turns[b];
+            });
+}
+
 void OrderSearch::place_by(const auto& weight_of) {
   if (is_done()) return;
-  std::stable_sort(
-      order_.begin() + static_cast<std::ptrdiff_t>(placed_), order_.end(),
-      [&](std::size_t a, std::size_t b) { return weight_of(blocks_[a]) > weight_of(blocks_[b]); });
+  put_heaviest_first(weight_of);
   place_all();
 }
 
@@ -84,12 +94,13 @@ void OrderSearch::put_fullest_first() {
   if (is_done()) return;
   const std::vector<std::uint64_t> held = held_after_steps(blocks_);
   const std::uint64_t full = most_held_ - most_held_ / part_of_free;
-  const auto first = order_.begin() + static_cast<std::ptrdiff_t>(placed_);
-  const auto others = std::stable_partition(first, order_.end(), [&](std::size_t k) {
-    return blocks_[k].bytes >= most_held_ / part_of_large &&
-           most_held_beside(blocks_[k], held) >= full;
-  });
-  fullest_ = static_cast<std::size_t>(others - first);
+  const auto is_fullest = [&](const PlacedBlock& block) {
+    return block.bytes >= most_held_ / part_of_large && most_held_beside(block, held) >= full;
+  };
+  put_heaviest_first(is_fullest);
+  fullest_ = static_cast<std::size_t>(
+      std::count_if(order_.begin() + static_cast<std::ptrdiff_t>(placed_), order_.end(),
+                    [&](std::size_t k) { return is_fullest(blocks_[k]); }));
   place_all();
 }
 

@@ -38,6 +38,7 @@ class OrderSearch {
   [[nodiscard]] bool is_done() const noexcept { return length_ <= short_enough_; }
   /// Places all in this order; returns whether the array became shorter.
   bool place_all();
+  void put_heaviest_first(const auto& weight_of);
   void place_by(const auto& weight_of);
   void put_fullest_first();
   void change_turns();

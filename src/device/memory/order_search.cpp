@@ -17,7 +17,8 @@ constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t part_of_free = 16;
 constexpr std::uint64_t part_of_large = 256;
 
-/// How many turns are taken: nearly all calls do with a tenth of it, and a millisecond.
+/// How many blocks are placed anew in all changes together: nearly all calls do with a tenth of it,
+/// and a millisecond.
 constexpr std::size_t most_turns = 300'000;
 
 /// Bytes held after each step of a call.

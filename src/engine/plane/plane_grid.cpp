@@ -31,7 +31,8 @@ constexpr double least_saved_with_few_hits = 30.0;
 constexpr double least_saved_with_many_hits = 6.0;
 
 /// Elements that are looked at, spread over all, where clusters may be; and candidates that an
-/// element would have by these, from which on there are some.
+/// element would have by these, from which on there are some; or more than a plane suits, where
+/// that is fewer.
 constexpr std::size_t looked_at = 32;
 constexpr double least_met_in_clusters = 30.0;
 

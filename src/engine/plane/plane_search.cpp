@@ -21,8 +21,9 @@ template <int Dim>
 std::optional<PlaneGrid<Dim>> plane_for(const SearchSet<Dim>& set, const SearchInput<Dim>& input) {
   const PlaneLimits& limits = input.layer_limits.plane;
   const std::size_t elements = set.locals.size();
-  if (elements > (input.spheres.stand_for_boxes() ? limits.most_boxes : limits.most_spheres))
-    return std::nullopt;
+  const std::size_t most =
+      input.spheres.stand_for_boxes() ? limits.most_boxes : limits.most_spheres;
+  if (elements > most) return std::nullopt;
   if (!pair_with_none_but_each_other(set) || !set.locals.are_the_first()) return std::nullopt;
   if (elements >= input.layer_limits.least_elements_in_steps &&
       may_be_in_steps(set, input, cell_size_for(set.bounds, input))) {

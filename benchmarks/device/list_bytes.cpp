@@ -64,17 +64,16 @@ double search_bytes(const DetectionSize& size) {
 double decision_bytes(const DetectionSize& size) {
   const double decide = pair + 2.0 * columns_of(size) * sector + pair;
   const double decide_open = pair;
-  const double select = 2.0 * pair;
-  const double copy = size.form == ResultForm::count ? 0.0 : 2.0 * pair;
-  return pair + decide + decide_open + select + copy;
+  const double sum = size.form == ResultForm::count ? pair : 0.0;
+  return pair + decide + decide_open + sum;
 }
 
 /// For each entry of a list: by first numbers, then row by row.
 double order_bytes(const DetectionSize& size) {
   const double sort = passes_below(size.elements) * 2.0 * pair + pair;
-  const double longest = pair;
+  const double contacts_and_longest = pair;
   const double rows = 2.0 * pair;
-  return sort + longest + rows;
+  return sort + contacts_and_longest + rows;
 }
 
 /// For each entry of a list, once it is in order: its first element lies where that of the entry

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/bodies/packed_cells.hpp"
+#include "device/bodies/periodic/packed_cells.hpp"
 #include "device/executor.hpp"
 #include "lattice/wrapper.hpp"
 

@@ -3,10 +3,8 @@
 #include "device/bodies/box_columns.hpp"
 #include "device/bodies/check.hpp"
 #include "device/bodies/joined_columns.hpp"
-#include "device/bodies/size_class.hpp"
 #include "device/bodies/sphere_columns.hpp"
 #include "device/executor.hpp"
-#include "device/levels.hpp"
 #include "elements/reject_element.hpp"
 
 #include <abut/element_view.hpp>
@@ -95,14 +93,10 @@ void take_common_radius(Joined<Columns>& elements, double radius) {
   take_common_radius(elements.second, radius);
 }
 
-/// The extent of all elements. Throws Error{invalid_input} naming the first bad one. Radii that are
-/// all equal need not be read again: `elements` has a common one then.
+/// Throws Error{invalid_input} naming the first bad element. Radii that are all equal need not be
+/// read again: `elements` has a common one then.
 template <class Given, class E>
-[[nodiscard]] Extent<Given::dimensions> checked_extent(E& executor, Given& elements) {
-  using Box = Extent<Given::dimensions>;
-  // Waits: a bad element is told before anything is done with it, and cells follow the extent.
-  const Box extent = executor.reduce(elements.count, Box::of_none(), ElementExtent<Given>{elements},
-                                     JoinExtents{});
+void check(E& executor, Given& elements, const Extent<Given::dimensions>& extent) {
   if (extent.first_bad != no_element) {
     const auto number = static_cast<std::uint32_t>(extent.first_bad);
     reject(elements, number, whole_on_host(executor, elements, number));
@@ -112,20 +106,6 @@ template <class Given, class E>
       take_common_radius(elements, extent.largest_radius);
     }
   }
-  return extent;
-}
-
-/// How many elements are of each size.
-template <class Spheres, class E>
-[[nodiscard]] SizeCounts count_sizes(E& executor, const Spheres& elements,
-                                     const Extent<Spheres::dimensions>& extent) {
-  Buffer<std::uint64_t, E> bins(executor, size_classes);
-  executor.histogram(bins.data(), size_classes, elements.count,
-                     SizeClassOf<Spheres>{elements, half_octave_of(extent.largest_radius)});
-  // Waits: the host divides the elements into levels.
-  SizeCounts counts{};
-  executor.copy_to_host(counts.data(), bins.data(), size_classes);
-  return counts;
 }
 
 }  // namespace abut::device

@@ -2,20 +2,20 @@
 
 #include "device/bodies/check.hpp"
 #include "device/bodies/place.hpp"
-#include "device/checked_elements.hpp"
 #include "device/device_request.hpp"
 #include "device/executor.hpp"
 #include "device/found_list.hpp"
 #include "device/frame.hpp"
 #include "device/levels.hpp"
+#include "device/overview.hpp"
 #include "device/pair_decision.hpp"
 #include "device/search/contact_search.hpp"
 #include "device/search/search_settings.hpp"
 #include "device/search/stretch_layout.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace abut::device {
 
@@ -26,12 +26,12 @@ class Detection {
   static constexpr int Dim = Spheres::dimensions;
 
  public:
-  /// `extent` is that of the spheres, margin and slack in `settings` are in their unit.
-  Detection(E& executor, const Spheres& spheres, const Extent<Dim>& extent,
+  /// `overview` is that of the spheres, margin and slack in `settings` are in their unit.
+  Detection(E& executor, const Spheres& spheres, const Overview<Dim>& overview,
             const DeviceRequest& request, const SearchSettings& settings)
       : executor_(executor),
         spheres_(spheres),
-        extent_(extent),
+        overview_(overview),
         settings_(settings),
         decision_(executor, request) {}
 
@@ -64,9 +64,9 @@ class Detection {
   }
 
   [[nodiscard]] Frame<Dim> make_levels() {
-    Frame<Dim> frame = make_frame(extent_, settings_.margin, settings_.slack);
+    Frame<Dim> frame = make_frame(overview_.all, settings_.margin, settings_.slack);
     set_levels(frame);
-    const std::vector<Extent<Dim>> extents = extents_of_levels(frame);
+    const std::array<Extent<Dim>, most_levels> extents = extents_of_levels(frame);
     for (std::uint32_t k = 0; k < frame.level_count; ++k) {
       SizeLevel<Dim>& level = frame.levels[k];
       const CellWidths widths = lay_out(level, extents[k], frame);
@@ -82,8 +82,8 @@ class Detection {
     Levels levels;
     levels.ends[0] = std::numeric_limits<double>::infinity();
     levels.elements[0] = spheres_.count;
-    if (extent_.smallest_radius < extent_.largest_radius) {
-      levels = choose_levels(count_sizes(executor_, spheres_, extent_), extent_, settings_.margin);
+    if (overview_.all.smallest_radius < overview_.all.largest_radius) {
+      levels = choose_levels(counts_of(overview_), overview_.all, settings_.margin);
     }
     frame.level_count = levels.count;
     std::uint64_t slot = 0;
@@ -95,22 +95,27 @@ class Detection {
     }
   }
 
-  /// Waits once for all levels: the host lays their cells out.
-  [[nodiscard]] std::vector<Extent<Dim>> extents_of_levels(const Frame<Dim>& frame) {
-    if (frame.level_count == 1) return {extent_};
-    std::vector<Extent<Dim>> extents(frame.level_count);
-    Buffer<Extent<Dim>, E> on_device(executor_, frame.level_count);
-    for (std::uint32_t k = 0; k < frame.level_count; ++k) {
-      executor_.reduce_into(on_device.data() + k, spheres_.count, Extent<Dim>::of_none(),
-                            ExtentInLevel<Spheres>{spheres_, frame, k}, JoinExtents{});
+  /// A level has whole classes.
+  [[nodiscard]] std::array<Extent<Dim>, most_levels> extents_of_levels(
+      const Frame<Dim>& frame) const {
+    std::array<Extent<Dim>, most_levels> extents;
+    extents.fill(Extent<Dim>::of_none());
+    if (frame.level_count == 1) {
+      extents[0] = overview_.all;
+      return extents;
     }
-    executor_.copy_to_host(extents.data(), on_device.data(), frame.level_count);
+    for (const SizeClassNumbers<Dim>& numbers : overview_.classes) {
+      if (numbers.elements == 0) continue;
+      const Extent<Dim> of_class = extent_of_class<Spheres::shape>(numbers);
+      Extent<Dim>& extent = extents[level_of(frame, of_class.largest_radius)];
+      extent = JoinExtents{}(extent, of_class);
+    }
     return extents;
   }
 
   E& executor_;
   Spheres spheres_;
-  Extent<Dim> extent_;
+  Overview<Dim> overview_;
   SearchSettings settings_;
   PairDecision<E> decision_;
 };

@@ -2,7 +2,7 @@
 
 #include "device/bodies/cross_level.hpp"
 #include "device/bodies/element_pairs.hpp"
-#include "device/bodies/image_checker.hpp"
+#include "device/bodies/periodic/image_checker.hpp"
 #include "device/device_request.hpp"
 #include "device/executor.hpp"
 #include "device/found_list.hpp"

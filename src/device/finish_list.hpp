@@ -73,6 +73,7 @@ void finish_list(E& executor, const Given& elements, std::uint64_t rows,
   } else {
     order_pairs(executor, elements.count, found);
   }
+  require_count(found.contact_pairs(), request.max_pairs);
   if (request.wants_gaps()) {
     progress.begin("measure", found.count);
     measure_gaps(executor, elements, request, found);

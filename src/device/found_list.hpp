@@ -12,7 +12,7 @@
 namespace abut::device {
 
 /// The contacts of a detection, in the memory of an executor: pairs, or the rows of a neighbor list
-/// in their place.
+/// in their place. Until they are in order, what was in doubt and is apart is among them.
 template <class E>
 struct FoundList {
   Buffer<ContactPair, E> pairs;

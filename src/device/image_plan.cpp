@@ -68,33 +68,36 @@ struct SizesOfCounts {
 }  // namespace
 
 template <int Dim>
-ImagePlan<Dim>::ImagePlan(Shape shape, const exact::Lattice& given, const Extent<Dim>& extent,
-                          double margin)
+ImagePlan<Dim>::ImagePlan(Shape shape, const exact::Lattice& given, double margin)
     : shape_(shape),
       given_(given),
-      bounds_(bounds_of(extent)),
-      given_unit_(lattice::unit_of<Dim>(given, grid::largest_number(bounds_, margin))),
+      given_unit_(lattice::unit_of<Dim>(given, margin)),
+      margin_as_given_(margin),
       margin_(margin * given_unit_),
       reduced_(
           reduced_for<Dim>(shape, given_unit_ == 1.0 ? given : lattice::times(given, given_unit_))),
-      cell_(reduced_, 1.0),
-      unit_(unit_of(reduced_, grid::largest_number(bounds_, margin) * given_unit_)),
-      unit_of_checks_(unit_of_reach(bounds_.largest_radius * given_unit_, margin_,
-                                    grid::largest_number(bounds_, margin) * given_unit_,
-                                    given_unit_)),
-      size_cut_(HUGE_VAL) {
+      cell_(reduced_, 1.0) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (!given_.periodic[k]) given_.vectors[k] = {};
   }
 }
 
 template <int Dim>
-void ImagePlan<Dim>::choose_size_cut(std::uint64_t elements,
-                                     const std::function<SizeCounts()>& count_sizes) {
+void ImagePlan<Dim>::take_extent(const Extent<Dim>& extent) {
+  bounds_ = bounds_of(extent);
+  const double largest = grid::largest_number(bounds_, margin_as_given_);
+  static_cast<void>(lattice::unit_of<Dim>(given_, largest));
+  unit_ = unit_of(reduced_, largest * given_unit_);
+  unit_of_checks_ = unit_of_reach(bounds_.largest_radius * given_unit_, margin_,
+                                  largest * given_unit_, given_unit_);
+}
+
+template <int Dim>
+void ImagePlan<Dim>::choose_size_cut(std::uint64_t elements, const SizeCounts& counts) {
   if (!(bounds_.smallest_radius < bounds_.largest_radius)) return;
   size_cut_ = lattice::choose_ghost_cut(
       static_cast<double>(elements), bounds_.largest_radius * given_unit_, reduced_, margin_, [&] {
-        return SizesOfCounts{count_sizes(), half_octave_of(bounds_.largest_radius), given_unit_};
+        return SizesOfCounts{counts, half_octave_of(bounds_.largest_radius), given_unit_};
       });
 }
 
@@ -111,7 +114,7 @@ lattice::Wrapper<Dim> ImagePlan<Dim>::wrapper() const {
 }
 
 template <int Dim>
-void ImagePlan<Dim>::take_extent_as_given(const lattice::CellExtent<Dim>& extent) {
+void ImagePlan<Dim>::take_extent_in_cell(const lattice::CellExtent<Dim>& extent) {
   extent_ = extent;
   const lattice::GhostWindow<Dim> window = windows_in(cell_, 1.0).of_large;
   is_in_range_ = given_unit_ == 1.0 && lattice::is_in_range<Dim>(cell_, extent_, window);

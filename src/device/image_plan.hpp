@@ -1,8 +1,8 @@
 #pragma once
 
 #include "device/bodies/check.hpp"
-#include "device/bodies/packed_cells.hpp"
-#include "device/bodies/periodic_elements.hpp"
+#include "device/bodies/periodic/packed_cells.hpp"
+#include "device/bodies/periodic/periodic_elements.hpp"
 #include "device/levels.hpp"
 #include "exact/lattice.hpp"
 #include "grid/bounds.hpp"
@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 
 namespace abut::device {
 
@@ -28,14 +27,17 @@ template <int Dim>
 class ImagePlan {
  public:
   /// Throws Error{invalid_input} as lattice::ReducedLattice does.
-  ImagePlan(Shape shape, const exact::Lattice& given, const Extent<Dim>& extent, double margin);
+  ImagePlan(Shape shape, const exact::Lattice& given, double margin);
+
+  /// Takes the extent of the elements as given. Throws Error{invalid_input} where their numbers
+  /// exceed what can be told beside the lattice.
+  void take_extent(const Extent<Dim>& extent);
 
   /// False in an open domain: nothing below is asked then.
   [[nodiscard]] bool has_images() const noexcept { return reduced_.count > 0; }
 
   /// Of spheres: sets the radius from which on spheres are large (lattice::choose_ghost_cut).
-  /// `count_sizes` tells SizeCounts, and is asked at most once.
-  void choose_size_cut(std::uint64_t elements, const std::function<SizeCounts()>& count_sizes);
+  void choose_size_cut(std::uint64_t elements, const SizeCounts& counts);
 
   /// Cell, wrapper along all sides, and what it moves is multiplied by, for elements as given.
   [[nodiscard]] const lattice::OrthogonalCell<Dim>& cell_as_given() const noexcept { return cell_; }
@@ -43,8 +45,8 @@ class ImagePlan {
   [[nodiscard]] const lattice::ReducedLattice<Dim>& reduced() const noexcept { return reduced_; }
   [[nodiscard]] double given_unit() const noexcept { return given_unit_; }
 
-  /// Takes the extent of the elements as given, times given_unit(), and chooses how they are moved.
-  void take_extent_as_given(const lattice::CellExtent<Dim>& extent);
+  /// Takes their extent in that cell, times given_unit(), and chooses how they are moved.
+  void take_extent_in_cell(const lattice::CellExtent<Dim>& extent);
 
   /// True if no element can be too far out, or too large, to be told by shifts.
   [[nodiscard]] bool is_in_range() const noexcept { return is_in_range_; }
@@ -94,12 +96,13 @@ class ImagePlan {
   exact::Lattice given_;
   grid::Bounds<Dim> bounds_;  ///< as given
   double given_unit_;
-  double margin_;  ///< and the rest times that
+  double margin_as_given_;
+  double margin_;  ///< and the rest times given_unit_
   lattice::ReducedLattice<Dim> reduced_;
   lattice::OrthogonalCell<Dim> cell_;
-  double unit_;
-  double unit_of_checks_;
-  double size_cut_;
+  double unit_ = 1.0;
+  double unit_of_checks_ = 1.0;
+  double size_cut_ = HUGE_VAL;
   lattice::CellExtent<Dim> extent_;
   lattice::AlongSides<Dim> along_{};
   std::array<double, Dim> cells_moved_at_most_{};

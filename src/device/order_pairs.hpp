@@ -1,6 +1,5 @@
 #pragma once
 
-#include "device/bodies/larger.hpp"
 #include "device/bodies/order_images.hpp"
 #include "device/bodies/order_row.hpp"
 #include "device/executor.hpp"
@@ -16,20 +15,23 @@
 
 namespace abut::device {
 
-/// Orders pairs of so many elements: by `first` alone where rows are short enough to be sorted one
-/// by one, else by both.
+/// Orders pairs of so many elements, and tells how many are contacts: by `first` alone where rows
+/// are short enough to be sorted one by one, else by both.
 template <class E>
 void order_pairs(E& executor, std::uint64_t elements, FoundList<E>& found) {
-  if (found.count < 2) return;
+  if (found.count == 0) return;
   const auto bits = static_cast<int>(std::bit_width(elements));
   TwinBuffer<ContactPair, E> pairs;
   pairs.current.swap(found.pairs);
   pairs.other = Buffer<ContactPair, E>(executor, pairs.current.size());
   executor.sort_pairs(pairs, found.count, 0, bits);
-  // Waits: rows that are too long for one thread each are sorted otherwise.
-  const std::uint32_t longest = executor.reduce(
-      found.count, std::uint32_t{0}, RowLength{pairs.current.data(), found.count}, Larger{});
-  if (longest <= longest_short_row) {
+  // Waits: how many are contacts is the length of the list, which may not pass a limit, and rows
+  // that are too long for one thread each are sorted otherwise.
+  const OrderSummary summary =
+      executor.reduce(found.count, OrderSummary{}, SummaryOfRow{pairs.current.data(), found.count},
+                      JoinOrderSummaries{});
+  found.count = summary.contacts;
+  if (summary.longest <= longest_short_row) {
     executor.for_each(found.count, OrderRow{pairs.current.data(), found.count});
   } else {
     executor.sort_pairs(pairs, found.count, 32, 32 + bits);
@@ -38,9 +40,9 @@ void order_pairs(E& executor, std::uint64_t elements, FoundList<E>& found) {
   found.pairs.swap(pairs.current);
 }
 
-/// Orders pairs with their shifts, by (first, second, shift). A pair and its shift are moved once,
-/// in the end; what is sorted is their numbers. Images of one pair are sorted where they stand, or,
-/// where there are many, by passes of their own.
+/// Orders pairs with their shifts, by (first, second, shift), and tells how many are contacts. A
+/// pair and its shift are moved once, in the end; what is sorted is their numbers. Images of one
+/// pair are sorted where they stand, or, where there are many, by passes of their own.
 template <class E>
 class ImageOrder {
  public:
@@ -54,8 +56,12 @@ class ImageOrder {
   void order() {
     executor_.for_each(found_.count, FillInOrder{numbers_.current.data()});
     sort_by_pair();
-    const std::uint32_t longest = executor_.reduce(
-        found_.count, std::uint32_t{0}, ImagesOfPair{keys_.current.data(), found_.count}, Larger{});
+    // Waits for what order_pairs waits for.
+    const OrderSummary summary = executor_.reduce(
+        found_.count, OrderSummary{}, SummaryOfImages{keys_.current.data(), found_.count, bits_},
+        JoinOrderSummaries{});
+    found_.count = summary.contacts;
+    const std::uint64_t longest = summary.longest;
     if (longest > longest_short_row) sort_by_shift_and_pair();
     keys_.other = {};
     numbers_.other = {};
@@ -100,7 +106,7 @@ class ImageOrder {
 
 template <class E>
 void order_images(E& executor, std::uint64_t elements, FoundList<E>& found) {
-  if (found.count < 2) return;
+  if (found.count == 0) return;
   if (found.count > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(ErrorCode::limit_exceeded,
                 "a device orders at most 4294967295 pairs with shifts; ask for pairs alone, or "

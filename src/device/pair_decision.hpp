@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device/bodies/apart_pair.hpp"
 #include "device/bodies/decide.hpp"
 #include "device/bodies/directory.hpp"
 #include "device/bodies/larger.hpp"
@@ -23,7 +24,7 @@ class PairDecision {
   PairDecision(E& executor, const DeviceRequest& request)
       : executor_(executor), request_(request) {}
 
-  /// All contact pairs, in no order.
+  /// All contact pairs, in no order, and in between, as apart_pair, those in doubt that are apart.
   template <class Search>
   void list(Search& search, FoundList<E>& found) {
     const PartnerCount totals = search.totals();
@@ -32,10 +33,7 @@ class PairDecision {
     ContactPair* const doubtful = found.pairs.data() + totals.certain;
     search.write(found.pairs.data(), doubtful);
     decide(search.elements(), doubtful, totals.doubtful);
-    Buffer<ContactPair, E> copy(executor_, totals.doubtful);
-    const std::uint64_t kept = keep_contacts(doubtful, copy.data(), totals.doubtful);
-    executor_.for_each(kept, CopyEntry<ContactPair>{copy.data(), doubtful});
-    note(totals, kept, found);
+    note(totals, contacts_to_order(totals, doubtful), found);
   }
 
   /// Their number. Only pairs in doubt take memory.
@@ -45,16 +43,15 @@ class PairDecision {
     Buffer<ContactPair, E> doubtful(executor_, totals.doubtful);
     search.write(nullptr, doubtful.data());
     decide(search.elements(), doubtful.data(), totals.doubtful);
-    Buffer<ContactPair, E> kept(executor_, totals.doubtful);
-    note(totals, keep_contacts(doubtful.data(), kept.data(), totals.doubtful), found);
+    note(totals, contacts_among(doubtful.data(), totals.doubtful), found);
+    require_count(found.count, request_.max_pairs);
   }
 
  private:
-  void note(const PartnerCount& totals, std::uint64_t kept, FoundList<E>& found) {
-    found.count = totals.certain + kept;
+  void note(const PartnerCount& totals, std::uint64_t of_doubtful, FoundList<E>& found) {
+    found.count = totals.certain + of_doubtful;
     found.exact_decisions = totals.doubtful;
     found.candidate_tests = totals.tests;
-    require_count(found.count, request_.max_pairs);
   }
 
   template <class Spheres>
@@ -70,10 +67,22 @@ class PairDecision {
     }
   }
 
-  [[nodiscard]] std::uint64_t keep_contacts(const ContactPair* pairs, ContactPair* kept,
-                                            std::uint64_t count) {
-    // Waits: how many are contacts is the length of the list, which may not pass a limit.
-    return count == 0 ? 0 : executor_.select(pairs, kept, count, ContactTester{});
+  /// How many of the pairs in doubt go on to be ordered: all, unless a full list would take much
+  /// memory for some that are apart. Waits then; these are dropped.
+  [[nodiscard]] std::uint64_t contacts_to_order(const PartnerCount& totals, ContactPair* doubtful) {
+    constexpr std::uint64_t few = 16;  // certain ones for each in doubt
+    const std::uint64_t count = totals.doubtful;
+    if (request_.form != ListForm::full_rows || count <= totals.certain / few) return count;
+    Buffer<ContactPair, E> copy(executor_, count);
+    const std::uint64_t kept = executor_.select(doubtful, copy.data(), count, ContactTester{});
+    executor_.for_each(kept, CopyEntry<ContactPair>{copy.data(), doubtful});
+    return kept;
+  }
+
+  /// Waits, where there are any.
+  [[nodiscard]] std::uint64_t contacts_among(const ContactPair* pairs, std::uint64_t count) {
+    if (count == 0) return 0;
+    return executor_.reduce(count, std::uint64_t{0}, ContactOfPair{pairs}, SumOfTwo{});
   }
 
   E& executor_;

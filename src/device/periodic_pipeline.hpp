@@ -6,9 +6,11 @@
 #include "device/detection.hpp"
 #include "device/detection_by_pairs.hpp"
 #include "device/device_request.hpp"
+#include "device/domain_numbers.hpp"
 #include "device/executor.hpp"
 #include "device/finish_list.hpp"
 #include "device/found_list.hpp"
+#include "device/image_plan.hpp"
 #include "device/image_search.hpp"
 #include "device/rule_arrays.hpp"
 
@@ -16,15 +18,17 @@
 #include <abut/image_shift.hpp>
 #include <abut/options.hpp>
 
+#include <exception>
+#include <optional>
 #include <string>
 
 namespace abut::device {
 
 /// One detection of spheres in a periodic domain, or of two sets or by a rule in any, or of boxes
-/// (`Given` is Joined of some columns): the stages of
-/// Pipeline among locals and ghosts, whose pairs are named by elements and shifts then. Two waits
-/// more in a periodic domain: for the extent in the cell, and for the number of ghosts; one more
-/// with a table of groups. It is compiled for `float` and `double` together.
+/// (`Given` is Joined of some columns): the stages of Pipeline among locals and ghosts, whose pairs
+/// are named by elements and shifts then. One wait more in a periodic domain, for the numbers of
+/// ghosts, and one where elements lie outside the cell, for where they lie in it. It is compiled
+/// for `float` and `double` together.
 template <class Given, class E>
 class PeriodicPipeline {
   static constexpr int Dim = Given::dimensions;
@@ -61,10 +65,20 @@ class PeriodicPipeline {
   void detect(Use&& use) {
     progress_.begin("gather", elements_.count);
     if (elements_.count == 0) return require_lattice();
-    const RuleArrays<E> rule(executor_, request_.rule, elements_);
-    const Extent<Dim> as_given = checked_extent(executor_, elements_);
+    RuleArrays<E> rule(executor_, request_.rule, elements_);
+    std::optional<ImagePlan<Dim>> plan;
+    std::exception_ptr refusal;
     try {
-      search(as_given, rule.view(), use);
+      plan.emplace(Given::shape, request_.lattice, request_.margin);
+    } catch (const Error&) {
+      refusal = std::current_exception();
+    }
+    const DomainNumbers<Dim> numbers = numbers_of_elements(rule, plan);
+    rule.require_groups(numbers.missing_group);
+    check(executor_, elements_, numbers.overview.all);
+    try {
+      if (refusal) std::rethrow_exception(refusal);
+      search(*plan, numbers, rule.view(), use);
     } catch (const Error& error) {
       if (!elements_.is_of_two_sets || error.code() != ErrorCode::invalid_input) throw;
       throw Error(error.code(),
@@ -73,17 +87,33 @@ class PeriodicPipeline {
     }
   }
 
+  /// Waits: what is refused is told before anything is done with it, elements before a lattice for
+  /// which there is no plan; levels, cells and images follow the rest.
+  [[nodiscard]] DomainNumbers<Dim> numbers_of_elements(RuleArrays<E>& rule,
+                                                       const std::optional<ImagePlan<Dim>>& plan) {
+    const Buffer<DomainNumbers<Dim>, E> on_device(executor_, 1);
+    DomainNumbers<Dim>* const target = on_device.data();
+    executor_.for_each(1, ClearDomainNumbers<Dim>{target});
+    write_overview(executor_, elements_, &target->overview);
+    rule.find_missing_group(&target->missing_group);
+    if (plan && plan->has_images()) {
+      Images::write_extent_in_cell(executor_, elements_, *plan, &target->in_cell);
+    }
+    DomainNumbers<Dim> numbers;
+    executor_.copy_to_host(&numbers, target, 1);
+    return numbers;
+  }
+
   template <class Use>
-  void search(const Extent<Dim>& as_given, const RuleView& rule, Use&& use) {
-    Images images(executor_, elements_, as_given, request_.lattice, request_.margin);
+  void search(const ImagePlan<Dim>& plan, const DomainNumbers<Dim>& numbers, const RuleView& rule,
+              Use&& use) {
+    const Images images(executor_, elements_, plan, numbers, request_.margin);
     if (images.reach_is_long()) return check_pairs(images, rule, use);
     Spheres spheres = images.spheres();
     spheres.rule = rule;
     progress_.begin("search", spheres.count);
-    const Extent<Dim> extent = executor_.reduce(spheres.count, Extent<Dim>::of_none(),
-                                                ElementExtent<Spheres>{spheres}, JoinExtents{});
     Detection<Spheres, E> detection(
-        executor_, spheres, extent, request_,
+        executor_, spheres, images.overview(), request_,
         {images.margin(), images.slack(), request_.items_at_a_time, request_.narrow_places});
     use(detection);
   }
@@ -100,8 +130,7 @@ class PeriodicPipeline {
 
   /// A lattice that cannot be reduced is refused also where it holds nothing.
   void require_lattice() const {
-    static_cast<void>(
-        ImagePlan<Dim>(Given::shape, request_.lattice, Extent<Dim>::of_none(), request_.margin));
+    static_cast<void>(ImagePlan<Dim>(Given::shape, request_.lattice, request_.margin));
   }
 
   template <class Elements>

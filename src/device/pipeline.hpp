@@ -7,12 +7,14 @@
 #include "device/executor.hpp"
 #include "device/finish_list.hpp"
 #include "device/found_list.hpp"
+#include "device/overview.hpp"
 
 namespace abut::device {
 
 /// One detection of spheres in an open domain, stage by stage, on any executor:
-/// check, frame, place and sort, count, write, decide, order. The host waits where it must know a
-/// number: the extent, the numbers of pairs, of contacts among those in doubt, the longest row.
+/// check, frame, place and sort, count, write, decide, order. The host waits where it must know
+/// numbers: of the elements, of pairs, of pairs of larger elements with those of lower levels, if
+/// there are several, and of contacts, with the longest row.
 template <int Dim, class T, class E>
 class Pipeline {
  public:
@@ -40,12 +42,22 @@ class Pipeline {
   void detect(Use&& use) {
     progress_.begin("gather", elements_.count);
     if (elements_.count == 0) return;
-    const Extent<Dim> extent = checked_extent(executor_, elements_);
+    const Overview<Dim> overview = overview_of_elements();
+    check(executor_, elements_, overview.all);
     progress_.begin("search", elements_.count);
     Detection<SphereColumns<Dim, T>, E> detection(
-        executor_, elements_, extent, request_,
+        executor_, elements_, overview, request_,
         {request_.margin, 0.0, request_.items_at_a_time, request_.narrow_places});
     use(detection);
+  }
+
+  /// Waits: a bad element is told before anything is done with it, and levels and cells follow it.
+  [[nodiscard]] Overview<Dim> overview_of_elements() {
+    const Buffer<Overview<Dim>, E> on_device(executor_, 1);
+    write_overview(executor_, elements_, on_device.data());
+    Overview<Dim> overview;
+    executor_.copy_to_host(&overview, on_device.data(), 1);
+    return overview;
   }
 
   E& executor_;

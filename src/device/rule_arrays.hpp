@@ -20,14 +20,37 @@ namespace abut::device {
 template <class E>
 class RuleArrays {
  public:
-  /// Throws Error{invalid_input} that names the first element whose group the table does not have.
   template <class Columns>
   RuleArrays(E& executor, const PairRule& rule, const Joined<Columns>& elements)
-      : executor_(executor) {
+      : executor_(executor),
+        given_table_(rule.table),
+        first_count_(elements.first.count),
+        count_(elements.count) {
     view_.first = traits_of(rule.elements);
     view_.second = traits_of(elements.is_of_two_sets ? rule.others : rule.elements);
-    if (rule.table != nullptr) take(*rule.table, elements.first.count, elements.count);
+    if (rule.table != nullptr) take(*rule.table);
     if (rule.exclusions != nullptr && rule.exclusions->size() > 0) take(*rule.exclusions);
+  }
+
+  /// Writes the number of the first element whose group the table does not have, or no_element, to
+  /// memory of the device, if there is a table. Waits for nothing.
+  void find_missing_group(std::uint32_t* number) {
+    if (given_table_ == nullptr) return;
+    executor_.reduce_into(number, count_, no_element, MissingGroup{view_, first_count_, no_element},
+                          Smaller{});
+  }
+
+  /// Throws Error{invalid_input} that names that element: a group that is not there must not be
+  /// looked up.
+  void require_groups(std::uint32_t missing) {
+    if (missing == no_element) return;
+    const bool is_in_first = missing < first_count_;
+    const std::uint32_t number = is_in_first ? missing : missing - first_count_;
+    const RuleOfSet& traits = is_in_first ? view_.first : view_.second;
+    std::uint32_t group = 0;
+    executor_.copy_to_host(&group, traits.groups + number, 1);
+    elements::refuse_group(is_in_first ? elements::first_set_of_rule : elements::second_set_of_rule,
+                           number, group, *given_table_);
   }
 
   [[nodiscard]] const RuleView& view() const noexcept { return view_; }
@@ -47,21 +70,10 @@ class RuleArrays {
     return array;
   }
 
-  void take(const GroupTable& table, std::uint32_t first_count, std::uint32_t count) {
+  void take(const GroupTable& table) {
     table_ = copied(table.words());
     view_.table = table_.data();
     view_.table_groups = table.size();
-    // Waits: a group that is not there must not be looked up.
-    const std::uint32_t bad = executor_.reduce(
-        count, no_element, MissingGroup{view_, first_count, no_element}, Smaller{});
-    if (bad == no_element) return;
-    const bool is_in_first = bad < first_count;
-    const std::uint32_t number = is_in_first ? bad : bad - first_count;
-    const RuleOfSet& traits = is_in_first ? view_.first : view_.second;
-    std::uint32_t group = 0;
-    executor_.copy_to_host(&group, traits.groups + number, 1);
-    elements::refuse_group(is_in_first ? elements::first_set_of_rule : elements::second_set_of_rule,
-                           number, group, table);
   }
 
   void take(const ExclusionList& exclusions) {
@@ -73,6 +85,9 @@ class RuleArrays {
   }
 
   E& executor_;
+  const GroupTable* given_table_;
+  std::uint32_t first_count_;  ///< elements of the first set
+  std::uint32_t count_;        ///< of both
   RuleView view_{};
   Buffer<std::uint64_t, E> table_;
   Buffer<std::uint64_t, E> offsets_;

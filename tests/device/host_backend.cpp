@@ -4,7 +4,7 @@
 
 #include "device/answer_of.hpp"
 #include "device/backend.hpp"
-#include "device/bodies/decide_images.hpp"
+#include "device/bodies/periodic/decide_images.hpp"
 #include "device/columns_of.hpp"
 #include "device/device_columns.hpp"
 #include "device/host/host_executor.hpp"

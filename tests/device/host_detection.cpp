@@ -1,7 +1,7 @@
 #include "device/host_detection.hpp"
 
 #include "base/float_environment.hpp"
-#include "device/bodies/decide_images.hpp"
+#include "device/bodies/periodic/decide_images.hpp"
 #include "device/columns_of.hpp"
 #include "device/periodic_pipeline.hpp"
 #include "device/pipeline.hpp"

@@ -194,14 +194,12 @@ TEST(DeviceRuleMemory, MayBeBounded) {
   }
 }
 
-/// The four of DeviceWaits; for the extent once more, as of what may be images; and one where there
-/// is a table, for groups that it does not have.
-TEST(DeviceRuleWaits, AreFiveOrSixInOpenSpace) {
+/// No more than without a rule (DeviceWaits).
+TEST(DeviceRuleWaits, AreThreeInOpenSpace) {
   const Scene scene = scenes::scene_named("touching_cubic").make(343, 1);
   const MadeRule made(scene.size(), 0, false, oracle_pairs(scene), 3);
   for (int parts = 1; parts < MadeRule::all_parts; ++parts) {
-    const std::uint64_t waits = list_on_host(view_of(scene), 0.0, {.rule = made.rule(parts)}).waits;
-    EXPECT_EQ(waits, (parts & MadeRule::table) != 0 ? 6U : 5U) << parts;
+    EXPECT_EQ(list_on_host(view_of(scene), 0.0, {.rule = made.rule(parts)}).waits, 3U) << parts;
   }
 }
 

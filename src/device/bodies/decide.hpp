@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/host_device.hpp"
+#include "device/bodies/apart_pair.hpp"
 #include "device/bodies/sphere_columns.hpp"
 #include "exact/box.hpp"
 #include "exact/exact_stages.hpp"
@@ -14,7 +15,7 @@
 namespace abut::device {
 
 // Doubtful pairs are decided in place, on the caller's numbers. A pair has first < second; one that
-// stays open after the first stages is turned round, and one that is apart has first == second.
+// stays open after the first stages is turned round, and one that is apart becomes apart_pair.
 
 /// The stages that need no memory of a thread: the first two of spheres; all of boxes.
 template <int Dim>
@@ -50,7 +51,7 @@ struct DecideMost {
     if (!decided) {
       pairs[k] = {pair.second, pair.first};
     } else if (!*decided) {
-      pairs[k] = {0, 0};
+      pairs[k] = apart_pair();
     }
   }
 };
@@ -79,7 +80,7 @@ struct DecideOpen {
     if (pair.first <= pair.second) return;
     const ContactPair asked{pair.second, pair.first};
     const std::optional<bool> within = decide_at_last(elements, asked, margin);
-    if (within) pairs[k] = *within ? asked : ContactPair{0, 0};
+    if (within) pairs[k] = *within ? asked : apart_pair();
   }
 };
 
@@ -101,10 +102,12 @@ struct ElementsOfOpenPair {
   }
 };
 
-/// Whether a decided pair is a contact pair.
-struct ContactTester {
-  [[nodiscard]] ABUT_HD bool operator()(const ContactPair& pair) const noexcept {
-    return pair.first != pair.second;
+/// Body of a reduction: 1 if a decided pair is a contact pair, else 0.
+struct ContactOfPair {
+  const ContactPair* pairs;
+
+  [[nodiscard]] ABUT_HD std::uint64_t operator()(std::uint64_t k) const noexcept {
+    return is_apart(pairs[k]) ? 0 : 1;
   }
 };
 

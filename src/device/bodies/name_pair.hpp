@@ -2,7 +2,8 @@
 
 #include "base/host_device.hpp"
 #include "base/opposite_shift.hpp"
-#include "device/bodies/periodic_elements.hpp"
+#include "device/bodies/apart_pair.hpp"
+#include "device/bodies/periodic/periodic_elements.hpp"
 
 #include <abut/image_shift.hpp>
 #include <abut/pair.hpp>
@@ -19,7 +20,7 @@ namespace abut::device {
 }
 
 /// Body: turns pair k of locals and ghosts into one of elements, each numbered in its set, and
-/// tells its shift.
+/// tells its shift. What is apart stays so.
 template <class Spheres>
 struct NamePair {
   Spheres elements;
@@ -28,6 +29,10 @@ struct NamePair {
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
     const ContactPair pair = pairs[k];
+    if (is_apart(pair)) {
+      if (shifts != nullptr) shifts[k] = {};
+      return;
+    }
     const std::uint32_t first = pair.first;
     const std::uint32_t second = elements.element_of(pair.second);
     const ContactPair named = elements.given().named(first, second);

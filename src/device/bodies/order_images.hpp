@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/host_device.hpp"
+#include "device/bodies/apart_pair.hpp"
 #include "device/bodies/order_row.hpp"
 
 #include <abut/image_shift.hpp>
@@ -19,7 +20,12 @@ struct FillInOrder {
   }
 };
 
-/// Body: the key of the pair that stands at place k, both its numbers.
+/// Both numbers of a pair, each of so many bits. That of apart_pair has all of them.
+[[nodiscard]] ABUT_HD inline std::uint64_t key_of_pair(const ContactPair& pair, int bits) noexcept {
+  return static_cast<std::uint64_t>(pair.first) << bits | pair.second;
+}
+
+/// Body: the key of the pair that stands at place k.
 struct PairKey {
   const ContactPair* pairs;
   const std::uint32_t* numbers;
@@ -27,8 +33,7 @@ struct PairKey {
   std::uint64_t* keys;
 
   ABUT_HD void operator()(std::uint64_t k) const noexcept {
-    const ContactPair pair = pairs[numbers[k]];
-    keys[k] = static_cast<std::uint64_t>(pair.first) << bits | pair.second;
+    keys[k] = key_of_pair(pairs[numbers[k]], bits);
   }
 };
 
@@ -73,15 +78,21 @@ struct GatherShift {
   ABUT_HD void operator()(std::uint64_t k) const noexcept { sorted[k] = shifts[numbers[k]]; }
 };
 
-/// Body of a reduction: how many times the key stands there that begins at place k, 0 where none
-/// does; one more than the longest short row stands for all that are more.
-struct ImagesOfPair {
+/// Body of a reduction: the pair of key k, in order, and how many times that key stands there, 0
+/// where it does not begin.
+struct SummaryOfImages {
   const std::uint64_t* keys;
   std::uint64_t count;
+  int bits;  ///< of a number
 
-  [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint64_t k) const noexcept {
-    if (k > 0 && keys[k - 1] == keys[k]) return 0;
-    std::uint32_t images = 1;
+  [[nodiscard]] ABUT_HD OrderSummary operator()(std::uint64_t k) const noexcept {
+    if (keys[k] == key_of_pair(apart_pair(), bits)) return {};
+    return {1, k > 0 && keys[k - 1] == keys[k] ? 0 : images_from(k)};
+  }
+
+ private:
+  [[nodiscard]] ABUT_HD std::uint64_t images_from(std::uint64_t k) const noexcept {
+    std::uint64_t images = 1;
     while (images <= longest_short_row && k + images < count && keys[k + images] == keys[k]) {
       ++images;
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/host_device.hpp"
-#include "device/bodies/check.hpp"
 #include "device/bodies/frame.hpp"
 #include "device/bodies/sizes.hpp"
 #include "device/bodies/sphere_columns.hpp"
@@ -18,22 +17,6 @@ template <int Dim>
 struct PlacedRecord {
   std::uint32_t units[Dim];
   std::uint32_t number;
-};
-
-/// Body: the extent of element k if it belongs to a level, else that of none.
-template <class Spheres>
-struct ExtentInLevel {
-  static constexpr int Dim = Spheres::dimensions;
-
-  Spheres elements;
-  Frame<Dim> frame;
-  std::uint32_t level;
-
-  [[nodiscard]] ABUT_HD Extent<Dim> operator()(std::uint64_t k) const noexcept {
-    const exact::Sphere<Dim> sphere = elements[static_cast<std::uint32_t>(k)];
-    return level_of(frame, sphere.radius) == level ? extent_of_element<Spheres>(sphere)
-                                                   : Extent<Dim>::of_none();
-  }
 };
 
 /// Body: the key of element k, and its number, which is sorted with it. Along divided axes it is at

@@ -2,10 +2,10 @@
 
 #include "base/host_device.hpp"
 #include "device/bodies/frame.hpp"
+#include "device/bodies/ordered_double.hpp"
 #include "device/bodies/place.hpp"
 #include "device/bodies/sphere_columns.hpp"
 
-#include <bit>
 #include <cstdint>
 
 namespace abut::device {
@@ -30,18 +30,6 @@ template <class Begin>
 
 /// A cell stays empty between two stretches: elements of two are never in adjacent cells.
 inline constexpr std::uint64_t cells_between_stretches = 1;
-
-/// Whole numbers in the order of the doubles that they stand for.
-[[nodiscard]] ABUT_HD inline std::uint64_t ordered_bits(double value) noexcept {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  return (bits & sign) != 0 ? ~bits : bits | sign;
-}
-
-[[nodiscard]] ABUT_HD inline double double_of(std::uint64_t ordered) noexcept {
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  return std::bit_cast<double>((ordered & sign) != 0 ? ordered ^ sign : ~ordered);
-}
 
 /// Body: 1 if element k belongs to a level, else 0.
 template <class Spheres>

@@ -1,8 +1,7 @@
 #include "device/cuda/cuda_executor.cuh"
 
-#include "device/bodies/decide.hpp"
+#include "device/bodies/apart_pair.hpp"
 
-#include <cub/device/device_histogram.cuh>
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 #include <cub/device/device_select.cuh>
@@ -79,16 +78,5 @@ std::uint64_t CudaExecutor::select(const T* from, T* to, std::uint64_t count,
 
 template std::uint64_t CudaExecutor::select(const ContactPair*, ContactPair*, std::uint64_t,
                                             const ContactTester&);
-
-void CudaExecutor::count_values(std::uint64_t* bins, std::uint32_t bin_count, std::uint64_t count,
-                                const std::uint32_t* values) {
-  static_assert(sizeof(unsigned long long) == sizeof(std::uint64_t));
-  with_scratch([&](void* scratch, std::size_t& bytes) {
-    return cub::DeviceHistogram::HistogramEven(
-        scratch, bytes, values, reinterpret_cast<unsigned long long*>(bins),
-        static_cast<int>(bin_count) + 1, std::uint32_t{0}, bin_count,
-        static_cast<std::int64_t>(count), stream_);
-  });
-}
 
 }  // namespace abut::device

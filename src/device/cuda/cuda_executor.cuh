@@ -55,14 +55,50 @@ struct EntryOf {
   __device__ T operator()(std::uint64_t k) const { return values[k]; }
 };
 
-/// Body: writes what another body gives for each item.
-template <class Body>
-struct WriteValue {
-  Body body;
-  std::uint32_t* values;
+/// Body: class k of none.
+template <class Numbers>
+struct EmptyClass {
+  Numbers* classes;
 
-  __device__ void operator()(std::uint64_t k) const { values[k] = body(k); }
+  __device__ void operator()(std::uint64_t k) const { classes[k] = Numbers::of_none(); }
 };
+
+/// Adds numbers to a class, while other threads do so, too: counts are added, and of the others the
+/// smallest are kept, so that the order does not matter. Few are smaller than those before, and
+/// only these wait for each other.
+template <class Numbers>
+__device__ void add_at_once(Numbers& to, const Numbers& more) {
+  using Word = unsigned long long;
+  static_assert(sizeof(Word) == sizeof(std::uint64_t));
+  atomicAdd(reinterpret_cast<Word*>(&to.elements), static_cast<Word>(more.elements));
+  for (int k = 0; k < Numbers::width; ++k) {
+    auto* const least = reinterpret_cast<Word*>(&to.least[k]);
+    if (more.least[k] < *static_cast<volatile Word*>(least)) {
+      atomicMin(least, static_cast<Word>(more.least[k]));
+    }
+  }
+}
+
+/// Joins what a body gives for items by class: each block its own in shared memory, then all.
+template <class Numbers, class Body>
+__global__ void __launch_bounds__(threads_of_block, blocks_at_once<Body>)
+    join_items(std::uint64_t count, Body body, std::uint32_t class_count, Numbers* classes) {
+  __shared__ Numbers of_block[most_classes];
+  for (std::uint32_t k = threadIdx.x; k < class_count; k += blockDim.x) {
+    of_block[k] = Numbers::of_none();
+  }
+  __syncthreads();
+  const std::uint64_t stride = std::uint64_t{gridDim.x} * blockDim.x;
+  for (std::uint64_t k = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x; k < count;
+       k += stride) {
+    const auto item = body(k);
+    if (item.number < class_count) add_at_once(of_block[item.number], item.numbers);
+  }
+  __syncthreads();
+  for (std::uint32_t k = threadIdx.x; k < class_count; k += blockDim.x) {
+    if (of_block[k].elements > 0) add_at_once(classes[k], of_block[k]);
+  }
+}
 
 /// Runs a pipeline in a stream of the current device: one generic kernel, and CUB.
 class CudaExecutor {
@@ -120,14 +156,16 @@ class CudaExecutor {
   [[nodiscard]] std::uint64_t select(const T* from, T* to, std::uint64_t count,
                                      const Predicate& predicate);
 
-  /// Values are written first: within the kernels of CUB a body would be compiled four times, each
-  /// many items long.
-  template <class Body>
-  void histogram(std::uint64_t* bins, std::uint32_t bin_count, std::uint64_t count,
-                 const Body& body) {
-    const Buffer<std::uint32_t, CudaExecutor> values(*this, count);
-    for_each(count, WriteValue<Body>{body, values.data()});
-    count_values(bins, bin_count, count, values.data());
+  /// There are `most_classes` at most.
+  template <class Numbers, class Body>
+  void join_by_class(Numbers* classes, std::uint32_t class_count, std::uint64_t count,
+                     const Body& body) {
+    for_each(class_count, EmptyClass<Numbers>{classes});
+    if (count == 0) return;
+    const auto blocks =
+        static_cast<unsigned>(std::min<std::uint64_t>(blocks_of(count), blocks_of_classes));
+    join_items<<<blocks, threads_of_block, 0, stream_>>>(count, body, class_count, classes);
+    require(cudaGetLastError(), "start a kernel");
   }
 
   template <class T>
@@ -154,9 +192,6 @@ class CudaExecutor {
   void release(void* block, std::uint64_t bytes) noexcept { memory_.give_back(block, bytes); }
 
  private:
-  void count_values(std::uint64_t* bins, std::uint32_t bin_count, std::uint64_t count,
-                    const std::uint32_t* values);
-
   template <class T, class Body, class Join>
   [[nodiscard]] Buffer<T, CudaExecutor> join_to_few(std::uint64_t count, T none, const Body& body,
                                                     const Join& join) {
@@ -170,12 +205,17 @@ class CudaExecutor {
     return last;
   }
 
+  /// Of a thread for each item.
+  [[nodiscard]] static std::uint64_t blocks_of(std::uint64_t count) noexcept {
+    return (count + threads_of_block - 1) / threads_of_block;
+  }
+
   template <class Body>
   void run(std::uint64_t count, const Body& body) {
     if (count == 0) return;
-    const std::uint64_t blocks = (count + threads_of_block - 1) / threads_of_block;
-    const auto taken = static_cast<unsigned>(std::min<std::uint64_t>(blocks, most_blocks));
-    run_items<<<taken, threads_of_block, 0, stream_>>>(count, body);
+    const auto blocks =
+        static_cast<unsigned>(std::min<std::uint64_t>(blocks_of(count), most_blocks));
+    run_items<<<blocks, threads_of_block, 0, stream_>>>(count, body);
     require(cudaGetLastError(), "start a kernel");
   }
 

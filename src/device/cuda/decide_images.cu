@@ -1,4 +1,4 @@
-#include "device/bodies/decide_images.hpp"
+#include "device/bodies/periodic/decide_images.hpp"
 #include "device/cuda/cuda_executor.cuh"
 #include "exact/sphere_predicate-inl.hpp"
 

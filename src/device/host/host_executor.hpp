@@ -77,11 +77,15 @@ class HostExecutor {
     return taken;
   }
 
-  template <class Body>
-  void histogram(std::uint64_t* bins, std::uint32_t bin_count, std::uint64_t count,
-                 const Body& body) {
-    for (std::uint32_t k = 0; k < bin_count; ++k) bins[k] = 0;
-    for (std::uint64_t k = 0; k < count; ++k) ++bins[body(k)];
+  template <class Numbers, class Body>
+  void join_by_class(Numbers* classes, std::uint32_t class_count, std::uint64_t count,
+                     const Body& body) {
+    const ItemSequence sequence(order_, count);
+    for (std::uint32_t k = 0; k < class_count; ++k) classes[k] = Numbers::of_none();
+    for (std::uint64_t k = 0; k < count; ++k) {
+      const auto item = body(sequence[k]);
+      if (item.number < class_count) classes[item.number].add(item.numbers);
+    }
   }
 
   template <class T>

@@ -35,8 +35,8 @@ constexpr std::uint64_t bytes_with_shift =
     sizeof(ContactPair) + sizeof(ImageShift) + 2 * (sizeof(std::uint64_t) + sizeof(std::uint32_t));
 static_assert(2 * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) >=
               sizeof(std::uint64_t) + sizeof(std::uint32_t) + sizeof(ImageShift));
-/// Histogram, ends of arrays, heads of few elements.
-constexpr std::uint64_t fixed_bytes = 4096;
+/// What the host is told of the elements, ends of arrays, heads of few elements.
+constexpr std::uint64_t fixed_bytes = 8192;
 
 std::uint64_t bytes_of(const PairRule& rule) {
   std::uint64_t bytes = 0;

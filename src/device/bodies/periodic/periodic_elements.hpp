@@ -4,8 +4,8 @@
 #include "base/opposite_shift.hpp"
 #include "device/bodies/filter_verdict.hpp"
 #include "device/bodies/joined_columns.hpp"
-#include "device/bodies/packed_cells.hpp"
 #include "device/bodies/pair_rule.hpp"
+#include "device/bodies/periodic/packed_cells.hpp"
 #include "exact/box.hpp"
 #include "exact/far_image.hpp"
 #include "exact/lattice.hpp"
@@ -88,11 +88,20 @@ struct PeriodicElements {
     lattice::CellsMoved cells{};
     if (!cells_moved.is_empty()) cells = cells_moved.all(element);
     const double given = elements.coordinate(element, axis) * map.given_unit;
-    double coordinate = map.wrapper.moved(given, along, cells);
+    const double coordinate = map.wrapper.moved(given, along, cells);
     if (k < elements.count) return coordinate;
+    return image_coordinate(coordinate, along, [&](std::size_t side) {
+      return ghosts.image(k - elements.count, side);
+    });
+  }
+
+  /// Where the image of a local element lies that is moved by number_of(side) cells along each
+  /// side, by the sequence that is the same wherever it is asked for.
+  template <class NumberOf>
+  [[nodiscard]] ABUT_HD double image_coordinate(double coordinate, std::size_t axis,
+                                                const NumberOf& number_of) const noexcept {
     for (std::size_t side = 0; side < Dim; ++side) {
-      const auto image = static_cast<double>(ghosts.image(k - elements.count, side));
-      coordinate += image * map.steps[side][along];
+      coordinate += static_cast<double>(number_of(side)) * map.steps[side][axis];
     }
     return coordinate;
   }

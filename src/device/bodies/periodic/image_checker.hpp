@@ -5,7 +5,7 @@
 #include "device/bodies/filter.hpp"
 #include "device/bodies/last_at.hpp"
 #include "device/bodies/partners.hpp"
-#include "device/bodies/window_images.hpp"
+#include "device/bodies/periodic/window_images.hpp"
 #include "lattice/image_window.hpp"
 
 #include <abut/pair.hpp>

@@ -2,7 +2,7 @@
 
 #include "base/host_device.hpp"
 #include "device/bodies/decide.hpp"
-#include "device/bodies/periodic_elements.hpp"
+#include "device/bodies/periodic/periodic_elements.hpp"
 #include "exact/far_image-inl.hpp"
 #include "exact/periodic_box-inl.hpp"
 #include "exact/periodic_predicate-inl.hpp"

@@ -2,9 +2,8 @@
 
 #include "base/host_device.hpp"
 #include "device/bodies/check.hpp"
-#include "device/bodies/periodic_elements.hpp"
+#include "device/bodies/periodic/periodic_elements.hpp"
 #include "lattice/cell_extent.hpp"
-#include "lattice/ghost_windows.hpp"
 #include "lattice/orthogonal_cell.hpp"
 #include "lattice/wrapper.hpp"
 
@@ -95,55 +94,6 @@ struct ElementOfRadius {
   [[nodiscard]] ABUT_HD std::uint32_t operator()(std::uint64_t k) const noexcept {
     const auto number = static_cast<std::uint32_t>(k);
     return elements.radius(number) == radius ? number : no_element;
-  }
-};
-
-/// Body: how many ghosts local element k has, not counted beyond a number; none behind the last
-/// one.
-template <class Spheres>
-struct CountGhosts {
-  Spheres locals;  ///< and no ghosts yet
-  lattice::GhostWindows<Spheres::dimensions> windows;
-  std::uint64_t most;
-  std::uint64_t* counts;
-
-  ABUT_HD void operator()(std::uint64_t k) const noexcept {
-    std::uint64_t count = 0;
-    if (k < locals.count) {
-      windows.for_each_row(locals[static_cast<std::uint32_t>(k)],
-                           [&](std::int64_t first, std::int64_t last, const auto&) {
-                             count += static_cast<std::uint64_t>(last - first) + 1;
-                             return count < most;
-                           });
-    }
-    counts[k] = count < most ? count : most;
-  }
-};
-
-/// Body: writes the ghosts of local element k.
-template <class Spheres>
-struct WriteGhosts {
-  Spheres locals;
-  lattice::GhostWindows<Spheres::dimensions> windows;
-  const std::uint64_t* places;  ///< of the first ghost of each element
-  PackedGhosts ghosts;
-
-  ABUT_HD void operator()(std::uint64_t k) const noexcept {
-    const auto number = static_cast<std::uint32_t>(k);
-    std::uint64_t next = places[k];
-    const std::size_t last_side = windows.of_large.sides() - 1;
-    windows.for_each_row(locals[number], [&](std::int64_t first, std::int64_t last,
-                                             const lattice::ImageNumbers& row) {
-      for (std::int64_t m = first; m <= last; ++m) {
-        lattice::CellsMoved image{};
-        for (std::size_t side = 0; side < 3; ++side) {
-          image[side] = static_cast<std::int32_t>(side == last_side ? m : row[side]);
-        }
-        ghosts.elements[next] = number;
-        ghosts.cells.set(next++, image);
-      }
-      return true;
-    });
   }
 };
 

@@ -7,3 +7,11 @@
 #else
 #define ABUT_HD
 #endif
+
+/// Marks such a function that kernels call instead of having a copy in each place: a large one,
+/// whose copies take the compiler minutes.
+#if defined(__CUDACC__)
+#define ABUT_HD_CALLED ABUT_HD __noinline__
+#else
+#define ABUT_HD_CALLED
+#endif

@@ -1,8 +1,8 @@
 // Boxes through the stages of the device engine on the host: the pairs, shifts, rows, gaps and
 // errors of `rows`. device_conformance_test has them in scenes and cells without these.
 
-#include "device/as_rows.hpp"
-#include "device/host_detection.hpp"
+#include "device/host/as_rows.hpp"
+#include "device/host/host_detection.hpp"
 #include "scenes/box_scene.hpp"
 #include "support/box_oracle.hpp"
 #include "support/error_expectations.hpp"

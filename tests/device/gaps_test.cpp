@@ -1,7 +1,7 @@
 // Gaps through the stages of the device engine on the host: the bits that the library measures, of
 // pairs and of neighbors, of one set and of two.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "device/scene_in_two.hpp"
 #include "support/periodic_extremes.hpp"
 #include "support/scene_view.hpp"

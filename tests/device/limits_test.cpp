@@ -1,6 +1,6 @@
 // Bad elements, limits, strides and cancelling, through the stages of the device engine.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "support/error_expectations.hpp"
 #include "support/same_pairs.hpp"
 #include "support/scene_view.hpp"

@@ -1,9 +1,9 @@
 // Reaches as long as the periodic cell or longer: elements are checked pair by pair, as `rows`
 // checks them. What it costs is counted: as many candidate tests as on the host.
 
-#include "device/as_rows.hpp"
 #include "device/bodies/element_pairs.hpp"
-#include "device/host_detection.hpp"
+#include "device/host/as_rows.hpp"
+#include "device/host/host_detection.hpp"
 #include "scenes/box_scene.hpp"
 #include "scenes/random.hpp"
 #include "support/box_oracle.hpp"

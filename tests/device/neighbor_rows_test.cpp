@@ -1,7 +1,7 @@
 // Neighbor lists through the stages of the device engine on the host: offsets, neighbors and shifts
 // of the library, byte for byte.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "device/scene_in_two.hpp"
 #include "support/error_expectations.hpp"
 #include "support/periodic_extremes.hpp"

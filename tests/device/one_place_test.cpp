@@ -1,6 +1,6 @@
 // Very many elements in one place, through the stages of the device engine: nothing has a capacity.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 
 #include <gtest/gtest.h>
 

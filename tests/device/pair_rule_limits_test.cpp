@@ -1,7 +1,7 @@
 // Rules of who may pair through the stages of the device engine: limits, memory and waits with
 // them, and what of them is refused, in the words of the library.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "device/validate_request.hpp"
 #include "scenes/random.hpp"
 #include "support/error_expectations.hpp"

@@ -1,8 +1,8 @@
 // Rules of who may pair through the stages of the device engine on the host: the pairs, shifts,
 // rows and gaps of `rows`, of one set and of two, in every kind of domain.
 
-#include "device/as_rows.hpp"
-#include "device/host_detection.hpp"
+#include "device/host/as_rows.hpp"
+#include "device/host/host_detection.hpp"
 #include "device/scene_in_two.hpp"
 #include "support/made_rule.hpp"
 #include "support/periodic_extremes.hpp"

@@ -1,8 +1,8 @@
 // What is refused in periodic domains, what looks like it and is not, and limits of pairs and
 // bytes: the stages of the device engine say what `rows` says.
 
-#include "device/as_rows.hpp"
-#include "device/host_detection.hpp"
+#include "device/host/as_rows.hpp"
+#include "device/host/host_detection.hpp"
 #include "support/error_expectations.hpp"
 #include "support/scene_view.hpp"
 

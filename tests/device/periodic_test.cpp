@@ -1,8 +1,8 @@
 // Periodic domains through the stages of the device engine on the host: the pairs and shifts of
 // `rows`, byte for byte.
 
-#include "device/as_rows.hpp"
-#include "device/host_detection.hpp"
+#include "device/host/as_rows.hpp"
+#include "device/host/host_detection.hpp"
 #include "scenes/random.hpp"
 #include "support/periodic_extremes.hpp"
 #include "support/scene_view.hpp"

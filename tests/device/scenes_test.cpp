@@ -1,7 +1,7 @@
 // Every scene through the stages of the device engine on the host: the bytes of `rows`, in any
 // order of items.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "support/same_pairs.hpp"
 #include "support/scene_view.hpp"
 

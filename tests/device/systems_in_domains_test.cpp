@@ -1,8 +1,7 @@
 // Small random systems in domains of every kind, where borderline pairs are common, through the
-// stages of the device engine: spheres and boxes, one set and two, against whole numbers.
+// device engine: spheres and boxes, one set and two, against whole numbers.
 
-#include "device/any_run.hpp"
-#include "device/host_detection.hpp"
+#include "device/domain_answers.hpp"
 #include "properties/systems.hpp"
 #include "support/exact_oracle.hpp"
 
@@ -130,12 +129,10 @@ std::vector<ImagePair> expected_of(const ElementArrays& elements, bool are_two, 
   return across;
 }
 
-std::vector<ImagePair> image_pairs(const HostAnswer& answer) {
-  std::vector<ImagePair> images;
-  for (std::size_t k = 0; k < answer.pairs.size(); ++k) {
-    images.push_back({answer.pairs[k], answer.shifts[k]});
-  }
-  return images;
+PairVector without_shifts(const std::vector<ImagePair>& images) {
+  PairVector pairs;
+  for (const ImagePair& image : images) pairs.push_back(image.pair);
+  return pairs;
 }
 
 struct Found {
@@ -159,17 +156,12 @@ void check_one(const ElementArrays& elements, bool are_two, const Domain& domain
   const ElementView first = view(first_float, floats, doubles);
   const ElementView second = view(second_float, other_floats, others);
 
-  HostRun run = any_run();
-  run.domain = domain;
-  if (are_two) run.second = &second;
   const std::vector<ImagePair> expected = expected_of(elements, are_two, cut, domain, margin);
-  RC_ASSERT(count_on_host(first, margin, run).count == expected.size());
-  const PairVector alone = list_on_host(first, margin, run).pairs;
-  run.shifts = Shifts::stored;
-  const HostAnswer shifted = list_on_host(first, margin, run);
-  RC_ASSERT(shifted.shifts.size() == expected.size());
-  RC_ASSERT(image_pairs(shifted) == expected);
-  RC_ASSERT(alone == shifted.pairs);
+  const DomainAnswers answers =
+      answers_in_domain(first, are_two ? &second : nullptr, domain, margin);
+  RC_ASSERT(answers.counted == expected.size());
+  RC_ASSERT(answers.pairs == expected);
+  RC_ASSERT(answers.without_shifts == without_shifts(expected));
   for (const ImagePair& image : expected) found.through_faces += image.shift != ImageShift{};
   found.pairs += expected.size();
 }

@@ -1,7 +1,7 @@
 // Small random systems, where borderline pairs are common, against the oracle.
 
 #include "properties/systems.hpp"
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "support/same_pairs.hpp"
 #include "support/scene_view.hpp"
 

@@ -1,8 +1,8 @@
 // Two sets through the stages of the device engine on the host, in open and periodic domains: the
 // pairs and shifts of `rows`.
 
-#include "device/as_rows.hpp"
-#include "device/host_detection.hpp"
+#include "device/host/as_rows.hpp"
+#include "device/host/host_detection.hpp"
 #include "device/scene_in_two.hpp"
 #include "support/error_expectations.hpp"
 #include "support/periodic_extremes.hpp"

@@ -1,7 +1,7 @@
 // Levels of sizes in domains so wide that gaps are closed: larger elements look for partners beyond
 // the gaps, in cells that they find by the lowest element of each stretch.
 
-#include "device/as_rows.hpp"
+#include "device/host/as_rows.hpp"
 #include "scenes/box_scene.hpp"
 #include "scenes/random.hpp"
 #include "support/box_oracle.hpp"

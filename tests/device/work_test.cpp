@@ -1,6 +1,6 @@
 // What a detection on a device costs beside its time: waits of the host, and candidate tests.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "scenes/box_scene.hpp"
 #include "support/box_oracle.hpp"
 #include "support/scene_view.hpp"

@@ -101,7 +101,7 @@ class ExactAccumulator {
     }
   }
 
-  ABUT_HD void add(Uint128 magnitude, std::size_t bit, bool negative) noexcept {
+  ABUT_HD_CALLED void add(Uint128 magnitude, std::size_t bit, bool negative) noexcept {
     const std::size_t first = bit / 64;
     const unsigned shift = static_cast<unsigned>(bit % 64);
     const auto low = static_cast<std::uint64_t>(magnitude);

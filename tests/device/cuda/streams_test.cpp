@@ -1,7 +1,7 @@
 // What only CUDA has: streams, and memory of several kinds. Run on a device by
 // scripts/test --device.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "support/error_expectations.hpp"
 #include "support/scene_view.hpp"
 

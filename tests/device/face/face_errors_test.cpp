@@ -1,6 +1,6 @@
 // Bad inputs through the face of devices; after each error the same detector works.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "scenes/box_scene.hpp"
 #include "support/box_oracle.hpp"
 #include "support/error_expectations.hpp"

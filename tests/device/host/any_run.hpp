@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 
 #include <rapidcheck.h>
 

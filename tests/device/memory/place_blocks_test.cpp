@@ -3,9 +3,9 @@
 
 #include "device/memory/place_blocks.hpp"
 
-#include "device/block_script.hpp"
 #include "device/memory/block_places.hpp"
 #include "device/memory/block_plans.hpp"
+#include "device/memory/block_script.hpp"
 #include "device/memory/block_sequence.hpp"
 #include "scenes/random.hpp"
 

@@ -2,8 +2,8 @@
 // for each element and each ghost and 16 for each pair, or less, in the first call and in those
 // after.
 
-#include "device/host_detection.hpp"
-#include "device/peak_scenes.hpp"
+#include "device/host/host_detection.hpp"
+#include "device/memory/peak_scenes.hpp"
 #include "device/scene_in_two.hpp"
 #include "scenes/box_scene.hpp"
 #include "support/box_oracle.hpp"

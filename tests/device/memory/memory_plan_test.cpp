@@ -1,6 +1,6 @@
 // What a detection holds is known before: bytes follow elements and pairs, whatever the domain.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "scenes/random.hpp"
 #include "support/scene_view.hpp"
 

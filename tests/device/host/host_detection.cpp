@@ -1,10 +1,8 @@
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 
 #include "base/float_environment.hpp"
-#include "device/bodies/periodic/decide_images.hpp"
 #include "device/columns_of.hpp"
-#include "device/periodic_pipeline.hpp"
-#include "device/pipeline.hpp"
+#include "device/host/stages_on_host.hpp"
 #include "elements/lattice_of.hpp"
 
 namespace abut::testing {
@@ -37,17 +35,19 @@ HostExecutor executor_of(const HostRun& run, base::MemoryMeter& memory) {
   return {*run.kept, run.order, run.workers};
 }
 
-/// Runs a pipeline, which is made by make(executor, request, progress).
-template <class Make>
-HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const Make& make) {
+/// Runs the stages for elements as these take them.
+template <class Elements>
+HostAnswer answer_of(const Elements& elements, double margin, const HostRun& run, Wanted wanted) {
   const base::FloatEnvironment environment;
   base::MemoryMeter memory(run.max_bytes);
   HostAnswer result;
   {
     HostExecutor executor = executor_of(run, memory);
     base::ProgressReporter progress(run.progress);
-    auto pipeline = make(executor, request_of(margin, run), progress);
-    const auto found = wanted == Wanted::list ? pipeline.list() : pipeline.count();
+    const device::DeviceRequest request = request_of(margin, run);
+    const auto found = wanted == Wanted::list
+                           ? device::list_by_stages(executor, elements, request, progress)
+                           : device::count_by_stages(executor, elements, request, progress);
     result.count = found.contact_pairs();
     result.exact_decisions = found.exact_decisions;
     result.searched = found.searched;
@@ -66,40 +66,18 @@ HostAnswer run_pipeline(double margin, const HostRun& run, Wanted wanted, const 
   return result;
 }
 
-template <int Dim, class T>
-HostAnswer open_answer(const ElementView& spheres, double margin, const HostRun& run,
-                       Wanted wanted) {
-  return run_pipeline(margin, run, wanted,
-                      [&](HostExecutor& executor, const device::DeviceRequest& request,
-                          base::ProgressReporter& progress) {
-                        return device::Pipeline<Dim, T, HostExecutor>(
-                            executor, device::columns_of<Dim, T>(spheres), request, progress);
-                      });
-}
-
-/// By the pipeline that takes elements joined of one or two sets.
-template <class Joined>
-HostAnswer joined_answer(const Joined& elements, double margin, const HostRun& run, Wanted wanted) {
-  return run_pipeline(margin, run, wanted,
-                      [&](HostExecutor& executor, const device::DeviceRequest& request,
-                          base::ProgressReporter& progress) {
-                        return device::PeriodicPipeline<Joined, HostExecutor>(executor, elements,
-                                                                              request, progress);
-                      });
-}
-
 template <int Dim>
 HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
   if (spheres.shape() == Shape::box) {
-    return joined_answer(device::joined_boxes_of<Dim>(spheres, run.second), margin, run, wanted);
+    return answer_of(device::joined_boxes_of<Dim>(spheres, run.second), margin, run, wanted);
   }
   const bool is_double = spheres.precision() == Precision::float64;
   const device::DeviceRequest asked{.lattice = elements::lattice_of(run.domain), .rule = run.rule};
   if (run.second == nullptr && asked.is_plain(Dim)) {
-    return is_double ? open_answer<Dim, double>(spheres, margin, run, wanted)
-                     : open_answer<Dim, float>(spheres, margin, run, wanted);
+    return is_double ? answer_of(device::columns_of<Dim, double>(spheres), margin, run, wanted)
+                     : answer_of(device::columns_of<Dim, float>(spheres), margin, run, wanted);
   }
-  return joined_answer(device::joined_columns_of<Dim>(spheres, run.second), margin, run, wanted);
+  return answer_of(device::joined_columns_of<Dim>(spheres, run.second), margin, run, wanted);
 }
 
 HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {

@@ -1,6 +1,6 @@
 // The calls of the face that scenes do not make: two sets, shifts, and detectors that move.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "scenes/scene.hpp"
 #include "support/scene_view.hpp"
 

@@ -2,7 +2,7 @@
 // sanitizer (scripts/find-races), which sees two items that touch one place. Exit code 1 where the
 // answers differ.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "scenes/box_scene.hpp"
 #include "scenes/scene.hpp"
 #include "support/scene_view.hpp"

@@ -1,6 +1,6 @@
 // Small random systems, where borderline pairs are common, on a device against the oracle.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "properties/systems.hpp"
 #include "support/scene_view.hpp"
 

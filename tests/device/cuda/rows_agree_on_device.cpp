@@ -1,7 +1,7 @@
 // What stands in for support/rows_variants.cpp in on_device_test: the systems that were made to
 // break `rows` go through the face of devices.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "support/rows_variants.hpp"
 #include "support/same_pairs.hpp"
 

@@ -1,7 +1,7 @@
 // What a device finds does not depend on the rounding mode or flush-to-zero setting of the thread
 // that calls, and both are as before when the call returns or throws.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "device/scene_in_two.hpp"
 #include "scenes/box_scene.hpp"
 #include "support/box_oracle.hpp"

@@ -1,9 +1,9 @@
 // Calls one after the other in the memory that a detector keeps: alike, smaller, larger, and others
 // than before. Blocks never overlap, and nothing is allocated where nothing grows.
 
-#include "device/block_script.hpp"
+#include "device/memory/block_script.hpp"
 #include "device/memory/kept_memory.hpp"
-#include "device/memory_source.hpp"
+#include "device/memory/memory_source.hpp"
 #include "scenes/random.hpp"
 #include "support/allocation_faults.hpp"
 

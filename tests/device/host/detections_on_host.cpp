@@ -1,8 +1,8 @@
 // What stands in for properties/detections.cpp in device_relations_test: the relations hold between
 // detections of the device engine, whose stages run on the host.
 
-#include "device/any_run.hpp"
-#include "device/host_detection.hpp"
+#include "device/host/any_run.hpp"
+#include "device/host/host_detection.hpp"
 #include "properties/systems.hpp"
 #include "support/scene_view.hpp"
 

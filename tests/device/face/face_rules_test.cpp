@@ -1,7 +1,7 @@
 // Rules of who may pair through the face of devices: pairs, rows and counts of the processor, a
 // table that changes between calls, and arrays that a device cannot read.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "device/scene_in_two.hpp"
 #include "support/error_expectations.hpp"
 #include "support/made_rule.hpp"

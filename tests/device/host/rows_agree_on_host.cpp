@@ -1,7 +1,7 @@
 // What stands in for support/rows_variants.cpp in device_conformance_test: the systems that were
 // made to break `rows` go through the stages of the device engine instead.
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 #include "support/rows_variants.hpp"
 #include "support/same_pairs.hpp"
 

@@ -1,7 +1,7 @@
 // Neighbor lists and gaps through the face of devices: those of the processor, byte for byte, in
 // open and periodic domains and of two sets; what a call leaves of the lists before it.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "device/scene_in_two.hpp"
 #include "scenes/box_scene.hpp"
 #include "support/box_oracle.hpp"

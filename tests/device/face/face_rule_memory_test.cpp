@@ -1,8 +1,8 @@
 // Memory of devices in calls with a rule, through the caller's allocator: nothing is allocated
 // where nothing grows, and every allocation may fail. Of spheres and of boxes.
 
-#include "device/counting_allocator.hpp"
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
+#include "device/memory/counting_allocator.hpp"
 #include "device/scene_in_two.hpp"
 #include "scenes/box_scene.hpp"
 #include "support/box_oracle.hpp"

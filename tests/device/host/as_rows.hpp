@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/host_detection.hpp"
+#include "device/host/host_detection.hpp"
 
 #include <abut/domain.hpp>
 #include <abut/element_view.hpp>

@@ -1,4 +1,4 @@
-#include "device/as_rows.hpp"
+#include "device/host/as_rows.hpp"
 
 #include <abut/two_sets.hpp>
 

@@ -4,7 +4,7 @@
 
 #include "device/host/host_executor.hpp"
 #include "device/memory/block_places.hpp"
-#include "device/memory_source.hpp"
+#include "device/memory/memory_source.hpp"
 
 #include "scenes/random.hpp"
 #include "support/error_expectations.hpp"

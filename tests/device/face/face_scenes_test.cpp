@@ -1,7 +1,7 @@
 // Every scene through the face of devices: the digest of the processor, twice, with as many exact
 // decisions, and the same number from a count.
 
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
 #include "io/write/digest.hpp"
 #include "support/scene_view.hpp"
 

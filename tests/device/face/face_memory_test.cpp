@@ -1,8 +1,8 @@
 // Memory of devices through the caller's allocator: every block is given back, a call that finds
 // none ends in an error and leaves a detector that works, and what is held is within the plan.
 
-#include "device/counting_allocator.hpp"
-#include "device/face_detection.hpp"
+#include "device/face/face_detection.hpp"
+#include "device/memory/counting_allocator.hpp"
 #include "scenes/box_scene.hpp"
 #include "scenes/random.hpp"
 #include "support/box_oracle.hpp"

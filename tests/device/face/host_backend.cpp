@@ -4,13 +4,11 @@
 
 #include "device/answer_of.hpp"
 #include "device/backend.hpp"
-#include "device/bodies/periodic/decide_images.hpp"
 #include "device/columns_of.hpp"
 #include "device/device_columns.hpp"
 #include "device/host/host_executor.hpp"
+#include "device/host/stages_on_host.hpp"
 #include "device/memory/kept_memory.hpp"
-#include "device/periodic_pipeline.hpp"
-#include "device/pipeline.hpp"
 
 #include <abut/error.hpp>
 
@@ -83,14 +81,16 @@ class HostBackend final : public Backend {
 
   Answer list(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
               const Stream& stream, base::ProgressReporter& progress) override {
-    return answer(spheres, request, max_bytes, stream, progress,
-                  [](auto pipeline) { return pipeline.list(); });
+    return answer(spheres, request, max_bytes, stream, [&](const auto& elements) {
+      return list_by_stages(*executor_, elements, request, progress);
+    });
   }
 
   Answer count(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
                const Stream& stream, base::ProgressReporter& progress) override {
-    return answer(spheres, request, max_bytes, stream, progress,
-                  [](auto pipeline) { return pipeline.count(); });
+    return answer(spheres, request, max_bytes, stream, [&](const auto& elements) {
+      return count_by_stages(*executor_, elements, request, progress);
+    });
   }
 
   void copy_to_host(void* target, const void* source, std::uint64_t bytes) override {
@@ -108,37 +108,29 @@ class HostBackend final : public Backend {
  private:
   template <class Call>
   Answer answer(const SphereSets& spheres, const DeviceRequest& request, std::uint64_t max_bytes,
-                const Stream& stream, base::ProgressReporter& progress, const Call& call) {
+                const Stream& stream, const Call& call) {
     found_ = {};
     require_device_columns(spheres.first, 0, place_of_array);
     if (spheres.second != nullptr) require_device_columns(*spheres.second, 0, place_of_array);
     require_device_arrays(request.rule, 0, place_of_array);
     return memory_.run(max_bytes, stream, [&] {
       executor_.emplace(memory_, ItemOrder::shuffled, 2);
-      found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, progress, call)
-                                               : found<3>(spheres, request, progress, call);
+      found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, call)
+                                               : found<3>(spheres, request, call);
       return answer_of(found_, memory_.peak());
     });
   }
 
   template <int Dim, class Call>
-  FoundList<HostExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
-                                base::ProgressReporter& progress, const Call& call) {
+  static FoundList<HostExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
+                                       const Call& call) {
     const ElementView& first = spheres.first;
-    const auto in_any_domain = [&]<class Joined>(const Joined& elements) {
-      return call(PeriodicPipeline<Joined, HostExecutor>(*executor_, elements, request, progress));
-    };
-    if (first.shape() == Shape::box) {
-      return in_any_domain(joined_boxes_of<Dim>(first, spheres.second));
-    }
+    if (first.shape() == Shape::box) return call(joined_boxes_of<Dim>(first, spheres.second));
     if (spheres.second != nullptr || !request.is_plain(Dim)) {
-      return in_any_domain(joined_columns_of<Dim>(first, spheres.second));
+      return call(joined_columns_of<Dim>(first, spheres.second));
     }
-    const auto in_open_space = [&]<class T>(SphereColumns<Dim, T> columns) {
-      return call(Pipeline<Dim, T, HostExecutor>(*executor_, columns, request, progress));
-    };
-    return first.precision() == Precision::float64 ? in_open_space(columns_of<Dim, double>(first))
-                                                   : in_open_space(columns_of<Dim, float>(first));
+    return first.precision() == Precision::float64 ? call(columns_of<Dim, double>(first))
+                                                   : call(columns_of<Dim, float>(first));
   }
 
   KeptMemory memory_;

@@ -171,8 +171,10 @@ def findings(matrix):
     return "\n\n".join(parts)
 
 
-# These differ from another scene in the range of sizes alone; the report has them.
-LIKE_ANOTHER = {"log_uniform_1000", "graded_1000"}
+# These differ from another scene in the range of sizes alone, or by a few elements; the report has
+# them.
+LIKE_ANOTHER = {"log_uniform_1000", "graded_1000", "dense_stray", "boulders", "polydisperse",
+                "refined"}
 
 
 def short_for_another(matrix):

@@ -1,6 +1,7 @@
 #include "fuzz/check_case.hpp"
 
 #include "fuzz/check_candidates.hpp"
+#include "fuzz/check_device.hpp"
 #include "fuzz/check_face.hpp"
 #include "fuzz/check_geometry.hpp"
 
@@ -102,6 +103,13 @@ class StateChecker {
     });
     if (refusal == refusal_) return;
     throw Failure("the Detector has " + written(refusal) + ", direct_check " + written(refusal_));
+  }
+
+  void check_device(DeviceChecker& device, std::size_t step) const {
+    const Refusal refusal = refusal_of([&] { device.check(question_, step); });
+    if (refusal == refusal_) return;
+    throw Failure("the stages of devices have " + written(refusal) + ", direct_check " +
+                  written(refusal_));
   }
 
   [[nodiscard]] Options chosen_options(Algorithm algorithm, std::size_t k) const {
@@ -233,11 +241,13 @@ std::optional<Expected> by_direct_check(const System& system) {
   return expected;
 }
 
-/// Every state by the algorithms in the forms chosen, and by one Detector for all. False at the
+/// Every state by the algorithms in the forms chosen, by one Detector for all, and by the stages of
+/// devices. False at the
 /// first state of which nothing is expected.
 bool check_states(const Case& given, Thoroughness thoroughness, auto&& expected_of_state) {
   DetectorChecker detector(given);
   CandidateChecker candidates(given.plan.skin);
+  DeviceChecker device(given.plan);
   for (std::size_t step = 0; step < given.states.size(); ++step) {
     const System& system = given.states[step];
     const std::optional<Expected> expected = expected_of_state(system);
@@ -248,6 +258,7 @@ bool check_states(const Case& given, Thoroughness thoroughness, auto&& expected_
     if (step == 0) state.check_sampled();
     detector.check(state, system, step);
     candidates.check(question);
+    state.check_device(device, step);
   }
   return true;
 }

@@ -10,17 +10,6 @@ namespace {
 
 constexpr std::size_t most_measured = 12;  ///< rational numbers take their time
 
-/// Seen from each element: first it, then the neighbor with its shift.
-std::vector<ImagePair> expected_entries(const Question& question, NeighborListKind kind) {
-  std::vector<ImagePair> entries = question.expected().pairs;
-  if (kind == NeighborListKind::half || question.has_two_sets()) return entries;
-  for (const auto& [pair, n] : question.expected().pairs) {
-    entries.push_back({{pair.second, pair.first}, {-n.x, -n.y, -n.z}});
-  }
-  std::ranges::sort(entries);
-  return entries;
-}
-
 void require(bool holds, const std::string& what) {
   if (!holds) throw Failure("neighbor list: " + what);
 }
@@ -43,6 +32,16 @@ void check_measures(const Question& question, const NeighborList& list,
 }
 
 }  // namespace
+
+std::vector<ImagePair> expected_entries(const Question& question, NeighborListKind kind) {
+  std::vector<ImagePair> entries = question.expected().pairs;
+  if (kind == NeighborListKind::half || question.has_two_sets()) return entries;
+  for (const auto& [pair, n] : question.expected().pairs) {
+    entries.push_back({{pair.second, pair.first}, {-n.x, -n.y, -n.z}});
+  }
+  std::ranges::sort(entries);
+  return entries;
+}
 
 void check_neighbors(const Question& question, const Options& options, NeighborListKind kind,
                      const NeighborList& list) {

@@ -3,6 +3,7 @@
 // after.
 
 #include "device/host/host_detection.hpp"
+#include "device/memory/host_memory.hpp"
 #include "device/memory/peak_scenes.hpp"
 #include "device/scene_in_two.hpp"
 #include "scenes/box_scene.hpp"
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 
 namespace abut::testing {
 namespace {
@@ -25,12 +25,6 @@ using scenes::Scene;
 
 /// What does not follow the number of elements where 100 items are counted at a time.
 constexpr std::uint64_t fixed = 8192;
-
-device::Allocator memory_of_the_host() {
-  constexpr std::align_val_t alignment{256};
-  return {[](std::uint64_t bytes, device::Stream) { return ::operator new(bytes, alignment); },
-          [](void* block, std::uint64_t, device::Stream) { ::operator delete(block, alignment); }};
-}
 
 void expect_at_most(std::uint64_t bytes, const HostAnswer& answer) {
   const std::uint64_t listed =

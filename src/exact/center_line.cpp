@@ -18,6 +18,12 @@ bool is_ordinary(double component) noexcept {
   return magnitude == 0.0 || (magnitude >= smallest_ordinary && magnitude <= largest_ordinary);
 }
 
+/// a - b. The larger one comes first: of the largest double as the second one what `two_sum` seeks
+/// may be beyond it.
+DoubleDouble difference_of_radii(double a, double b) noexcept {
+  return a >= b ? two_sum(a, -b) : two_sum(-b, a);
+}
+
 /// start + (v + unit * radii) / 2 on one axis.
 double point_on(double start, const DoubleDouble& vector, const DoubleDouble& unit,
                 const DoubleDouble& radii) noexcept {
@@ -34,7 +40,7 @@ double point_on(double start, const DoubleDouble& vector, const DoubleDouble& un
 template <int Dim>
 CenterLine<Dim>::CenterLine(const Sphere<Dim>& a, const Sphere<Dim>& b, const ImageShift& shift,
                             const Lattice& lattice) noexcept
-    : a_(a), difference_of_radii_(two_sum(a.radius, -b.radius)) {
+    : a_(a), difference_of_radii_(difference_of_radii(a.radius, b.radius)) {
   const LatticeSteps<Dim> steps(shift, lattice);
   const double largest = largest_term(a, b, steps);
   if (!(largest <= largest_summed)) {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace abut::testing {
 namespace {
@@ -172,6 +173,17 @@ TEST(CenterLine, OfCentersFartherApartThanTheLargestDouble) {
   const exact::CenterLine<2> shifted(a, a, {4, 0, 0}, lattice);
   EXPECT_NEAR(shifted.normal()[0], std::sqrt(0.5), 0x1p-52);
   EXPECT_NEAR(shifted.normal()[1], -std::sqrt(0.5), 0x1p-52);
+}
+
+/// A radius is the largest double, and the other one half a unit in its last place, or some and a
+/// half: their sum is rounded away from 0.
+TEST(CenterLine, OfTheLargestRadius) {
+  for (int k = 0; k < 40; ++k) {
+    Case c{{{1.0, 2.0, -3.0}, 0.5 * k * 0x1p971}, {{-4.0, 0.5, 2.0}, largest}, {}, {}};
+    check(c);
+    std::swap(c.a.radius, c.b.radius);
+    check(c);
+  }
 }
 
 TEST(CenterLine, OfSymmetricSpheresMeetsInTheMiddle) {

@@ -61,7 +61,8 @@ class SkinCost {
 
 double SkinChoice::next_length(double reach, int dimensions, const SkinCounts& counts) noexcept {
   if (skin_.kind() == Skin::Kind::fixed) return length_ = skin_.length();
-  if (!(reach > 0.0)) return length_ = 0.0;
+  // A reach beyond the largest double would make skins of all lengths infinite.
+  if (!(reach > 0.0) || reach == std::numeric_limits<double>::infinity()) return length_ = 0.0;
   if (!approach_is_known_) return length_ = first_skin * reach;
   const double approach = std::max(approach_, std::numeric_limits<double>::min());
   const double shortest = std::max(fewest_calls * approach, shortest_skin * reach);

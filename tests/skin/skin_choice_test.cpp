@@ -113,6 +113,27 @@ std::vector<double> lengths_of_run(int threads) {
   return lengths;
 }
 
+/// Two largest doubles reach beyond all of them; a search for the best length would not end.
+TEST(SkinChoice, OfAnInfiniteReachIsNone) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  skin::SkinChoice choice;
+  choice.set(Skin::automatic());
+  EXPECT_EQ(choice.next_length(infinite, 3, {2, 1, 1}), 0.0);
+  choice.detected(1.0);
+  EXPECT_EQ(choice.next_length(infinite, 3, {2, 1, 1}), 0.0);
+  EXPECT_GT(choice.next_length(std::numeric_limits<double>::max(), 3, {2, 1, 1}), 0.0);
+
+  constexpr double largest = std::numeric_limits<double>::max();
+  const std::vector<double> radii{largest, largest};
+  std::vector<double> x{0.0, 1.0};
+  Detector detector;
+  detector.set_skin(Skin::automatic());
+  for (int call = 0; call < 4; ++call) {
+    x[0] -= 1e300;
+    EXPECT_EQ(detector.find_contact_pairs(spheres(x, x, x, radii)).size(), 1U);
+  }
+}
+
 TEST(SkinChoice, IsTheSameInEveryRun) {
   const std::vector<double> lengths = lengths_of_run(1);
   EXPECT_EQ(lengths_of_run(1), lengths);

@@ -96,7 +96,7 @@ void take_common_radius(Joined<Columns>& elements, double radius) {
 /// Throws Error{invalid_input} naming the first bad element. Radii that are all equal need not be
 /// read again: `elements` has a common one then.
 template <class Given, class E>
-void check(E& executor, Given& elements, const Extent<Given::dimensions>& extent) {
+void require_valid(E& executor, Given& elements, const Extent<Given::dimensions>& extent) {
   if (extent.first_bad != no_element) {
     const auto number = static_cast<std::uint32_t>(extent.first_bad);
     reject(elements, number, whole_on_host(executor, elements, number));

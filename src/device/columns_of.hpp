@@ -3,6 +3,7 @@
 #include "device/bodies/box_columns.hpp"
 #include "device/bodies/joined_columns.hpp"
 #include "device/bodies/sphere_columns.hpp"
+#include "device/device_request.hpp"
 
 #include <abut/element_view.hpp>
 
@@ -72,6 +73,20 @@ template <int Dim>
   return joined(box_columns_of<Dim>(first),
                 second == nullptr ? BoxColumns<Dim>{} : box_columns_of<Dim>(*second),
                 second != nullptr);
+}
+
+/// Returns call(elements) of the elements as the stages take them that serve a request: those of
+/// Pipeline, or of PeriodicPipeline for boxes, two sets, and what is not plain. `second` may be
+/// null.
+template <int Dim, class Call>
+auto call_with_elements(const ElementView& first, const ElementView* second,
+                        const DeviceRequest& request, const Call& call) {
+  if (first.shape() == Shape::box) return call(joined_boxes_of<Dim>(first, second));
+  if (second != nullptr || !request.is_plain(Dim)) {
+    return call(joined_columns_of<Dim>(first, second));
+  }
+  return first.precision() == Precision::float64 ? call(columns_of<Dim, double>(first))
+                                                 : call(columns_of<Dim, float>(first));
 }
 
 }  // namespace abut::device

@@ -18,9 +18,9 @@ namespace abut::device {
 ///   sort_by_key(keys, numbers, count, bits)     stable, by the lowest bits of the keys
 ///   sort_pairs(pairs, count, first_bit, end_bit)   stable, by bits of first + 2^32 second
 ///   select(from, to, count, predicate)   those that the predicate takes, in order; how many; waits
-///   join_by_class(classes, class_count, count, body)   adds body(k).numbers to the class
-///                                        body(k).number, if there is one of that number; classes
-///                                        have no value before
+///   join_by_class(classes, count, body)  adds body(k).numbers to the class body(k).number of an
+///                                        array, if it has one of that number; classes have no
+///                                        value before
 ///   copy_to_host(target, source, count)  waits for it
 ///   copy_to_device(target, source, count)   the source stays as it is until the next wait
 ///   allocate(bytes), release(block, bytes)      memory of the device, counted

@@ -151,7 +151,7 @@ class ImageSearch {
     executor_.reduce_into(&overview->all, count, Extent<Dim>::of_none(),
                           ExtentWithGhosts<Spheres>{of_locals, most}, JoinExtents{});
     const bool is_of_one_size = !(overview_.all.smallest_radius < overview_.all.largest_radius);
-    executor_.join_by_class(overview->classes, size_classes, is_of_one_size ? 0 : count,
+    executor_.join_by_class(overview->classes, is_of_one_size ? 0 : count,
                             SizeClassWithGhosts<Spheres>{of_locals, most, &overview->all});
     GhostNumbers<Dim> numbers;
     executor_.copy_to_host(&numbers, on_device.data(), 1);

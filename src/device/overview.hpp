@@ -28,7 +28,8 @@ template <int Dim>
 }
 
 /// The extent of the elements of a class, of one or more. A second one is as large as the largest,
-/// as far as is known here: cells of a level may be a hair wider than they need be.
+/// as far as is known here: cells of a level may be wider than they need be, by less than a fifth,
+/// and up to twice as wide for the last class, which has no lower end.
 template <Shape shape, int Dim>
 [[nodiscard]] Extent<Dim> extent_of_class(const SizeClassNumbers<Dim>& numbers) noexcept {
   Extent<Dim> extent = Extent<Dim>::of_none();
@@ -50,7 +51,7 @@ void write_overview(E& executor, const Spheres& elements, Overview<Spheres::dime
   executor.reduce_into(&overview->all, elements.count, Extent<Spheres::dimensions>::of_none(),
                        ElementExtent<Spheres>{elements}, JoinExtents{});
   const std::uint64_t of_sizes = elements.has_common_radius() ? 0 : elements.count;
-  executor.join_by_class(overview->classes, size_classes, of_sizes,
+  executor.join_by_class(overview->classes, of_sizes,
                          SizeClassOf<Spheres>{elements, &overview->all});
 }
 

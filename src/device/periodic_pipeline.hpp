@@ -75,7 +75,7 @@ class PeriodicPipeline {
     }
     const DomainNumbers<Dim> numbers = numbers_of_elements(rule, plan);
     rule.require_groups(numbers.missing_group);
-    check(executor_, elements_, numbers.overview.all);
+    require_valid(executor_, elements_, numbers.overview.all);
     try {
       if (refusal) std::rethrow_exception(refusal);
       search(*plan, numbers, rule.view(), use);

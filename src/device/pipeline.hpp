@@ -43,7 +43,7 @@ class Pipeline {
     progress_.begin("gather", elements_.count);
     if (elements_.count == 0) return;
     const Overview<Dim> overview = overview_of_elements();
-    check(executor_, elements_, overview.all);
+    require_valid(executor_, elements_, overview.all);
     progress_.begin("search", elements_.count);
     Detection<SphereColumns<Dim, T>, E> detection(
         executor_, elements_, overview, request_,

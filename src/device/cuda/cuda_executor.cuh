@@ -80,10 +80,10 @@ __device__ void add_at_once(Numbers& to, const Numbers& more) {
 }
 
 /// Joins what a body gives for items by class: each block its own in shared memory, then all.
-template <class Numbers, class Body>
+template <std::uint32_t class_count, class Numbers, class Body>
 __global__ void __launch_bounds__(threads_of_block, blocks_at_once<Body>)
-    join_items(std::uint64_t count, Body body, std::uint32_t class_count, Numbers* classes) {
-  __shared__ Numbers of_block[most_classes];
+    join_items(std::uint64_t count, Body body, Numbers* classes) {
+  __shared__ Numbers of_block[class_count];
   for (std::uint32_t k = threadIdx.x; k < class_count; k += blockDim.x) {
     of_block[k] = Numbers::of_none();
   }
@@ -156,15 +156,13 @@ class CudaExecutor {
   [[nodiscard]] std::uint64_t select(const T* from, T* to, std::uint64_t count,
                                      const Predicate& predicate);
 
-  /// There are `most_classes` at most.
-  template <class Numbers, class Body>
-  void join_by_class(Numbers* classes, std::uint32_t class_count, std::uint64_t count,
-                     const Body& body) {
+  template <class Numbers, std::size_t class_count, class Body>
+  void join_by_class(Numbers (&classes)[class_count], std::uint64_t count, const Body& body) {
     for_each(class_count, EmptyClass<Numbers>{classes});
     if (count == 0) return;
     const auto blocks =
         static_cast<unsigned>(std::min<std::uint64_t>(blocks_of(count), blocks_of_classes));
-    join_items<<<blocks, threads_of_block, 0, stream_>>>(count, body, class_count, classes);
+    join_items<class_count><<<blocks, threads_of_block, 0, stream_>>>(count, body, classes);
     require(cudaGetLastError(), "start a kernel");
   }
 

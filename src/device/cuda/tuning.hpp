@@ -21,9 +21,7 @@ template <class Body>
 inline constexpr unsigned blocks_at_once = has_images<Body> ? 2 : 3;
 /// More items than blocks of threads are taken in strides.
 inline constexpr unsigned most_blocks = 1U << 20;
-/// Classes whose numbers a block keeps in shared memory, and blocks that do: each adds them to
-/// those of all in the end.
-inline constexpr unsigned most_classes = 64;
+/// Blocks that keep numbers of classes in shared memory: each adds them to those of all in the end.
 inline constexpr unsigned blocks_of_classes = 1U << 11;
 /// Threads that a reduction begins with, and results that are left to the host.
 inline constexpr unsigned parts_of_reduction = 1U << 17;

@@ -77,11 +77,10 @@ class HostExecutor {
     return taken;
   }
 
-  template <class Numbers, class Body>
-  void join_by_class(Numbers* classes, std::uint32_t class_count, std::uint64_t count,
-                     const Body& body) {
+  template <class Numbers, std::size_t class_count, class Body>
+  void join_by_class(Numbers (&classes)[class_count], std::uint64_t count, const Body& body) {
     const ItemSequence sequence(order_, count);
-    for (std::uint32_t k = 0; k < class_count; ++k) classes[k] = Numbers::of_none();
+    for (Numbers& numbers : classes) numbers = Numbers::of_none();
     for (std::uint64_t k = 0; k < count; ++k) {
       const auto item = body(sequence[k]);
       if (item.number < class_count) classes[item.number].add(item.numbers);

@@ -115,22 +115,11 @@ class HostBackend final : public Backend {
     require_device_arrays(request.rule, 0, place_of_array);
     return memory_.run(max_bytes, stream, [&] {
       executor_.emplace(memory_, ItemOrder::shuffled, 2);
-      found_ = spheres.first.dimensions() == 2 ? found<2>(spheres, request, call)
-                                               : found<3>(spheres, request, call);
+      found_ = spheres.first.dimensions() == 2
+                   ? call_with_elements<2>(spheres.first, spheres.second, request, call)
+                   : call_with_elements<3>(spheres.first, spheres.second, request, call);
       return answer_of(found_, memory_.peak());
     });
-  }
-
-  template <int Dim, class Call>
-  static FoundList<HostExecutor> found(const SphereSets& spheres, const DeviceRequest& request,
-                                       const Call& call) {
-    const ElementView& first = spheres.first;
-    if (first.shape() == Shape::box) return call(joined_boxes_of<Dim>(first, spheres.second));
-    if (spheres.second != nullptr || !request.is_plain(Dim)) {
-      return call(joined_columns_of<Dim>(first, spheres.second));
-    }
-    return first.precision() == Precision::float64 ? call(columns_of<Dim, double>(first))
-                                                   : call(columns_of<Dim, float>(first));
   }
 
   KeptMemory memory_;

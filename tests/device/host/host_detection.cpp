@@ -37,14 +37,14 @@ HostExecutor executor_of(const HostRun& run, base::MemoryMeter& memory) {
 
 /// Runs the stages for elements as these take them.
 template <class Elements>
-HostAnswer answer_of(const Elements& elements, double margin, const HostRun& run, Wanted wanted) {
+HostAnswer answer_of(const Elements& elements, const device::DeviceRequest& request,
+                     const HostRun& run, Wanted wanted) {
   const base::FloatEnvironment environment;
   base::MemoryMeter memory(run.max_bytes);
   HostAnswer result;
   {
     HostExecutor executor = executor_of(run, memory);
     base::ProgressReporter progress(run.progress);
-    const device::DeviceRequest request = request_of(margin, run);
     const auto found = wanted == Wanted::list
                            ? device::list_by_stages(executor, elements, request, progress)
                            : device::count_by_stages(executor, elements, request, progress);
@@ -66,23 +66,14 @@ HostAnswer answer_of(const Elements& elements, double margin, const HostRun& run
   return result;
 }
 
-template <int Dim>
 HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
-  if (spheres.shape() == Shape::box) {
-    return answer_of(device::joined_boxes_of<Dim>(spheres, run.second), margin, run, wanted);
-  }
-  const bool is_double = spheres.precision() == Precision::float64;
-  const device::DeviceRequest asked{.lattice = elements::lattice_of(run.domain), .rule = run.rule};
-  if (run.second == nullptr && asked.is_plain(Dim)) {
-    return is_double ? answer_of(device::columns_of<Dim, double>(spheres), margin, run, wanted)
-                     : answer_of(device::columns_of<Dim, float>(spheres), margin, run, wanted);
-  }
-  return answer_of(device::joined_columns_of<Dim>(spheres, run.second), margin, run, wanted);
-}
-
-HostAnswer answer(const ElementView& spheres, double margin, const HostRun& run, Wanted wanted) {
-  return spheres.dimensions() == 2 ? answer<2>(spheres, margin, run, wanted)
-                                   : answer<3>(spheres, margin, run, wanted);
+  const device::DeviceRequest request = request_of(margin, run);
+  const auto asked = [&](const auto& elements) {
+    return answer_of(elements, request, run, wanted);
+  };
+  return spheres.dimensions() == 2
+             ? device::call_with_elements<2>(spheres, run.second, request, asked)
+             : device::call_with_elements<3>(spheres, run.second, request, asked);
 }
 
 }  // namespace
